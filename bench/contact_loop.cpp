@@ -85,6 +85,8 @@ ARENITE_CASE("periodic_100000/gear", at_rest, f, bench::periodic_100000, gear, 1
 ARENITE_CASE("periodic_100000/verlet/two_threads", at_rest, l, bench::periodic_100000, verlet, 2)->UseRealTime();
 ARENITE_CASE("compaction_4000/verlet", compaction, g, verlet);
 ARENITE_CASE("compaction_4000/gear", compaction, h, gear);
+ARENITE_CASE("clumps_4000/verlet", at_rest, m, bench::clumps_4000, verlet, 1);
+ARENITE_CASE("polygons_4000/verlet", at_rest, n, bench::polygons_4000, verlet, 1);
 ARENITE_CASE("rolling_4000/verlet", rolling, i, verlet, false);
 ARENITE_CASE("rolling_4000/gear", rolling, j, gear, false);
 ARENITE_CASE("bonded_4000/verlet", rolling, k, verlet, true);

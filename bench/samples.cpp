@@ -4,6 +4,8 @@
 #include <numbers>
 
 #include "core/random.hpp"
+#include "grains/packing/shapes/grain_shapes.hpp"
+#include "model/shapes.hpp"
 
 namespace arenite::bench {
 
@@ -12,8 +14,13 @@ namespace {
 constexpr double stiffness = 1e7;         // N/m
 constexpr double target_pressure = 1e-3;  // P L/k
 
-/// Disks on a jittered square lattice in mixed order, solid fraction 0.6.
-Packing loose(std::size_t n, bool periodic) {
+/// Radii (of disks of the same area) from and to, m, and the solid fraction to begin with.
+struct Sizes {
+  double from = 4e-3, to = 8e-3, solid_fraction = 0.6;
+};
+
+/// Grains on a jittered square lattice in mixed order.
+Packing loose(std::size_t n, bool periodic, const Sizes& sizes = {}) {
   Packing p;
   p.materials = {{"grain", 1000.0, stiffness, 0.0}};
   const auto side = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(n))));
@@ -21,10 +28,10 @@ Packing loose(std::size_t n, bool periodic) {
   RandomStream size(1, Purpose::radius), place(1, Purpose::position), order(1, Purpose::order);
   double area = 0;
   for (auto& r : p.grains.radius) {
-    r = size.uniform(4e-3, 8e-3);
+    r = size.uniform(sizes.from, sizes.to);
     area += std::numbers::pi * r * r;
   }
-  const double width = std::sqrt(area / 0.6), pitch = width / static_cast<double>(side);
+  const double width = std::sqrt(area / sizes.solid_fraction), pitch = width / static_cast<double>(side);
   std::vector<std::size_t> site(side * side);
   for (std::size_t k = 0; k < site.size(); ++k) site[k] = k;
   for (std::size_t k = site.size() - 1; k > 0; --k) std::swap(site[k], site[order.below(k + 1)]);
@@ -34,6 +41,19 @@ Packing loose(std::size_t n, bool periodic) {
   }
   p.domain.wall[right].position = p.domain.wall[top].position = width;
   p.domain.periodic_x = p.domain.periodic_y = periodic;
+  return p;
+}
+
+/// The same with grains of one shape, turned at random, so far apart that none overlap.
+Packing loose_shapes(std::size_t n, const packing::GrainShape& kind) {
+  Packing p = loose(n, true, {5e-3, 7e-3, 0.35});
+  const Shape unit = std::visit([](const auto& shape) { return scaled_to(shape.make(), 1); }, kind);
+  RandomStream turn(1, Purpose::orientation);
+  for (std::size_t k = 0; k < n; ++k) {
+    const Shape shape = scaled_to(unit, p.grains.radius[k]);
+    add_shape(p.grains.shapes, shape, gyration_of(shape));
+    p.grains.angle[k] = turn.uniform(0, 2 * std::numbers::pi);
+  }
   return p;
 }
 
@@ -47,10 +67,10 @@ dem::WallDrives closing(double speed) {
   return {{{Kind::velocity, speed}, {Kind::velocity, -speed}, {Kind::velocity, speed}, {Kind::velocity, -speed}}};
 }
 
-Packing jammed(std::size_t n, bool periodic) {
+Packing jammed(const Packing& start) {
   dem::IntegrationParameters integration;
   integration.drag = 20;
-  dem::Engine engine(loose(n, periodic), contact_parameters(), integration);
+  dem::Engine engine(start, contact_parameters(), integration);
   engine.set_friction(0.02);
   const double fast = 0.06 * engine.domain().width() / (15000 * engine.time_step());
   for (double speed = fast; speed > 0.02 * fast; speed *= 0.5) {  // ever slower; what is too much opens again
@@ -78,6 +98,8 @@ Packing tiled(const Packing& cell, int times) {
         p.grains.x[k] = cell.grains.x[q] + column * width;
         p.grains.y[k] = cell.grains.y[q] + row * height;
         p.grains.radius[k] = cell.grains.radius[q];
+        p.grains.angle[k] = cell.grains.angle[q];
+        if (!cell.grains.shapes.empty()) add_shape(p.grains.shapes, shape_of(cell.grains, q), cell.grains.shapes.gyration[q]);
       }
   p.domain.wall[right].position = p.domain.wall[left].position + times * width;
   p.domain.wall[top].position = p.domain.wall[bottom].position + times * height;
@@ -95,17 +117,27 @@ dem::ContactParameters contact_parameters() {
 }
 
 const Packing& walls_4000() {
-  static const Packing packing = jammed(4000, false);
+  static const Packing packing = jammed(loose(4000, false));
   return packing;
 }
 
 const Packing& periodic_4000() {
-  static const Packing packing = jammed(4000, true);
+  static const Packing packing = jammed(loose(4000, true));
   return packing;
 }
 
 const Packing& periodic_100000() {
   static const Packing packing = tiled(periodic_4000(), 5);
+  return packing;
+}
+
+const Packing& clumps_4000() {
+  static const Packing packing = tiled(jammed(loose_shapes(1000, packing::ClumpShape{.aspect = 1.4})), 2);
+  return packing;
+}
+
+const Packing& polygons_4000() {
+  static const Packing packing = tiled(jammed(loose_shapes(1000, packing::PolygonShape{.corners = 5})), 2);
   return packing;
 }
 

@@ -1,31 +1,85 @@
-// Writes the benchmark's packings for the peers: NAME.data (LAMMPS, atom style sphere, SI) and NAME.csv (x, y, radius).
+// Writes the benchmark's packings for the peers: NAME.data (LAMMPS, SI), and of disks NAME.csv (x, y, radius).
 #include <fmt/format.h>
 
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <numbers>
 
+#include "model/shapes.hpp"
 #include "samples.hpp"
 
 namespace {
 
 using namespace arenite;
 
-void write(const std::filesystem::path& folder, const std::string& name, const Packing& p) {
+/// Of a grain, kg.
+double mass_of(const Packing& p, std::size_t g) {
+  const double r = p.grains.radius[g];
+  return p.materials[0].density * p.domain.thickness * std::numbers::pi * r * r;
+}
+
+/// What stands before the list of atoms.
+std::string head(const std::string& name, const Packing& p, std::size_t atoms, const std::string& more) {
   const double margin = p.domain.periodic_x ? 0.0 : 1e-3;  // LAMMPS shrinks its box to the grains; walls are its fixes
   const auto& w = p.domain.wall;
+  return fmt::format("{}\n\n{} atoms\n1 atom types\n{}\n", name, atoms, more) +
+         fmt::format("{:.17g} {:.17g} xlo xhi\n", w[left].position - margin, w[right].position + margin) +
+         fmt::format("{:.17g} {:.17g} ylo yhi\n-0.008 0.008 zlo zhi\n\nAtoms\n\n", w[bottom].position - margin, w[top].position + margin);
+}
+
+/// LAMMPS gives a disk the mass of a sphere; with this density it has the given one.
+double density_for(double mass, double radius) { return 0.75 * mass / (std::numbers::pi * radius * radius * radius); }
+
+void write_disks(const std::filesystem::path& folder, const std::string& name, const Packing& p) {
+  const auto& w = p.domain.wall;
   std::ofstream data(folder / (name + ".data")), table(folder / (name + ".csv"));
-  data << fmt::format("{}\n\n{} atoms\n1 atom types\n\n", name, p.grains.size())
-       << fmt::format("{:.17g} {:.17g} xlo xhi\n", w[left].position - margin, w[right].position + margin)
-       << fmt::format("{:.17g} {:.17g} ylo yhi\n-0.008 0.008 zlo zhi\n\nAtoms # sphere\n\n", w[bottom].position - margin, w[top].position + margin);
+  data << head(name, p, p.grains.size(), "");
   table << fmt::format("{:.17g},{:.17g},{:.17g},{:.17g}\n", w[left].position, w[right].position, w[bottom].position, w[top].position);
-  const double density = p.materials[0].density * p.domain.thickness;
   for (std::size_t k = 0; k < p.grains.size(); ++k) {
     const double r = p.grains.radius[k];
-    // LAMMPS gives a grain the mass of a sphere; this density makes it that of our disk.
-    data << fmt::format("{} 1 {:.17g} {:.17g} {:.17g} {:.17g} 0\n", k + 1, 2 * r, 0.75 * density / r, p.grains.x[k], p.grains.y[k]);
+    data << fmt::format("{} 1 {:.17g} {:.17g} {:.17g} {:.17g} 0\n", k + 1, 2 * r, density_for(mass_of(p, k), r), p.grains.x[k], p.grains.y[k]);
     table << fmt::format("{:.17g},{:.17g},{:.17g}\n", p.grains.x[k], p.grains.y[k], r);
   }
+}
+
+/// Disks of clumps, each with the number of its clump as that of its molecule.
+void write_clumps(const std::filesystem::path& folder, const std::string& name, const Packing& p) {
+  const Shapes& shapes = p.grains.shapes;
+  std::ofstream data(folder / (name + ".data"));
+  data << head(name, p, shapes.x.size(), "");
+  for (std::size_t g = 0; g < p.grains.size(); ++g) {
+    const Vec2 by = direction(p.grains.angle[g]);
+    const auto first = static_cast<std::size_t>(shapes.first[g]), last = static_cast<std::size_t>(shapes.first[g + 1]);
+    for (std::size_t d = first; d < last; ++d) {
+      const Vec2 at = p.grains.centre(g) + turned({shapes.x[d], shapes.y[d]}, by);
+      data << fmt::format("{} 1 {:.17g} {:.17g} 0 {:.17g} {:.17g} {}\n", d + 1, at.x, at.y, 2 * shapes.radius[d],
+                          density_for(mass_of(p, g) / static_cast<double>(last - first), shapes.radius[d]), g + 1);
+    }
+  }
+}
+
+/// Bodies of style rounded/polygon: moments of inertia, corners, twice the radius of the corners.
+void write_polygons(const std::filesystem::path& folder, const std::string& name, const Packing& p) {
+  const Shapes& shapes = p.grains.shapes;
+  std::ofstream data(folder / (name + ".data"));
+  data << head(name, p, p.grains.size(), fmt::format("{} bodies\n", p.grains.size()));
+  std::string bodies = "\nBodies\n\n";
+  for (std::size_t g = 0; g < p.grains.size(); ++g) {
+    data << fmt::format("{} 1 1 {:.17g} {:.17g} {:.17g} 0\n", g + 1, mass_of(p, g), p.grains.x[g], p.grains.y[g]);
+    const Vec2 by = direction(p.grains.angle[g]);
+    const auto first = static_cast<std::size_t>(shapes.first[g]), corners = static_cast<std::size_t>(shapes.first[g + 1]) - first;
+    const double inertia = mass_of(p, g) * shapes.gyration[g] * shapes.gyration[g];
+    auto to = std::back_inserter(bodies);
+    fmt::format_to(to, "{} 1 {}\n{}\n{:.17g} {:.17g} {:.17g} 0 0 0\n", g + 1, 7 + 3 * corners, corners, inertia / 2, inertia / 2, inertia);
+    for (std::size_t d = first; d < first + corners; ++d) {
+      const Vec2 at = turned({shapes.x[d], shapes.y[d]}, by);
+      fmt::format_to(to, "{:.17g} {:.17g} 0\n", at.x, at.y);
+    }
+    fmt::format_to(to, "{:.17g}\n", 2 * shapes.radius[first]);
+  }
+  data << bodies;
 }
 
 }  // namespace
@@ -35,7 +89,9 @@ int main(int count, char** words) {
     std::fputs("usage: export_packing FOLDER\n", stderr);
     return 2;
   }
-  write(words[1], "walls_4000", bench::walls_4000());
-  write(words[1], "periodic_100000", bench::periodic_100000());
+  write_disks(words[1], "walls_4000", bench::walls_4000());
+  write_disks(words[1], "periodic_100000", bench::periodic_100000());
+  write_clumps(words[1], "clumps_4000", bench::clumps_4000());
+  write_polygons(words[1], "polygons_4000", bench::polygons_4000());
   return 0;
 }

@@ -68,9 +68,10 @@ std::vector<double> slid(const Sides& s, double difference, const std::vector<do
   return strain;
 }
 
+/// Along the axis of compression of a confined sample, which may grow by more across it as it dilates; else along that of the greater strain.
 void strain_by_sides(TestCurves& curves, const Sides& s) {
   const double x = 1 - s.width.back() / s.width.front(), y = 1 - s.height.back() / s.height.front();
-  const bool upright = std::abs(y) >= std::abs(x);
+  const bool upright = curves.confined ? y >= x : std::abs(y) >= std::abs(x);
   const auto& size = upright ? s.height : s.width;
   curves.strain_name = upright ? "strain of the height" : "strain of the width";
   for (const double v : size) curves.strain.push_back(1 - v / size.front());
@@ -133,7 +134,19 @@ bool strain_by_shear(TestCurves& curves, const StageResult& stage, const Sides& 
   return true;
 }
 
-statistics::Measured over(const std::vector<double>& values, std::size_t first) { return fields::block_average(std::span(values).subspan(first)).mean; }
+/// Mean of the values from the first on, its error by blocks; of six where the series is too short to tell how long independent ones are.
+statistics::Measured over(const std::vector<double>& values, std::size_t first, bool& sure) {
+  const auto plateau = std::span(values).subspan(first);
+  const statistics::Measured mean = fields::block_average(plateau).mean;
+  if (std::isfinite(mean.error)) return mean;
+  sure = false;
+  constexpr std::size_t blocks = 6;
+  std::vector<double> means(blocks);
+  const std::size_t length = plateau.size() / blocks, rest = plateau.size() % blocks;
+  for (std::size_t b = 0; b < blocks; ++b)
+    for (const double v : plateau.subspan(rest + b * length, length)) means[b] += v / static_cast<double>(length);
+  return statistics::mean_of(means);
+}
 
 Numbers with_interval(const statistics::Measured& m) {
   const auto interval = statistics::confidence_95(m);
@@ -147,9 +160,9 @@ std::optional<TestCurves> test_curves(const StageResult& stage) {
   if (!s || stage.frames.empty() || !(s->width.front() > 0) || !(s->height.front() > 0)) return {};
   TestCurves curves;
   if (!strain_by_shear(curves, stage, *s)) {
-    strain_by_sides(curves, *s);
     auto stress = uniaxial_stress(*s, stage.frames.back().packing.domain.thickness);
     curves.confined = !stress;
+    strain_by_sides(curves, *s);
     curves.ratio = stress ? std::move(*stress) : q_over_p(*s);
   }
   if (std::ranges::none_of(curves.strain, [](double v) { return std::abs(v) >= least_strain; })) return {};
@@ -172,9 +185,11 @@ std::optional<CriticalState> critical_state(const TestCurves& curves) {
   const auto steady = fields::find_steady_state(ratio);
   const auto solid = fields::find_steady_state(std::span(curves.solid_fraction).subspan(offset));
   const std::size_t first = offset + std::max(steady.first, solid.first);
-  const auto plateau = over(curves.ratio, first);
-  if (!steady.reached || !std::isfinite(plateau.error) || last - curves.strain[first] < 0.2 * last) return {};
-  return CriticalState{curves.strain[first], last, plateau, over(curves.solid_fraction, first)};
+  if (!steady.settled || !solid.settled || last - curves.strain[first] < 0.2 * last) return {};
+  CriticalState state{curves.strain[first], last, {}, {}};
+  state.ratio = over(curves.ratio, first, state.sure);
+  state.solid_fraction = over(curves.solid_fraction, first, state.sure);
+  return state;
 }
 
 std::string critical_state_text(const StageResult& stage) {
@@ -186,7 +201,8 @@ std::string critical_state_text(const StageResult& stage) {
     return statistics::with_error({m.value, 0.5 * (interval.high - interval.low)});
   };
   TextLines rows(TextLines::Layout::explained);
-  rows.heading(fmt::format("Critical state: {} from {:.3g} to {:.3g}, each +- its 95 % error", curves->strain_name, state->from, state->to));
+  rows.heading(fmt::format("Critical state: {} from {:.3g} to {:.3g}, each +- its 95 % error{}", curves->strain_name, state->from, state->to,
+                           state->sure ? "" : " by six blocks, perhaps too small: shear further or repeat with other seeds"));
   rows.add(curves->sheared ? "friction mu" : "q/p", shown(state->ratio),
            curves->sheared ? "shear over normal stress on the sides" : "by the forces on the sides");
   rows.add("solid fraction", shown(state->solid_fraction), "of the whole box");
@@ -197,6 +213,7 @@ Numbers numbers_of(const TestCurves& curves, const CriticalState& state) {
   return {{"strain", curves.strain_name},
           {"from", state.from},
           {"to", state.to},
+          {"sure", state.sure},
           {curves.ratio_name(), with_interval(state.ratio)},
           {"solid_fraction", with_interval(state.solid_fraction)}};
 }

@@ -24,17 +24,18 @@ struct TestCurves {
 /// From the forces on the sides and their places. Nothing for a stage that strains by less than 0.2 %, or kept no history of its sides.
 std::optional<TestCurves> test_curves(const StageResult& stage);
 
-/// The critical state: the part of a test in which its ratio only fluctuates while the strain goes on.
+/// The critical state: the part of a test in which its ratio and the volume only fluctuate while the strain goes on.
 struct CriticalState {
   double from = 0, to = 0;  ///< strain
   statistics::Measured ratio, solid_fraction;
+  bool sure = true;  ///< both errors are of blocks that are independent; else one or both are of six, the longest there can be, and may be too small
 };
 
 /// Where the transients of both have ended (fields::find_steady_state). Nothing where the test was cyclic, where its strain all but stops, or where
-/// the ratio drifts to the end; the solid fraction is without an error where too few of its fluctuations fit into the test.
+/// the ratio or the solid fraction drifts to the end.
 std::optional<CriticalState> critical_state(const TestCurves& curves);
 
-/// As `arenite show --json` and the page have it: from, to, and value, error, low_95, high_95 of the ratio, by its name, and of the solid fraction.
+/// As `arenite show --json` and the page have it: from, to, whether it is sure, and value, error, low_95, high_95 of the ratio, by its name, and of the solid fraction.
 Numbers numbers_of(const TestCurves& curves, const CriticalState& state);
 
 /// For people, under a heading; empty where there is none.

@@ -43,7 +43,7 @@ TEST(BiaxialExample, ADenseSampleShearsAtTheSidePressureMobilisesFrictionAndDila
   const std::string out = (folder / "out").string();
   const auto run = arenite("run " ARENITE_SOURCE_DIR
                            "/examples/05-biaxial-test/recipe.toml --quiet --set packing.grains=200 "
-                           "--set 'container.width=\"90 mm\"' --set 'stages.1.duration=\"0.12 s\"' --set stages.1.snapshots=12 --out " +
+                           "--set 'container.width=\"90 mm\"' --set 'stages.1.duration=\"0.06 s\"' --set stages.1.snapshots=12 --out " +
                            out);
   ASSERT_EQ(run.status, 0) << run.err;
   const auto shown = arenite("show " + out + " --states");

@@ -4,6 +4,7 @@
 
 #include "io/disk/file.hpp"
 #include "io/results/results.hpp"
+#include "model/shapes.hpp"
 #include "support/program.hpp"
 #include "support/sample_results.hpp"
 
@@ -38,6 +39,24 @@ TEST_F(Export, VtkReadsArraysOfMoreThanOneCompressedBlock) {
   ASSERT_EQ(arenite("export " + file.string() + " --to vtk").status, 0);
   const auto read = shell(python("compare_vtk.py") + file.string() + " " + (folder / "vtk").string());
   EXPECT_EQ(read.status, 0) << read.err;
+}
+
+/// A square, a pair of disks and a disk by turns.
+void give_shapes(Grains& grains) {
+  const Shape kinds[] = {{{{0.006, 0.006}, {-0.006, 0.006}, {-0.006, -0.006}, {0.006, -0.006}}, {0.002, 0.002, 0.002, 0.002}, true},
+                         {{{-0.003, 0}, {0.003, 0}}, {0.005, 0.005}, false},
+                         {{{0, 0}}, {0.0101}, false}};
+  for (std::size_t g = 0; g < grains.size(); ++g) add_shape(grains.shapes, kinds[g % 3], gyration_of(kinds[g % 3]));
+}
+
+TEST_F(Export, VtkReadsTheRimsOfGrainsThatAreNoDisks) {
+  StageResult result = test::two_frames(6);
+  for (Frame& frame : result.frames) give_shapes(frame.packing.grains);
+  io::write_stage(file, result);
+  ASSERT_EQ(arenite("export " + file.string() + " --to vtk").status, 0);
+  const auto read = shell(python("compare_outlines.py") + file.string() + " " + (folder / "vtk").string());
+  EXPECT_EQ(read.status, 0) << read.err;
+  EXPECT_EQ(read.out, "checked 2 states\n");
 }
 
 TEST_F(Export, XarrayOpensALoadingAsArraysOverTimeAndGrain) {

@@ -16,28 +16,43 @@ struct Steady {
   fields::SteadyState mu, phi;
 };
 
-/// 400 disks spread by 20 % in a cell without walls at given pressure and inertial number, as in da Cruz et al. 2005: mu = 0.4, e = 0.1, k/P = 1e4.
-Steady sheared(double inertial_number, double strain) {
+/// `across` by `up` disks spread by 20 % in a cell without walls, hardly touching.
+Packing cell_of_disks(int across, int up) {
   Packing p;
   p.materials = {{"glass", density, stiffness, 0}};
   p.domain.thickness = length;
   p.domain.periodic_x = p.domain.periodic_y = true;
-  p.domain.wall[right].position = p.domain.wall[top].position = 20 * diameter;
-  const int n = 19;
-  p.grains.resize(n * n);
-  double area = 0;
+  const double width = p.domain.wall[right].position = 20 * diameter * across / 19, height = p.domain.wall[top].position = 20 * diameter * up / 19;
+  const int n = across * up;
+  p.grains.resize(static_cast<std::size_t>(n));
   for (std::size_t k = 0; k < p.grains.size(); ++k) {
-    const double r = 0.5 * diameter * (0.8 + 0.4 * static_cast<double>((k * 7919) % (n * n)) / (n * n));
-    p.grains.radius[k] = r;
-    p.grains.x[k] = (static_cast<double>(k % n) + 0.5) * p.domain.width() / n;
-    p.grains.y[k] = (static_cast<double>(k / n) + 0.5) * p.domain.height() / n;
-    area += std::numbers::pi * r * r;
+    p.grains.radius[k] = 0.5 * diameter * (0.8 + 0.4 * static_cast<double>((k * 7919) % static_cast<std::size_t>(n)) / n);
+    p.grains.x[k] = (static_cast<double>(k % static_cast<std::size_t>(across)) + 0.5) * width / across;
+    p.grains.y[k] = (static_cast<double>(k / static_cast<std::size_t>(across)) + 0.5) * height / up;
   }
+  return p;
+}
+
+double area_of(const Packing& p) {
+  double area = 0;
+  for (const double r : p.grains.radius) area += std::numbers::pi * r * r;
+  return area;
+}
+
+/// mu = 0.4 as in da Cruz et al. 2005.
+dem::ContactParameters contact_of(double restitution) {
   dem::ContactParameters contact;
   contact.friction = 0.4;
-  contact.restitution = 0.1;
+  contact.restitution = restitution;
   contact.tangential_stiffness_ratio = 0.5;
-  dem::Engine engine(p, contact, {});
+  return contact;
+}
+
+/// 361 disks at given pressure and inertial number, as there: e = 0.1, k/P = 1e4.
+Steady sheared(double inertial_number, double strain) {
+  const Packing p = cell_of_disks(19, 19);
+  const double area = area_of(p);
+  dem::Engine engine(p, contact_of(0.1), {});
   engine.set_inertial_number(0.1);
   dem::WallDrives drives;
   drives[top] = {dem::WallDrive::Kind::force, pressure * p.domain.width() * length};
@@ -63,6 +78,46 @@ TEST(Rheology, FrictionAndSolidFractionOfDisksAreThePublishedOnes) {
   EXPECT_NEAR(quick.phi.mean.value, 0.78, 0.015);
   EXPECT_GT(quick.mu.mean.value - slow.mu.mean.value, 3 * (slow.mu.mean.error + quick.mu.mean.error));
   EXPECT_GT(slow.phi.mean.value - quick.phi.mean.value, 0.01);
+}
+
+/// q/p and solid fraction over the plateau of a cell that is pressed together along y at a constant speed while x yields to the pressure.
+Steady compressed() {
+  const Packing p = cell_of_disks(13, 27);
+  dem::Engine engine(p, contact_of(0.3), {});
+  const auto pressed = [](double area) { return dem::WallDrive{dem::WallDrive::Kind::force, pressure * area * length}; };
+  dem::WallDrives drives;
+  engine.set_inertial_number(0.1);
+  engine.set_friction(0);
+  for (int n = 0; n < 200; ++n) {
+    drives[right] = pressed(engine.domain().height());
+    drives[top] = pressed(engine.domain().width());
+    engine.set_drives(drives);
+    engine.advance(100);
+  }
+  engine.set_friction(std::nullopt);
+  const double height = engine.domain().height();
+  std::vector<double> ratio, phi;
+  while (engine.domain().height() > 0.6 * height) {
+    drives[right] = pressed(engine.domain().height());
+    drives[top] = {dem::WallDrive::Kind::velocity, -0.5 * height};
+    engine.set_drives(drives);
+    engine.advance(50);
+    const Domain& now = engine.domain();
+    const double xx = now.wall[right].force / now.height(), yy = now.wall[top].force / now.width();
+    if (now.height() > 0.85 * height) continue;
+    ratio.push_back((yy - xx) / (yy + xx));
+    phi.push_back(area_of(p) / now.area());
+  }
+  return {fields::block_average(ratio), fields::block_average(phi)};
+}
+
+// Simple shear of 500 such disks at the same I has the critical friction 0.264 +- 0.005 and solid fraction 0.8133 +- 0.0007
+// (examples/10-sheared-cell/critical). Where stress and strain rate have the same axes and the volume stays, the sheared plane lies at 45 degrees to the
+// axes of stress: tau/sigma_n = sin(phi_mc) = (s1 - s2)/(s1 + s2).
+TEST(Rheology, BiaxialCompressionHasTheCriticalStateOfSimpleShear) {
+  const Steady found = compressed();
+  EXPECT_NEAR(found.mu.mean.value, 0.264, 0.02);
+  EXPECT_NEAR(found.phi.mean.value, 0.8133, 0.004);
 }
 
 }  // namespace

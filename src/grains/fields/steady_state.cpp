@@ -98,7 +98,8 @@ SteadyState find_steady_state(std::span<const double> samples, const SteadyOptio
   const std::size_t twice = std::min(2 * cut, limit), first = twice > 0 ? samples.size() % options.batch + twice * options.batch : 0;
   SteadyState state = block_average(samples.subspan(first));
   state.first = first;
-  state.reached = cut < limit && std::isfinite(state.mean.error);
+  state.settled = cut < limit;
+  state.reached = state.settled && std::isfinite(state.mean.error);
   return state;
 }
 

@@ -14,7 +14,8 @@ struct SteadyOptions {
 
 /// The part of a time series, evenly sampled, in which a quantity only fluctuates: the critical state of a sheared sample, say.
 struct SteadyState {
-  bool reached = false;                ///< the transient ends early enough, and the rest is long enough to tell its error
+  bool settled = false;                ///< the transient ends early enough
+  bool reached = false;                ///< it does, and the rest is long enough to tell its error
   std::size_t first = 0;               ///< sample with which the plateau begins
   std::size_t count = 0;               ///< samples in it
   statistics::Measured mean;           ///< over the plateau; the error respects correlation, NaN where too few samples are independent

@@ -72,6 +72,22 @@ TEST(TestCurves, OfABiaxialTestAreStrainRatioAndVolumeOfTheSides) {
   EXPECT_NEAR(curves->solid_fraction[0], std::numbers::pi * 0.05 * 0.05 / 0.01, 1e-12);
 }
 
+TEST(TestCurves, OfABiaxialTestAreAlongTheAxisOfCompressionThoughTheWidthGrowsByMore) {
+  Loading test(100, false);
+  for (std::size_t k = 0; k < 100; ++k) {
+    const double share = static_cast<double>(k) / 99;
+    test.of("top_position")[k] = 0.1 * (1 - 0.4 * share);
+    test.of("right_position")[k] = 0.1 / (1 - 0.4 * share);
+    test.of("bottom_force")[k] = test.of("top_force")[k] = 3e3 * 0.01 * test.of("right_position")[k];
+    test.of("left_force")[k] = test.of("right_force")[k] = 1e3 * 0.01 * test.of("top_position")[k];
+  }
+  const auto curves = test_curves(test.stage);
+  EXPECT_EQ(curves->strain_name, "strain of the height");
+  EXPECT_NEAR(curves->strain.back(), 0.4, 1e-12);
+  ASSERT_TRUE(critical_state(*curves));
+  EXPECT_NEAR(critical_state(*curves)->ratio.value, 0.5, 1e-12);
+}
+
 TEST(TestCurves, OfASampleThatIsDrawnApartAreOfTheStressAlongTheAxis) {
   Loading test(5, false);
   test.of("top_position") = {0.1, 0.101, 0.102, 0.103, 0.104};
@@ -126,6 +142,42 @@ TEST(TestCurves, ACriticalStateCoversWhatMadeIt) {
   }
   EXPECT_GE(covered, 4);
   EXPECT_NE(critical_state_text(steady_shear(0.3).stage).find("friction mu"), std::string::npos);
+}
+
+/// The same with a friction that forgets within 30 samples, so that of the plateau's some thirty are independent.
+Loading slow_fluctuations(double plateau, std::uint64_t seed) {
+  Loading test = steady_shear(plateau);
+  RandomStream random(seed, Purpose::test);
+  double deviation = 0;
+  for (std::size_t k = 0; k < 2000; ++k) {
+    deviation = std::exp(-1 / 30.0) * deviation + std::sqrt(1 - std::exp(-2 / 30.0)) * 0.03 * random.normal();
+    test.of("bottom_shear_force")[k] = 100 * (plateau * (1 - std::exp(-0.025 * static_cast<double>(k))) + deviation);
+    test.of("top_shear_force")[k] = -test.of("bottom_shear_force")[k];
+  }
+  return test;
+}
+
+TEST(TestCurves, ACriticalStateOfFewFluctuationsHasTheErrorOfSixBlocksAndSaysSo) {
+  int found = 0, covered = 0, sure = 0;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    const auto curves = test_curves(slow_fluctuations(0.3, seed).stage);
+    const auto state = critical_state(*curves);
+    if (!state) continue;
+    ++found;
+    sure += state->sure ? 1 : 0;
+    EXPECT_LT(state->ratio.error, 0.012);
+    const auto [low, high] = statistics::confidence_95(state->ratio);
+    covered += low <= 0.3 && 0.3 <= high ? 1 : 0;
+  }
+  EXPECT_GE(found, 45);
+  EXPECT_LT(sure, found / 2);
+  EXPECT_GE(covered, 85 * found / 100);  // 95 % less what is left of the correlation; without blocks a third
+}
+
+TEST(TestCurves, NoCriticalStateWhileTheVolumeChanges) {
+  Loading test = steady_shear(0.3);
+  for (std::size_t k = 0; k < 2000; ++k) test.of("top_position")[k] = 0.1 - 1e-6 * static_cast<double>(k);
+  EXPECT_FALSE(critical_state(*test_curves(test.stage)));
 }
 
 TEST(TestCurves, NoCriticalStateWhereTheRatioDriftsOrTheStrainTurns) {
