@@ -9,7 +9,8 @@
 namespace arenite::texture {
 namespace {
 
-constexpr double pi = std::numbers::pi, degree = pi / 180;
+using std::numbers::pi;
+constexpr double degree = pi / 180;
 
 const Shape rod{{{-1, 0}, {1, 0}}, {0.5, 0.5}, false};
 const Shape square{{{1, 1}, {-1, 1}, {-1, -1}, {1, -1}}, {0.1, 0.1, 0.1, 0.1}, true};

@@ -4,13 +4,14 @@
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "unit/grains/texture/packings.hpp"
 
 namespace arenite::texture {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 TEST(Stress, OfTwoDisksBetweenWallsIsTheirForceOverTheWall) {
   // Two disks in a row, squeezed by 100 N: sigma_xx = -F W/(W H L) = -F/(H L), nothing else.
