@@ -59,6 +59,9 @@ PeriodicImages images_of(std::span<const double> x, std::span<const double> y, s
         const bool near = is_near(p.x, reach, d.periodic_x, d.wall[left], d.wall[right]) && is_near(p.y, reach, d.periodic_y, d.wall[bottom], d.wall[top]);
         if (near && (ix != 0 || iy != 0)) images.add(p, radius[g], static_cast<std::int32_t>(g));
       }
+    if (images.x.size() > 1'000'000 + 256 * x.size())
+      throw InputError(
+          "grains, or the gap, are so wide beside their periodic cell that each has hundreds of images; correct the unit of the radii, the gap or the cell");
   }
   return images;
 }
