@@ -111,6 +111,28 @@ TEST(Study, AskedToStopItLeavesAndGoesOnLater) {
   EXPECT_TRUE(contains(arenite(study_line("status", file, out)).out, "6 runs: 6 done\n"));
 }
 
+TEST(Study, ARunThatAnotherShardIsAtHasNoPageOfItsFirstStages) {
+  const TemporaryFolder folder;
+  const auto file = write_study(folder, small_study);
+  const std::filesystem::path whole = folder / "whole", shards = folder / "shards";
+  ASSERT_EQ(arenite(study_line("run", file, whole, "--quiet")).status, 0);
+  ASSERT_EQ(arenite(study_line("run", file, shards, "--quiet --shard 1/2")).status, 0);
+  std::vector<std::filesystem::path> begun;
+  for (const auto& run : std::filesystem::directory_iterator(whole / "runs")) {
+    const auto there = shards / "runs" / run.path().filename();
+    if (std::filesystem::exists(there)) continue;
+    std::filesystem::create_directories(there);
+    for (const auto& stage : std::filesystem::directory_iterator(run))
+      if (stage.path().filename().string().starts_with("01-")) std::filesystem::copy(stage, there);
+    begun.push_back(there);
+  }
+  ASSERT_FALSE(begun.empty());
+  ASSERT_EQ(arenite(study_line("page", file, shards, "")).status, 0);
+  for (const auto& run : begun) EXPECT_FALSE(std::filesystem::exists(run / "report.html")) << run;
+  ASSERT_EQ(arenite(study_line("run", file, shards, "--quiet --shard 2/2")).status, 0);
+  EXPECT_EQ(arenite::test::files_of_runs(shards), arenite::test::files_of_runs(whole));
+}
+
 TEST(Study, ShardsDoTheirPartsAtOnceAndTogetherTheWhole) {
   const TemporaryFolder folder;
   const auto file = write_study(folder, small_study);
