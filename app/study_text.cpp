@@ -126,8 +126,11 @@ std::string link_to_run(const campaign::StudyFolder& folder, const std::string& 
   if (std::filesystem::exists(page)) return from_study(page);
   if (!std::filesystem::exists(of_run)) return {};
   // Another shard may be at that run: a page of what there is by now would stay.
-  const auto status = campaign::read_status(folder, run);
-  if (!with_page || !status || !status->settled()) return from_study(of_run) + "/";
+  const auto is_settled = [&] {
+    const auto status = campaign::read_status(folder, run);
+    return status && status->settled();
+  };
+  if (!with_page || !is_settled()) return from_study(of_run) + "/";
   try {
     report::write_page(page, io::stage_files(of_run), run);
   } catch (const InputError&) { return from_study(of_run) + "/"; }  // nothing that a page shows

@@ -5,6 +5,7 @@
 
 #include "core/error.hpp"
 #include "core/problems.hpp"
+#include "core/text.hpp"
 #include "workflow/identify.hpp"
 
 namespace arenite::workflow {
@@ -15,8 +16,7 @@ const Labels group_labels{"group", "material", "glue", "diameter"}, test_labels{
 
 /// "load", "load_kN", "Load [kN]".
 bool is_label(const std::string& title, const Labels& labels) {
-  std::string name = title;
-  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string name = lower_case(title);
   return std::any_of(labels.begin(), labels.end(), [&](const std::string& label) { return name == label || name.starts_with(label + "_"); });
 }
 

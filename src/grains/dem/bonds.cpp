@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cmath>
 
+#include "grains/dem/integrators/motion.hpp"
 #include "grains/dem/kernels/kernel.hpp"
 #include "grains/dem/setup.hpp"
 
@@ -34,15 +35,10 @@ BeamStrain strain_rate(const BondSlot& b, const BeamMotion& m, Vec2 velocity, do
 
 /// Energy that the sample loses with a bond. Half of its last step's work was still done by it, that of its force then at the velocities before.
 double energy_of_break(const Sample& s, const BondSlot& b, const BeamMotion& m, const BeamForce& force, double energy) {
-  const bool gear = s.integration.integrator == IntegratorKind::gear5;
-  const double since = gear ? (s.settled ? 0.5 * s.dt : 0.0) : s.lag;
   const auto i = static_cast<std::size_t>(b.i), j = static_cast<std::size_t>(b.j);
-  const AffineMotion mx = affine_x(s.domain), my = affine_y(s.domain);
-  const Vec2 image = image_velocity(s, b);
-  const Vec2 v{s.vx[i] + mx.at(s.record[i].x) - s.vx[j] - mx.at(s.record[j].x) - image.x,
-               s.vy[i] + my.at(s.record[i].y) - s.vy[j] - my.at(s.record[j].y) - image.y};
+  const Vec2 v = velocity_beside(s, i, j, image_velocity(s, b));
   const BeamStrain rate = strain_rate(b, m, v, s.omega[i], s.omega[j]);
-  return energy - since * (force.tension * rate.stretch + force.shear * rate.shear + force.moment * rate.bending);
+  return energy - time_behind(s) * (force.tension * rate.stretch + force.shear * rate.shear + force.moment * rate.bending);
 }
 
 void note_break(Sample& s, BondSlot& b, const BeamMotion& m, const BeamLoad& load, double energy) {

@@ -8,6 +8,7 @@
 
 #include "core/error.hpp"
 #include "grains/dem/forces.hpp"
+#include "grains/dem/integrators/motion.hpp"
 
 namespace arenite::dem {
 namespace {
@@ -63,20 +64,15 @@ void pull_together(Sample& s, std::size_t p, const Across& at, double pull) {
 /// How fast the gap opens, by the integrated velocities.
 double opening(const Sample& s, std::size_t p, const Across& at) {
   const auto i = static_cast<std::size_t>(s.list.i[p]), j = static_cast<std::size_t>(s.list.j[p]), owner = static_cast<std::size_t>(s.list.owner[p]);
-  const AffineMotion mx = affine_x(s.domain), my = affine_y(s.domain);
   const DiskRecord &image = s.record[j], &source = s.record[owner];
-  const Vec2 beside{image.vx - source.vx, image.vy - source.vy};
-  const Vec2 v{s.vx[i] + mx.at(s.record[i].x) - s.vx[owner] - mx.at(source.x) - beside.x,
-               s.vy[i] + my.at(s.record[i].y) - s.vy[owner] - my.at(source.y) - beside.y};
+  const Vec2 v = velocity_beside(s, i, owner, {image.vx - source.vx, image.vy - source.vy});
   return dot(v, at.branch) / at.distance;
 }
 
 /// What of a pair's energy its force has not been given or has not taken when it begins or ends: half of the last step's work was still to be done
 /// with the force before, that of its force now at the velocities before.
 double unsettled_energy(const Sample& s, std::size_t p, const Across& at, const PullCurve& curve) {
-  const bool gear = s.integration.integrator == IntegratorKind::gear5;
-  const double since = gear ? (s.settled ? 0.5 * s.dt : 0.0) : s.lag;
-  return curve.energy(at.gap) - since * curve.pull(at.gap) * opening(s, p, at);
+  return curve.energy(at.gap) - time_behind(s) * curve.pull(at.gap) * opening(s, p, at);
 }
 
 /// Pairs that meet and part in this step, in the order of the list.

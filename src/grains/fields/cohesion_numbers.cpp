@@ -5,6 +5,8 @@
 #include <numbers>
 #include <string>
 
+#include "grains/texture/texture.hpp"
+
 namespace arenite::fields {
 namespace {
 
@@ -30,8 +32,7 @@ Means means_of(const Packing& packing) {
     const double r = grains.radius[g], area = std::numbers::pi * r * r;
     means.area += area;
     means.diameter += 2 * r / static_cast<double>(grains.size());
-    means.mass +=
-        packing.materials[static_cast<std::size_t>(grains.material[g])].density * area * packing.domain.thickness / static_cast<double>(grains.size());
+    means.mass += texture::mass_of(packing, g) / static_cast<double>(grains.size());
   }
   return means;
 }
@@ -41,20 +42,15 @@ double pressure_on(const Domain& domain) {
   return 0.5 * (domain.wall[right].force / domain.height() + domain.wall[top].force / domain.width()) / domain.thickness;
 }
 
-const std::vector<double>* column(const History& history, const std::string& name) {
-  const auto at = std::find_if(history.columns.begin(), history.columns.end(), [&](const auto& c) { return c.name == name; });
-  return at == history.columns.end() ? nullptr : &at->values;
-}
-
 /// Largest tension on a side that moves outward, Pa; 0 where none does.
 double tensile_strength(const StageResult& result, const dem::Stage& stage, double thickness) {
   constexpr std::array<std::array<const char*, 2>, 4> across{{{"bottom", "top"}, {"bottom", "top"}, {"left", "right"}, {"left", "right"}}};
-  constexpr std::array<const char*, 4> names{"left", "right", "bottom", "top"};
   double strength = 0;
-  for (std::size_t side = 0; side < names.size(); ++side) {
+  for (std::size_t side = 0; side < side_names.size(); ++side) {
     if (stage.side[side].kind != dem::SideDrive::Kind::velocity || !(stage.side[side].value < 0)) continue;
-    const auto *force = column(result.history, std::string(names[side]) + "_force"), *from = column(result.history, std::string(across[side][0]) + "_position"),
-               *to = column(result.history, std::string(across[side][1]) + "_position");
+    const History& history = result.history;
+    const auto *force = history.find(std::string(side_names[side]) + "_force"), *from = history.find(std::string(across[side][0]) + "_position"),
+               *to = history.find(std::string(across[side][1]) + "_position");
     if (!force || !from || !to) continue;
     for (std::size_t k = 0; k < force->size(); ++k) strength = std::max(strength, -(*force)[k] / (((*to)[k] - (*from)[k]) * thickness));
   }

@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 
+#include "core/text.hpp"
 #include "io/disk/refuse.hpp"
 #include "io/film/formats.hpp"
 #include "io/table/table.hpp"
@@ -60,9 +60,7 @@ Keys included(const Keys& keys, const ByteSource& bytes) {
 
 NumberType pixel_of(const Keys& keys, const std::string& file) {
   const auto found = keys.find("DaType");
-  std::string type;
-  const std::string_view word = found != keys.end() ? split_blanks(found->second).front() : std::string_view();
-  for (const char c : word) type += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string type = found != keys.end() ? lower_case(split_blanks(found->second).front()) : "";
   // Levels have at most 15 bits where the file calls them signed.
   if (type.empty() || type == "uint16" || type == "int16" || type == "word") return NumberType::u16;
   if (type == "flt32" || type == "float32" || type == "single") return NumberType::f32;

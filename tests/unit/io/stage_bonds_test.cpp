@@ -10,12 +10,14 @@
 namespace arenite::io {
 namespace {
 
-StageResult stage_with_bonds(std::vector<Bond> bonds) {
+/// Three grains with these bonds and cohesive pairs.
+StageResult stage_with(std::vector<Bond> bonds, std::vector<CohesivePair> pairs = {}) {
   Frame frame;
   frame.packing.materials = {{"glass", 2500, 1e6, 0}};
   frame.packing.grains.resize(3);
   frame.packing.grains.radius = {0.01, 0.01, 0.01};
   frame.packing.bonds = std::move(bonds);
+  frame.packing.cohesive = std::move(pairs);
   StageResult stage;
   stage.name = "press";
   stage.frames.push_back(frame);
@@ -39,7 +41,7 @@ void expect_same(const Bond& a, const Bond& b) {
 
 TEST(StageBonds, ComeBackAsTheyWere) {
   const auto path = bonds_file("bonds.h5");
-  write_stage(path, stage_with_bonds({whole, torn}));
+  write_stage(path, stage_with({whole, torn}));
   const StageResult read = read_stage(path);
   ASSERT_EQ(read.frames[0].packing.bonds.size(), 2u);
   expect_same(read.frames[0].packing.bonds[0], whole);
@@ -51,7 +53,7 @@ TEST(StageBonds, OfGrainsThatAreNotThereAreRefused) {
   const auto path = bonds_file("no_grain.h5");
   for (Bond wrong : {whole, torn}) {
     wrong.j = wrong.i == 0 ? 0 : 3;
-    write_stage(path, stage_with_bonds({wrong}));
+    write_stage(path, stage_with({wrong}));
     EXPECT_THROW(read_stage(path), InputError);
   }
   std::filesystem::remove(path);
@@ -59,8 +61,38 @@ TEST(StageBonds, OfGrainsThatAreNotThereAreRefused) {
 
 TEST(StageBonds, LeaveNoTraceWhereThereAreNone) {
   const auto path = bonds_file("no_bonds.h5");
-  write_stage(path, stage_with_bonds({}));
+  write_stage(path, stage_with({}));
   EXPECT_EQ(read_file(path.string()).find("bonds"), std::string::npos);
+  std::filesystem::remove(path);
+}
+
+TEST(StageCohesive, PairsComeBackAsTheyWere) {
+  const auto path = bonds_file("cohesive.h5");
+  const CohesivePair touching{0, 1, -1e-6, 2.5, -2.5e-6}, apart{1, 2, 3e-4, 1.5, 4e-4};
+  write_stage(path, stage_with({}, {touching, apart}));
+  const auto read = read_stage(path).frames[0].packing.cohesive;
+  ASSERT_EQ(read.size(), 2u);
+  for (const auto& [was, is] : {std::pair{touching, read[0]}, {apart, read[1]}}) {
+    EXPECT_EQ(is.i, was.i);
+    EXPECT_EQ(is.j, was.j);
+    for (double CohesivePair::*member : {&CohesivePair::gap, &CohesivePair::pull, &CohesivePair::energy}) EXPECT_EQ(is.*member, was.*member);
+  }
+  std::filesystem::remove(path);
+}
+
+TEST(StageCohesive, PairsOfGrainsThatAreNotThereAreRefused) {
+  const auto path = bonds_file("no_grain_coheres.h5");
+  for (const CohesivePair& wrong : {CohesivePair{0, 0, 0, 1, 0}, CohesivePair{1, 3, 0, 1, 0}, CohesivePair{-1, 1, 0, 1, 0}}) {
+    write_stage(path, stage_with({}, {wrong}));
+    EXPECT_THROW(read_stage(path), InputError);
+  }
+  std::filesystem::remove(path);
+}
+
+TEST(StageCohesive, LeavesNoTraceWhereThereIsNone) {
+  const auto path = bonds_file("dry.h5");
+  write_stage(path, stage_with({}, {}));
+  EXPECT_EQ(read_file(path.string()).find("cohesive"), std::string::npos);
   std::filesystem::remove(path);
 }
 

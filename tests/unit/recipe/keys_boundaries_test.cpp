@@ -7,25 +7,20 @@
 
 #include "core/error.hpp"
 #include "recipe/recipe.hpp"
+#include "unit/recipe/glass_grains.hpp"
 
 namespace arenite::recipe {
 namespace {
 
-const char* const hopper = R"(
+const std::string hopper = R"(
 [container]
 width = "100 mm"
 height = "200 mm"
 thickness = "10 mm"
 [packing]
 area = { bottom = "60 mm" }
-[materials.glass]
-density = "2500 kg/m^3"
-stiffness = "1 kN/mm"
-[[populations]]
-material = "glass"
-count = 10
-diameter = "5 mm"
-[[boundaries]]
+)" + testing::glass_grains +
+                           R"([[boundaries]]
 name = "floor"
 points = [["0 mm", "50 mm"], ["40 mm", "5 cm"]]
 [[boundaries]]

@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "recipe/recipe.hpp"
+#include "unit/recipe/glass_grains.hpp"
 
 namespace arenite::recipe {
 namespace {
@@ -15,14 +16,8 @@ const std::string start = R"(
 width = "100 mm"
 height = "100 mm"
 thickness = "10 mm"
-[materials.glass]
-density = "2500 kg/m^3"
-stiffness = "1 kN/mm"
-[[populations]]
-material = "glass"
-count = 10
-diameter = "5 mm"
-[[stages]]
+)" + testing::glass_grains +
+                          R"([[stages]]
 name = "load"
 gravity = true
 )";

@@ -4,6 +4,7 @@
 
 #include "core/error.hpp"
 #include "recipe/recipe.hpp"
+#include "unit/recipe/glass_grains.hpp"
 
 namespace arenite::recipe {
 namespace {
@@ -11,14 +12,7 @@ namespace {
 const std::string head = R"([container]
 width = "100 mm"
 thickness = "10 mm"
-[materials.glass]
-density = "2500 kg/m^3"
-stiffness = "1 kN/mm"
-[[populations]]
-material = "glass"
-count = 10
-diameter = "5 mm"
-)";
+)" + testing::glass_grains;
 const std::string stage = "[[stages]]\nname = \"rest\"\n";
 
 /// Whether a recipe of grains of this shape has one problem that names the line and says this; lines count from the shape's first.

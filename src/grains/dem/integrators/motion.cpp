@@ -27,6 +27,16 @@ Motion motion_of(const Sample& s, std::size_t k) {
   return {s.vx[k] + s.lag * a.ax, s.vy[k] + s.lag * a.ay, s.omega[k] + s.lag * a.alpha};
 }
 
+double time_behind(const Sample& s) {
+  if (integrator_of(s).corrects()) return s.settled ? 0.5 * s.dt : 0.0;
+  return s.lag;
+}
+
+Vec2 velocity_beside(const Sample& s, std::size_t i, std::size_t j, Vec2 image) {
+  const AffineMotion mx = affine_x(s.domain), my = affine_y(s.domain);
+  return {s.vx[i] + mx.at(s.record[i].x) - s.vx[j] - mx.at(s.record[j].x) - image.x, s.vy[i] + my.at(s.record[i].y) - s.vy[j] - my.at(s.record[j].y) - image.y};
+}
+
 Vec2 place_of(const Sample& s, std::size_t k) {
   const Vec2 place{s.record[k].x, s.record[k].y};
   const Integrator& scheme = integrator_of(s);

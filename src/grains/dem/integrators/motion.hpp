@@ -18,6 +18,11 @@ struct Motion {
 };
 Motion motion_of(const Sample& sample, std::size_t k);
 
+/// How long the integrated velocities are behind the forces, s: half a step, or nothing where a scheme has just begun.
+double time_behind(const Sample& sample);
+/// Integrated velocity of disk i beside disk j, or beside an image of j that moves past it so, m/s.
+Vec2 velocity_beside(const Sample& sample, std::size_t i, std::size_t j, Vec2 image);
+
 /// Place of inner disk k, m.
 Vec2 place_of(const Sample& sample, std::size_t k);
 

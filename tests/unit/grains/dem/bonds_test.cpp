@@ -205,11 +205,7 @@ Engine crushed(const Packing& p, int threads, std::int64_t steps) {
   how.threads = threads;
   Engine engine(p, contact, how);
   engine.make_bonds();
-  WallDrives drives;
-  drives[right] = {WallDrive::Kind::velocity, -0.5};
-  drives[top] = {WallDrive::Kind::velocity, 0.5};
-  engine.set_drives(drives);
-  engine.advance(steps);
+  testing::squeeze(engine, steps);
   return engine;
 }
 

@@ -37,11 +37,7 @@ Engine squeezed(const Packing& p, const Cohesion& law, int threads, std::int64_t
   IntegrationParameters how;
   how.threads = threads;
   Engine engine(p, cohesive(law), how);
-  WallDrives drives;
-  drives[right] = {WallDrive::Kind::velocity, -0.5};
-  drives[top] = {WallDrive::Kind::velocity, 0.5};
-  engine.set_drives(drives);
-  engine.advance(steps);
+  testing::squeeze(engine, steps);
   return engine;
 }
 

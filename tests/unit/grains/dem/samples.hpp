@@ -43,6 +43,15 @@ inline Packing crowd(int columns, int rows, std::uint64_t seed, double pitch = 0
   return p;
 }
 
+/// The right and the upper wall close in at half a metre a second.
+inline void squeeze(Engine& engine, std::int64_t steps) {
+  WallDrives drives;
+  drives[right] = {WallDrive::Kind::velocity, -0.5};
+  drives[top] = {WallDrive::Kind::velocity, 0.5};
+  engine.set_drives(drives);
+  engine.advance(steps);
+}
+
 inline StageRun to_its_end(Engine& engine, const Stage& stage) {
   StageRun run = begin_stage(engine, stage);
   while (!run.finished) continue_stage(engine, stage, run);
