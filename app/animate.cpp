@@ -12,7 +12,7 @@
 namespace arenite::app {
 namespace {
 
-struct Arguments {
+struct AnimateArguments {
   std::string result, out, by = "material", stage, map, low, high, curve, size;
   double per_second = 10;
   bool chains = false;
@@ -54,7 +54,7 @@ std::vector<std::string> width_and_height(const std::string& text) {
   throw InputError("--size: " + text + " is no size; give pixels, e.g. 1200x800");
 }
 
-void film(const Arguments& a) {
+void film(const AnimateArguments& a) {
   refuse_no_result(a.result);
   // Values stand behind = where they may begin with a minus.
   std::vector<std::string> words{a.result, "--by", a.by, "--fps", fmt::format("{}", a.per_second)};
@@ -73,7 +73,7 @@ void film(const Arguments& a) {
 }  // namespace
 
 void add_animate(Options& command, int&) {
-  const auto a = std::make_shared<Arguments>();
+  const auto a = std::make_shared<AnimateArguments>();
   command.add("result", a->result, "Folder of a run, or a file of it").required().type("RESULT");
   command.add("--out", a->out, "File to write, .mp4 (by ffmpeg) or .gif (default: animation.mp4 in the result's folder)").type("FILE");
   command.add("--by", a->by, "What grains are coloured by (default: material); forces: bars alone; displacement and rotation since the first state")

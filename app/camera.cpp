@@ -10,13 +10,13 @@
 namespace arenite::app {
 namespace {
 
-struct Arguments {
+struct CameraArguments {
   std::string result, recipe, out = "out/film", format = "ptw";
   std::vector<std::string> overrides;
   bool quiet = false, blind = false;
 };
 
-int execute(const Arguments& a) {
+int execute(const CameraArguments& a) {
   const auto recipe = recipe::read_film_recipe(a.recipe, a.overrides);
   watch_for_signals();
   std::vector<std::filesystem::path> files;
@@ -44,7 +44,7 @@ int execute(const Arguments& a) {
 }  // namespace
 
 void add_camera(Options& command, int& status) {
-  const auto a = std::make_shared<Arguments>();
+  const auto a = std::make_shared<CameraArguments>();
   command.add("result", a->result, "Folder of a run, or a stage file (.h5), whose states are filmed").required().type("RESULT");
   command.add("--recipe", a->recipe, "Recipe of the film with its [camera] (TOML)").required().type("RECIPE.toml");
   add_overrides(command, a->overrides);

@@ -15,7 +15,7 @@
 namespace arenite::app {
 namespace {
 
-struct Arguments {
+struct CheckArguments {
   std::string recipe;
   std::vector<std::string> overrides;
   bool quiet = false, json = false;
@@ -57,7 +57,7 @@ void say(const std::vector<std::string>& notices) {
   for (const std::string& sentence : notices) fmt::print(stderr, "{}\n", sentence);
 }
 
-void check(const Arguments& a) {
+void check(const CheckArguments& a) {
   if (recipe::describes_film(io::read_file(a.recipe))) {
     const auto film = recipe::read_film_recipe(a.recipe, a.overrides);
     say(film.notices);
@@ -72,7 +72,7 @@ void check(const Arguments& a) {
 }  // namespace
 
 void add_check(Options& command, int&) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<CheckArguments>();
   command.add("recipe", arguments->recipe, "Recipe to read (TOML), of a simulation or of a film").required().type("RECIPE.toml");
   add_overrides(command, arguments->overrides);
   command.add("--json", arguments->json, "Print what is predicted as JSON, with the recipe in it");

@@ -7,12 +7,12 @@
 namespace arenite::app {
 namespace {
 
-struct Arguments {
+struct CompareArguments {
   std::string a, b, out, csv;
   bool all = false;
 };
 
-void put_side_by_side(const Arguments& a) {
+void put_side_by_side(const CompareArguments& a) {
   refuse_no_result(a.a);
   refuse_no_result(a.b);
   std::vector<std::string> words{a.a, a.b};
@@ -25,7 +25,7 @@ void put_side_by_side(const Arguments& a) {
 }  // namespace
 
 void add_compare(Options& command, int&) {
-  const auto a = std::make_shared<Arguments>();
+  const auto a = std::make_shared<CompareArguments>();
   command.add("a", a->a, "Folder of a run or a film's result, or a file of it").required().type("A");
   command.add("b", a->b, "The other").required().type("B");
   command.add("--out", a->out, "Page to write: settings that differ, curves of both, all numbers (default: compare.html)").type("FILE");

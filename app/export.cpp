@@ -9,18 +9,18 @@
 namespace arenite::app {
 namespace {
 
-struct Arguments {
+struct ExportArguments {
   std::string result, format, out;
   bool last = false;
 };
 
 /// The folder of the result, or of its file, and in it one named after the format.
-std::filesystem::path default_folder(const Arguments& a) {
+std::filesystem::path default_folder(const ExportArguments& a) {
   const std::filesystem::path result(a.result);
   return (std::filesystem::is_directory(result) ? result : result.parent_path()) / a.format;
 }
 
-void write_export(const Arguments& a) {
+void write_export(const ExportArguments& a) {
   refuse_no_result(a.result);
   for (const auto& format : io::export_formats()) {
     if (a.format != format.name) continue;
@@ -33,7 +33,7 @@ void write_export(const Arguments& a) {
 }  // namespace
 
 void add_export(Options& command, int&) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<ExportArguments>();
   std::vector<std::string> names;
   std::string sentences = "Format";
   for (const auto& format : io::export_formats()) {

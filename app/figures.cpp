@@ -10,12 +10,12 @@
 namespace arenite::app {
 namespace {
 
-struct Arguments {
+struct FiguresArguments {
   std::string result, out, width;
   std::vector<std::string> formats{"pdf"}, only;
 };
 
-void draw(const Arguments& a) {
+void draw(const FiguresArguments& a) {
   refuse_neither_result_nor_study(a.result);
   std::vector<std::string> words{a.result, "--format"};
   words.insert(words.end(), a.formats.begin(), a.formats.end());
@@ -32,7 +32,7 @@ void draw(const Arguments& a) {
 }  // namespace
 
 void add_figures(Options& command, int&) {
-  const auto a = std::make_shared<Arguments>();
+  const auto a = std::make_shared<FiguresArguments>();
   command.add("result", a->result, "Folder of a run, a film's result or a study, or a file of it").required().type("RESULT");
   command.add("--out", a->out, "Folder to write to (default: figures in the result's folder)").type("DIR");
   command.add("--format", a->formats, "pdf, svg, png; may be several").among({"pdf", "svg", "png"}).type("FORMAT");

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Arguments {
+struct FilmArguments {
   std::string film, recipe, out;
   std::vector<std::string> overrides;
   FilmReading reading;
@@ -24,7 +24,7 @@ struct Arguments {
   bool json = false, quiet = false;
 };
 
-int execute(const Arguments& a) {
+int execute(const FilmArguments& a) {
   std::vector<std::string> overrides = a.overrides;
   for (auto& given : a.reading.overrides()) overrides.push_back(std::move(given));
   const auto recipe = recipe::read_film_recipe(a.recipe, overrides);
@@ -56,7 +56,7 @@ int execute(const Arguments& a) {
 }  // namespace
 
 void add_film(Options& command, int& status) {
-  const auto a = std::make_shared<Arguments>();
+  const auto a = std::make_shared<FilmArguments>();
   command.add("film", a->film, "Film of a cyclically loaded packing: .ptw, .sfmov, .hcc, TIFF, .npy, HDF5, text or raw frames").required().type("FILM");
   command.add("--recipe", a->recipe, "Recipe of the film (TOML); `arenite init film` writes one").required().type("RECIPE.toml");
   add_overrides(command, a->overrides);

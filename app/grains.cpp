@@ -13,14 +13,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Arguments {
+struct GrainsArguments {
   std::string picture, radii, pixel, materials, channel = "grey", contrast = "found", origin, out, dataset;
   std::int64_t frame = -1;
   double least_score = 0.5;
   bool mean = false, json = false;
 };
 
-double pixel_of(const Arguments& a) {
+double pixel_of(const GrainsArguments& a) {
   if (a.pixel.empty()) return 0;
   const double pixel = option_value("--pixel", [&] { return parse_si(a.pixel, dimension::length, "mm"); });
   if (!(pixel > 0)) throw InputError("--pixel: the width of a pixel on the sample must be positive, for example \"1.6 mm\"");
@@ -28,7 +28,7 @@ double pixel_of(const Arguments& a) {
 }
 
 /// Radii in pixels, from lengths or bare numbers of pixels.
-std::vector<double> radii_of(const Arguments& a, double pixel) {
+std::vector<double> radii_of(const GrainsArguments& a, double pixel) {
   std::vector<double> radii;
   if (a.radii.empty()) return radii;
   for (const std::string& part : parts_of(a.radii)) {
@@ -41,7 +41,7 @@ std::vector<double> radii_of(const Arguments& a, double pixel) {
 }
 
 /// Where x and y count from: the picture's lower left corner, or the pixel that was given.
-Vec2 corner_of(const Arguments& a, const FloatImage& image) {
+Vec2 corner_of(const GrainsArguments& a, const FloatImage& image) {
   if (a.origin.empty()) return {-0.5, image.height - 0.5};
   const auto parts = parts_of(a.origin);
   const auto column = parts.size() == 2 ? io::to_number(parts[0]) : std::nullopt, row = parts.size() == 2 ? io::to_number(parts[1]) : std::nullopt;
@@ -49,7 +49,7 @@ Vec2 corner_of(const Arguments& a, const FloatImage& image) {
   return {*column, *row};
 }
 
-imaging::CircleOptions circle_options(const Arguments& a, double pixel, const std::vector<std::string>& materials) {
+imaging::CircleOptions circle_options(const GrainsArguments& a, double pixel, const std::vector<std::string>& materials) {
   imaging::CircleOptions options;
   options.radii = radii_of(a, pixel);
   options.materials = materials.size();
@@ -67,7 +67,7 @@ imaging::FoundCircles find(const FloatImage& image, const imaging::CircleOptions
   return found;
 }
 
-void store(const Arguments& a, const report::FoundGrains& grains, const FloatImage& image) {
+void store(const GrainsArguments& a, const report::FoundGrains& grains, const FloatImage& image) {
   const fs::path folder(a.out);
   workflow::make_folder(folder);
   io::write_png(folder / "grains.png", report::grains_overlay(image, grains.found.grains));
@@ -76,7 +76,7 @@ void store(const Arguments& a, const report::FoundGrains& grains, const FloatIma
   if (!a.json) std::printf("\ntable:   %s\npicture: %s\n", (folder / "grains.csv").c_str(), (folder / "grains.png").c_str());
 }
 
-void find_grains(const Arguments& a) {
+void find_grains(const GrainsArguments& a) {
   const double pixel = pixel_of(a);
   const std::vector<std::string> materials = a.materials.empty() ? std::vector<std::string>() : parts_of(a.materials);
   const imaging::CircleOptions options = circle_options(a, pixel, materials);
@@ -97,7 +97,7 @@ void find_grains(const Arguments& a) {
 }  // namespace
 
 void add_grains(Options& command, int&) {
-  const auto a = std::make_shared<Arguments>();
+  const auto a = std::make_shared<GrainsArguments>();
   command.add("picture", a->picture, "Picture (PNG, JPEG, TIFF, HDF5) or film of the grains").required().type("IMAGE");
   command.add("--frame", a->frame, "Frame of a film, or slice of a stack, from 0; default: the mean of all frames").between(0, 1e12).type("N");
   command.add("--mean", a->mean, "Mean of all frames of a film (the default)").not_with("--frame");

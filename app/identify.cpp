@@ -11,7 +11,7 @@ namespace {
 
 using statistics::Measured;
 
-struct Arguments {
+struct IdentifyArguments {
   std::string what, file, stated;
   std::string preload = "1 kN", branch = "loading", length;                                                        // stiffness
   std::string k, radius, effective_radius = "four_reduced";                                                        // adhesion
@@ -51,7 +51,7 @@ double section(const std::string& text) {
   return si("--section", trimmed(text.substr(0, times)), dimension::length, "mm") * si("--section", trimmed(text.substr(times + 3)), dimension::length, "mm");
 }
 
-identify::Identification stiffness(const Arguments& a) {
+identify::Identification stiffness(const IdentifyArguments& a) {
   workflow::StiffnessRequest request;
   request.curve = {si("--preload", a.preload, dimension::force, "kN", true), a.branch == "unloading" ? identify::Branch::unloading : identify::Branch::loading};
   if (!a.length.empty()) request.length = si("--length", a.length, dimension::length, "mm");
@@ -59,7 +59,7 @@ identify::Identification stiffness(const Arguments& a) {
   return workflow::identify_stiffness(a.file, request);
 }
 
-identify::Identification adhesion(const Arguments& a) {
+identify::Identification adhesion(const IdentifyArguments& a) {
   workflow::AdhesionRequest request;
   if (!a.k.empty()) request.stiffness = measured("--k", a.k, dimension::stiffness, "kN/mm");
   if (!a.radius.empty()) request.radii = two_lengths("--radius", a.radius, "mm");
@@ -69,7 +69,7 @@ identify::Identification adhesion(const Arguments& a) {
   return workflow::identify_adhesion(a.file, request);
 }
 
-identify::Identification factor(const Arguments& a) {
+identify::Identification factor(const IdentifyArguments& a) {
   workflow::FactorRequest request;
   if (!a.section.empty()) request.section = section(a.section);
   if (!a.young.empty()) request.young = measured("--young", a.young, dimension::pressure, "GPa");
@@ -95,7 +95,7 @@ identify::Identification factor(const Arguments& a) {
   return workflow::identify_factor(a.file, request);
 }
 
-void add_mechanical(Options& command, Arguments& a) {
+void add_mechanical(Options& command, IdentifyArguments& a) {
   command.add("--preload", a.preload, "Stiffness: force beyond which a record counts; default \"1 kN\"").type("FORCE");
   command.add("--branch", a.branch, "Stiffness: part of a record's cycles that is fitted; default loading").among({"loading", "unloading"}).type("BRANCH");
   command.add("--length", a.length, "Stiffness: length of the cylinders, e.g. \"60 mm\", for the stiffness of a unit of length").type("LENGTH");
@@ -106,7 +106,7 @@ void add_mechanical(Options& command, Arguments& a) {
       .type("NAME");
 }
 
-void add_thermal(Options& command, Arguments& a) {
+void add_thermal(Options& command, IdentifyArguments& a) {
   command.add("--section", a.section, "Factor: section that carries the force, \"30.9 mm x 4.9 mm\" or \"151.4 mm^2\"").type("AREA");
   command.add("--young", a.young, "Factor from strains: modulus of the specimen, e.g. \"2.8 +- 0.1 GPa\"").type("MODULUS");
   command.add("--poisson", a.poisson, "Factor from strains: Poisson's ratio, e.g. \"0.35 +- 0.02\"").type("NUMBER");
@@ -120,7 +120,7 @@ void add_thermal(Options& command, Arguments& a) {
   command.add("--through-origin", a.through_origin, "Factor: hold the line to the origin");
 }
 
-void add_detector(Options& command, Arguments& a) {
+void add_detector(Options& command, IdentifyArguments& a) {
   command.add("--responsivity", a.responsivity, "Factor: detector's D in K a level, for the constant A' = D R F/(T eps A) of a raw signal").type("K");
   command.add("--responsivity-at", a.reference, "Temperature that D holds at; default \"296 K\"").type("TEMPERATURE");
   command.add("--surface-at", a.surface, "Temperature of the specimen; default \"296 K\"").type("TEMPERATURE");
@@ -132,7 +132,7 @@ void add_detector(Options& command, Arguments& a) {
 }  // namespace
 
 void add_identify(Options& command, int&) {
-  const auto a = std::make_shared<Arguments>();
+  const auto a = std::make_shared<IdentifyArguments>();
   command.add("what", a->what, "What to find").required().among({"stiffness", "factor", "adhesion"}).type("WHAT");
   command
       .add("file", a->file, "Records or a table as CSV, with units in its header: displacement and force; stress or strain and temperature; or values by group")

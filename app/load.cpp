@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Arguments {
+struct LoadArguments {
   std::string map, phases, labels = "components", crop, dataset, label_dataset, dx, loading = "tension", axis = "y", lower = "fixed";
   std::string method = "static_solve", stiffness, toughness, out;
   std::int64_t slice = -1, label_slice = -1;
@@ -49,7 +49,7 @@ void read_by_type(const std::string& text, const char* option, Dimension dimensi
   }
 }
 
-recipe::Load load_of(const Arguments& a) {
+recipe::Load load_of(const LoadArguments& a) {
   recipe::Load load = a.load;
   load.name = load.failure ? "failure" : a.loading;
   load.loading = recipe::chosen<peridynamics::Loading>(a.loading, "--loading");
@@ -65,7 +65,7 @@ recipe::Load load_of(const Arguments& a) {
 
 bool is_file_of_labels(const std::string& labels) { return labels != "components" && labels != "watershed" && labels != "none"; }
 
-io::PhaseMapOptions map_options(const Arguments& a) {
+io::PhaseMapOptions map_options(const LoadArguments& a) {
   io::PhaseMapOptions options;
   if (a.slice >= 0) options.image.slice = a.slice;
   options.image.dataset = a.dataset;
@@ -79,7 +79,7 @@ io::PhaseMapOptions map_options(const Arguments& a) {
   return options;
 }
 
-PhaseMap read_map(const Arguments& a) {
+PhaseMap read_map(const LoadArguments& a) {
   if (io::stored_kind(a.map) == "field") return io::read_field(a.map).map;
   auto read = io::read_phase_map(a.map, map_options(a));
   for (const auto& note : read.notes) fmt::print(stderr, "{}: {}\n", a.map, note);
@@ -90,12 +90,12 @@ PhaseMap read_map(const Arguments& a) {
 }
 
 /// All that the field depends on beside the map's bytes and the load.
-std::string asked_of(const Arguments& a) {
+std::string asked_of(const LoadArguments& a) {
   return fmt::format("phases {}; labels {}; smoothing {}; crop {}; slice {}; dataset {}; label slice {}; label dataset {}; dx {}", a.phases, a.labels,
                      a.smoothing, a.crop, a.slice, a.dataset, a.label_slice, a.label_dataset, a.dx);
 }
 
-void store(const Arguments& a, const FieldResult& result) {
+void store(const LoadArguments& a, const FieldResult& result) {
   const fs::path folder(a.out);
   workflow::make_folder(folder);
   const fs::path file = folder / io::stage_file_name(1, result.name, result.provenance.input_hash);
@@ -104,7 +104,7 @@ void store(const Arguments& a, const FieldResult& result) {
   if (!a.json) fmt::print("\nresult: {}\npage:   {}\n", file.string(), (folder / "report.html").string());
 }
 
-std::optional<FieldResult> watched_load(const Arguments& a, const recipe::Load& load, const FieldResult& sample) {
+std::optional<FieldResult> watched_load(const LoadArguments& a, const recipe::Load& load, const FieldResult& sample) {
   ProgressLine line(a.quiet || a.json);
   return workflow::apply_load(load, sample, [&](const peridynamics::Progress& p) {
     line.show({1, 1, load.name, p.share, p.residual, p.iterations, false, true});
@@ -112,7 +112,7 @@ std::optional<FieldResult> watched_load(const Arguments& a, const recipe::Load& 
   });
 }
 
-int execute(const Arguments& a) {
+int execute(const LoadArguments& a) {
   const recipe::Load load = load_of(a);
   try {
     FieldResult sample = workflow::sample_of_map(read_map(a));
@@ -130,7 +130,7 @@ int execute(const Arguments& a) {
   } catch (const InputError& error) { throw in_file(error, a.map); }
 }
 
-void add_reading(Options& command, Arguments& a) {
+void add_reading(Options& command, LoadArguments& a) {
   command.add("--phases", a.phases, "Which grey value is what, e.g. \"0=void,85=particle,170=matrix\"; a picture of two values needs none").type("TABLE");
   command
       .add("--labels", a.labels,
@@ -146,7 +146,7 @@ void add_reading(Options& command, Arguments& a) {
   command.add("--dx", a.dx, "Side of a pixel, e.g. \"25 um\"; without it lengths are in pixels").type("LENGTH");
 }
 
-void add_loading(Options& command, Arguments& a) {
+void add_loading(Options& command, LoadArguments& a) {
   recipe::Load& load = a.load;
   command.add("--loading", a.loading, "How the top row is moved").among(recipe::plain_words<peridynamics::Loading>());
   command.add("--axis", a.axis, "Axis from the bottom row to the top row; x loads the map turned").among(recipe::plain_words<recipe::Load::Axis>());
@@ -168,7 +168,7 @@ void add_loading(Options& command, Arguments& a) {
 }  // namespace
 
 void add_load(Options& command, int& status) {
-  const auto a = std::make_shared<Arguments>();
+  const auto a = std::make_shared<LoadArguments>();
   command.add("map", a->map, "Phase map: PNG, TIFF or HDF5 picture of grey values, or a field of ours (.h5)").required().type("PHASEMAP");
   add_reading(command, *a);
   add_loading(command, *a);

@@ -15,7 +15,7 @@
 namespace arenite::app {
 namespace {
 
-struct Arguments {
+struct LockinArguments {
   std::string film, frequency, out, convention = "amplitude", format = "tiff", diffusivity = "0.1 mm^2/s", pixel, reference_phase;
   FilmReading reading;
   thermography::LockinOptions options;
@@ -47,13 +47,13 @@ double read_phase(const std::string& text) {
 
 std::string unit_of(const FilmInfo& film) { return film.quantity == FilmQuantity::kelvin ? "K" : "level"; }
 
-workflow::Adiabatic adiabatic(const Arguments& a, double frequency) {
+workflow::Adiabatic adiabatic(const LockinArguments& a, double frequency) {
   workflow::Adiabatic check(above_zero("--diffusivity", a.diffusivity, dimension::area / dimension::time, "mm^2/s"), frequency);
   if (!a.pixel.empty()) check.pixel = above_zero("--pixel", a.pixel, dimension::length, "mm");
   return check;
 }
 
-Numbers numbers(const LockinMaps& m, const Arguments& a, const FilmInfo& film, const workflow::Adiabatic& heat) {
+Numbers numbers(const LockinMaps& m, const LockinArguments& a, const FilmInfo& film, const workflow::Adiabatic& heat) {
   Numbers j;
   j["frequency_Hz"] = m.frequency;
   j["frequency_error_Hz"] = std::isfinite(m.frequency_error) ? Numbers(m.frequency_error) : Numbers();
@@ -85,7 +85,7 @@ Numbers numbers(const LockinMaps& m, const Arguments& a, const FilmInfo& film, c
   return j;
 }
 
-void print(const LockinMaps& m, const Arguments& a, const FilmInfo& film, const workflow::Adiabatic& heat) {
+void print(const LockinMaps& m, const LockinArguments& a, const FilmInfo& film, const workflow::Adiabatic& heat) {
   const std::string unit = unit_of(film);
   fmt::print("frequency        {:.9g} Hz", m.frequency);
   if (m.frequency_error > 0 && std::isfinite(m.frequency_error)) fmt::print(" +- {:.1e}", m.frequency_error);
@@ -107,7 +107,7 @@ void print(const LockinMaps& m, const Arguments& a, const FilmInfo& film, const 
   fmt::print("\n");
 }
 
-int execute(Arguments& a) {
+int execute(LockinArguments& a) {
   thermography::LockinOptions& o = a.options;
   o.frequency = option_value("--frequency", [&] { return parse_si(a.frequency, dimension::frequency, "Hz"); });
   o.refine = !a.no_refinement;
@@ -144,7 +144,7 @@ int execute(Arguments& a) {
 }  // namespace
 
 void add_lockin(Options& command, int& status) {
-  const auto a = std::make_shared<Arguments>();
+  const auto a = std::make_shared<LockinArguments>();
   command.add("film", a->film, "Film of a cyclically loaded sample").required().type("FILM");
   command.add("--frequency", a->frequency, "Of the load, e.g. \"3 Hz\"; refined on the film").required().type("FREQUENCY");
   command.add("--out", a->out, "Folder for the maps; without it nothing is stored").type("DIR");

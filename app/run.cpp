@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Arguments {
+struct RunArguments {
   std::vector<std::string> recipes, overrides;
   std::string out, kernel;
   int threads = 1;
@@ -35,7 +35,7 @@ fs::path name_of(const fs::path& recipe) {
 }
 
 /// --out itself for one recipe, a folder each below it for several; out/NAME if it is not given.
-fs::path folder_for(const std::string& recipe, const Arguments& arguments) {
+fs::path folder_for(const std::string& recipe, const RunArguments& arguments) {
   if (arguments.out.empty()) return fs::path("out") / name_of(recipe);
   return arguments.recipes.size() == 1 ? fs::path(arguments.out) : fs::path(arguments.out) / name_of(recipe);
 }
@@ -50,7 +50,7 @@ InputError blame_overrides(const InputError& error, const std::string& recipe, c
 }
 
 /// The run itself, with its line and its status file.
-workflow::RunOutcome carry_out(const recipe::Recipe& recipe, const fs::path& folder, const Arguments& arguments, StatusFile& status) {
+workflow::RunOutcome carry_out(const recipe::Recipe& recipe, const fs::path& folder, const RunArguments& arguments, StatusFile& status) {
   workflow::RunOptions options;
   options.out = folder;
   options.checkpoint_seconds = arguments.checkpoint_seconds;
@@ -75,7 +75,7 @@ workflow::RunOutcome carry_out(const recipe::Recipe& recipe, const fs::path& fol
   }
 }
 
-Status run_one(const recipe::Recipe& recipe, const fs::path& folder, const Arguments& arguments) {
+Status run_one(const recipe::Recipe& recipe, const fs::path& folder, const RunArguments& arguments) {
   const std::optional<Watcher> watcher = arguments.watch ? std::optional<Watcher>(std::in_place, folder) : std::nullopt;
   StatusFile status(folder);
   const workflow::RunOutcome outcome = carry_out(recipe, folder, arguments, status);
@@ -102,7 +102,7 @@ recipe::Recipe read(const std::string& file, const std::vector<std::string>& ove
 }
 
 /// All recipes are read before the first is run, so that a slip in the last shows at once.
-int execute(const Arguments& arguments) {
+int execute(const RunArguments& arguments) {
   auto overrides = arguments.overrides;
   if (!arguments.kernel.empty()) overrides.push_back("integration.kernel=" + arguments.kernel);
   std::vector<recipe::Recipe> recipes;
@@ -122,7 +122,7 @@ int execute(const Arguments& arguments) {
 }  // namespace
 
 void add_run(Options& command, int& status) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<RunArguments>();
   command.add("recipe", arguments->recipes, "Recipe to run (TOML); several are run one after the other").required().type("RECIPE.toml");
   add_overrides(command, arguments->overrides);
   command.add("--out", arguments->out, "Folder of the results, of several recipes a folder each below it (default: out/NAME)").type("DIR");

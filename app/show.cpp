@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Arguments {
+struct ShowArguments {
   std::string result;
   FilmReading reading;
   bool json = false, all = false, states = false;
@@ -73,7 +73,7 @@ void refuse(const fs::path& path, bool study_passes) {
     throw InputError(name, 0, "is a study that comes with the program, not a result; `arenite verify` runs it, and each of its runs' folders is a result");
 }
 
-std::string shown(const Arguments& a) {
+std::string shown(const ShowArguments& a) {
   refuse_no_result(a.result);
   io::refuse_other_recording(a.result);
   if (a.states) return report::states_table(a.result);
@@ -86,7 +86,7 @@ std::string shown(const Arguments& a) {
 }
 
 /// A run that has not come to its end says where it stands before what it has finished.
-std::string shown_with_status(const Arguments& a) {
+std::string shown_with_status(const ShowArguments& a) {
   const auto status = a.states ? std::nullopt : read_run_status(a.result);
   if (!status) return shown(a);
   const bool has_stages = may_hold_something(a.result);
@@ -103,7 +103,7 @@ void refuse_no_result(const std::string& path) { refuse(path, false); }
 void refuse_neither_result_nor_study(const std::string& path) { refuse(path, true); }
 
 void add_show(Options& command, int&) {
-  const auto a = std::make_shared<Arguments>();
+  const auto a = std::make_shared<ShowArguments>();
   command.add("result", a->result, "Stage file (.h5) or folder of a run, or a film: a file, a folder of frames, or a name with *").required().type("RESULT");
   command.add("--json", a->json, "Print everything as JSON: provenance, stages, texture of the last state; or what a film says about itself");
   command.add("--all", a->all, "Print every number, not the headlines alone").not_with("--json");

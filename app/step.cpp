@@ -12,7 +12,7 @@
 namespace arenite::app {
 namespace {
 
-struct Arguments {
+struct StepArguments {
   std::string film, time, rise = "0 s", window, out, format = "tiff";
   FilmReading reading;
   thermography::StepOptions options;
@@ -30,7 +30,7 @@ FilmMaps maps_of(const thermography::StepMaps& m) {
            {"residual", &m.residual}}};
 }
 
-void tell(const thermography::StepMaps& m, const Arguments& a, const FilmInfo& film) {
+void tell(const thermography::StepMaps& m, const StepArguments& a, const FilmInfo& film) {
   const std::string unit = film.quantity == FilmQuantity::kelvin ? "K" : "level";
   if (!a.json) {
     fmt::print("step             {:.6g} s after the first frame{}\n", m.time, a.time.empty() ? ", found on the film" : "");
@@ -56,7 +56,7 @@ void tell(const thermography::StepMaps& m, const Arguments& a, const FilmInfo& f
   fmt::print("{}\n", to_json(j, 2));
 }
 
-int execute(Arguments& a) {
+int execute(StepArguments& a) {
   thermography::StepOptions& o = a.options;
   const auto seconds = [](const char* option, const std::string& text) { return option_value(option, [&] { return parse_si(text, dimension::time, "s"); }); };
   if (!a.time.empty()) o.time = seconds("--time", a.time);
@@ -82,7 +82,7 @@ int execute(Arguments& a) {
 }  // namespace
 
 void add_step(Options& command, int& status) {
-  const auto a = std::make_shared<Arguments>();
+  const auto a = std::make_shared<StepArguments>();
   command.add("film", a->film, "Film of a sample whose load steps once").required().type("FILM");
   command.add("--time", a->time, "Of the middle of the step after the first frame, e.g. \"2.5 s\"; without it found on the film").type("TIME");
   command.add("--rise", a->rise, "That the load takes; frames within are left out; default 0 s").type("TIME");

@@ -13,12 +13,12 @@
 namespace arenite::app {
 namespace {
 
-struct Arguments {
+struct WatchArguments {
   std::string folder;
   int port = 0;
 };
 
-void watch(const Arguments& a) {
+void watch(const WatchArguments& a) {
   const bool runs = read_run_status(a.folder).has_value();
   if (!runs) refuse_no_result(a.folder);
   if (!std::filesystem::is_directory(a.folder)) throw InputError(a.folder, 0, "is no folder; give the one that `arenite run` writes");
@@ -34,7 +34,7 @@ void watch(const Arguments& a) {
 }  // namespace
 
 void add_watch(Options& command, int&) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<WatchArguments>();
   command.add("folder", arguments->folder, "Folder of a run, under way or ended").required().type("FOLDER");
   command.add("--port", arguments->port, "Port on the loopback address (default: a free one)").between(1, 65535).type("N");
   command.work = [arguments] { watch(*arguments); };

@@ -7,14 +7,14 @@
 namespace arenite::validation {
 namespace {
 
-std::string text_of(const Range& range) {
+std::string limits_of(const Range& range) {
   if (std::isinf(range.low)) return fmt::format("< {:.4g}", range.high);
   if (std::isinf(range.high)) return fmt::format("> {:.4g}", range.low);
   return fmt::format("{:.4g} to {:.4g}", range.low, range.high);
 }
 
 Check check(std::string what, std::string source, const Value& ours, std::string unit, const Range& range) {
-  return {std::move(what), std::move(source), std::move(unit), text_of(range), ours, range, outcome_of(ours, range)};
+  return {std::move(what), std::move(source), std::move(unit), limits_of(range), ours, range, outcome_of(ours, range)};
 }
 
 }  // namespace
@@ -91,7 +91,7 @@ void add_beside(Judgement& judgement, const std::string& conditions, const std::
     if (check.outcome == Outcome::unknown) continue;
     ++known;
     hold += check.outcome == Outcome::holds;
-    if (check.outcome == Outcome::fails) fail += fmt::format("{} {} ({})", fail.empty() ? "; fails:" : ",", check.what, validation::text_of(check.ours));
+    if (check.outcome == Outcome::fails) fail += fmt::format("{} {} ({})", fail.empty() ? "; fails:" : ",", check.what, text_of(check.ours));
     check.what += ", " + conditions;
     judgement.checks.push_back(beside(std::move(check)));
   }

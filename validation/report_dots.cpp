@@ -14,7 +14,7 @@ namespace {
 using validation::Outcome;
 using validation::Sensitivity;
 
-constexpr double label_width = 250, panel_width = 190, gap = 18, row_height = 17, title_line = 14, margin = 12;
+constexpr double label_width = 250, panel_width = 190, gap = 18, row_height = 17, title_line = 14, edge = 12;
 constexpr std::size_t in_a_strip = 3, title_letters = 27;
 
 /// Light first; the second of each pair in the dark.
@@ -145,18 +145,18 @@ std::string draw(const Strip& strip, double& top) {
   std::string svg;
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const std::string& choice = strip.front()->entries[rows[k]].choice;
-    svg += text_at(margin + label_width - 8, first + row_height * (static_cast<double>(k) + 0.5) + 4, choice.empty() ? "title" : "choice", "end",
+    svg += text_at(edge + label_width - 8, first + row_height * (static_cast<double>(k) + 0.5) + 4, choice.empty() ? "title" : "choice", "end",
                    choice.empty() ? "as it is" : choice);
   }
   for (std::size_t k = 0; k < strip.size(); ++k)
-    svg += panel(*strip[k], rows, margin + label_width + (panel_width + gap) * static_cast<double>(k), top, title_lines);
+    svg += panel(*strip[k], rows, edge + label_width + (panel_width + gap) * static_cast<double>(k), top, title_lines);
   top = first + row_height * static_cast<double>(rows.size()) + 32;
   return svg;
 }
 
 std::string legend(double top) {
   std::string svg;
-  double x = margin + 8;
+  double x = edge + 8;
   for (const auto& [outcome, words] : {std::pair{Outcome::holds, "as wanted"}, {Outcome::undecided, "undecided"}, {Outcome::fails, "not as wanted"}}) {
     svg += mark(x, top, outcome) + text_at(x + 9, top + 4, "note", "start", words);
     x += 100;
@@ -171,14 +171,14 @@ bool has_dots(const validation::Judgement& judgement) { return std::any_of(judge
 std::string ledger_dots(const validation::Judgement& judgement) {
   const auto strips = strips_of(judgement);
   std::size_t panels = 1;
-  double top = margin;
+  double top = edge;
   std::string body;
   for (const Strip& strip : strips) {
     panels = std::max(panels, strip.size());
     body += draw(strip, top);
   }
   body += legend(top);
-  const double width = std::max(2 * margin + label_width + (panel_width + gap) * static_cast<double>(panels), 660.0), height = top + margin + 6;
+  const double width = std::max(2 * edge + label_width + (panel_width + gap) * static_cast<double>(panels), 660.0), height = top + edge + 6;
   return fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} {1:.0f}\">\n{2}<rect width=\"100%\" "
       "height=\"100%\" class=\"ground\" rx=\"6\"/>\n{3}</svg>\n",

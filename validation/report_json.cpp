@@ -53,19 +53,19 @@ Numbers json_of(const std::vector<Sensitivity>& sensitivities) {
   return list;
 }
 
-std::string cell(const std::string& text) {
+std::string csv_cell(const std::string& text) {
   if (text.find_first_of(",\"\n") == std::string::npos) return text;
   std::string quoted = "\"";
   for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
   return quoted + "\"";
 }
 
-std::string cell(double number) { return std::isfinite(number) ? fmt::format("{:.6g}", number) : ""; }
+std::string csv_cell(double number) { return std::isfinite(number) ? fmt::format("{:.6g}", number) : ""; }
 
 std::string row(const char* claim, const char* kind, const std::string& what, const std::string& choice, const std::string& source, const std::string& wanted,
                 const validation::Value& ours, const std::string& unit, const char* outcome) {
-  return fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", claim, kind, cell(what), cell(choice), cell(source), cell(wanted), cell(ours.value),
-                     cell(ours.error), std::isfinite(ours.error) ? cell(ours.freedom) : "", cell(unit), outcome);
+  return fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", claim, kind, csv_cell(what), csv_cell(choice), csv_cell(source), csv_cell(wanted),
+                     csv_cell(ours.value), csv_cell(ours.error), std::isfinite(ours.error) ? csv_cell(ours.freedom) : "", csv_cell(unit), outcome);
 }
 
 }  // namespace

@@ -4,14 +4,13 @@
 #include <numbers>
 #include <vector>
 
+#include "families/members.hpp"
 #include "grains/dem/laws/laws.hpp"
 
 namespace arenite::dem {
 namespace {
 
 using std::numbers::pi;
-
-template <class... Law> std::vector<OneOf<Law...>> members(const OneOf<Law...>&) { return {Law{}...}; }
 
 constexpr double thickness = 0.02;
 struct Pair {

@@ -6,13 +6,12 @@
 #include <vector>
 
 #include "core/random.hpp"
+#include "families/members.hpp"
 #include "grains/dem/laws/laws.hpp"
 
 namespace arenite::dem {
 namespace {
 
-/// Members of a family, in the order of their list.
-template <class... Law> std::vector<OneOf<Law...>> members(const OneOf<Law...>&) { return {Law{}...}; }
 const std::vector<NormalLaw> normal_laws = members(NormalLaw{});
 const std::vector<Adhesion> adhesion_laws = members(Adhesion{});
 const std::vector<FrictionLaw> friction_laws_there_are = members(FrictionLaw{});

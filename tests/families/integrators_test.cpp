@@ -9,7 +9,7 @@
 namespace arenite::dem {
 namespace {
 
-struct Case {
+struct Swing {
   const char* name;
   IntegratorKind integrator;
   double damping;      ///< share of the critical
@@ -17,7 +17,7 @@ struct Case {
 };
 
 /// One disk squeezed between two walls swings as x'' = -2 (k/m) x - 2 (alpha/m) x' for ever.
-double error_of(const Case& c, int steps) {
+double error_of(const Swing& c, int steps) {
   const double r = 0.005, k = 27.35e6, amplitude = 1e-6;
   Packing p = testing::empty_frame(2 * r - 1e-5, 0.1);
   testing::add_grain(p, 0.5 * p.domain.width() + amplitude, 0.05, r);
@@ -42,10 +42,10 @@ double error_of(const Case& c, int steps) {
   return std::hypot(ex, ev) / amplitude;
 }
 
-class Integrators : public ::testing::TestWithParam<Case> {};
+class Integrators : public ::testing::TestWithParam<Swing> {};
 
 TEST_P(Integrators, ConvergeAtTheirOrderOnAContactThatSwings) {
-  const Case c = GetParam();
+  const Swing c = GetParam();
   const double coarse = error_of(c, 60), fine = error_of(c, 120);
   const double order = std::log2(coarse / fine);
   RecordProperty("order", std::to_string(order));
@@ -54,10 +54,10 @@ TEST_P(Integrators, ConvergeAtTheirOrderOnAContactThatSwings) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Integrators,
-                         ::testing::Values(Case{"verlet", IntegratorKind::velocity_verlet, 0, 1.9},
-                                           Case{"verlet_damped", IntegratorKind::velocity_verlet, 0.05, 1.9},
-                                           Case{"leapfrog", IntegratorKind::leapfrog, 0, 1.9}, Case{"leapfrog_damped", IntegratorKind::leapfrog, 0.05, 0.9},
-                                           Case{"gear", IntegratorKind::gear5, 0, 3.9}, Case{"gear_damped", IntegratorKind::gear5, 0.05, 3.9}),
+                         ::testing::Values(Swing{"verlet", IntegratorKind::velocity_verlet, 0, 1.9},
+                                           Swing{"verlet_damped", IntegratorKind::velocity_verlet, 0.05, 1.9},
+                                           Swing{"leapfrog", IntegratorKind::leapfrog, 0, 1.9}, Swing{"leapfrog_damped", IntegratorKind::leapfrog, 0.05, 0.9},
+                                           Swing{"gear", IntegratorKind::gear5, 0, 3.9}, Swing{"gear_damped", IntegratorKind::gear5, 0.05, 3.9}),
                          [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace

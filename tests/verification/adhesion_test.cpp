@@ -16,7 +16,7 @@ using dem::Engine;
 constexpr double glue = 1.060e6;
 
 /// T 2.1 between two glued disks: F = k h - gamma sqrt(r_eff h).
-struct Bond {
+struct StickyPair {
   double k, gamma, r_eff;
   double force(double h) const { return k * h - gamma * std::sqrt(r_eff * h); }
   double energy(double h) const { return 0.5 * k * h * h - 2.0 / 3 * gamma * std::sqrt(r_eff) * std::pow(h, 1.5); }
@@ -26,7 +26,7 @@ struct Bond {
 };
 
 constexpr double ra = 8.2e-3, rb = 6.2e-3;
-const Bond bond{k_pom, glue, 4 * ra* rb / (ra + rb)};
+const StickyPair bond{k_pom, glue, 4 * ra* rb / (ra + rb)};
 
 dem::ContactParameters glued(Adhesion kind, double restitution = 1) {
   dem::ContactParameters law = frictionless(restitution);

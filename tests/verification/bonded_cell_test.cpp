@@ -10,7 +10,7 @@ namespace {
 
 using dem::Engine;
 
-constexpr double radius = 5e-3, modulus = 2e9;
+constexpr double grain_radius = 5e-3, modulus = 2e9;
 
 dem::ContactParameters cemented(double damping, double strength = 1e30) {
   dem::ContactParameters contact = frictionless(0.5);
@@ -24,9 +24,9 @@ dem::ContactParameters cemented(double damping, double strength = 1e30) {
 
 /// A triangular lattice of touching disks, across both edges of its cell.
 Packing lattice(int columns, int rows) {
-  Packing p = periodic_cell(2 * radius * columns, 2 * radius * std::sqrt(0.75) * rows);
+  Packing p = periodic_cell(2 * grain_radius * columns, 2 * grain_radius * std::sqrt(0.75) * rows);
   for (int r = 0; r < rows; ++r)
-    for (int c = 0; c < columns; ++c) add(p, {{2 * radius * (c + 0.25 + 0.5 * (r % 2)), 2 * radius * std::sqrt(0.75) * (r + 0.5)}, radius});
+    for (int c = 0; c < columns; ++c) add(p, {{2 * grain_radius * (c + 0.25 + 0.5 * (r % 2)), 2 * grain_radius * std::sqrt(0.75) * (r + 0.5)}, grain_radius});
   return p;
 }
 
@@ -77,15 +77,15 @@ TEST(BondedCell, EnergyIsClosedWhileItIsShearedAndPressedToPieces) {
 TEST(BondedCell, BondsAcrossTheEdgesHoldHoweverFarTheCellIsSheared) {
   // Turned and carried round by the flow, a pair keeps together and to its length.
   Packing p = periodic_cell(0.2, 0.2);
-  add(p, {{0.001, 0.15}, radius});
-  add(p, {{0.001 - 2 * radius + 0.2, 0.15}, radius});
+  add(p, {{0.001, 0.15}, grain_radius});
+  add(p, {{0.001 - 2 * grain_radius + 0.2, 0.15}, grain_radius});
   Engine engine(p, cemented(0.2), {});
   engine.make_bonds();
   ASSERT_EQ(engine.bond_count().intact, 1u);
   engine.set_shear_rate(40);
   while (engine.shear_strain() < 20) engine.advance(1000);
   const Packing end = engine.packing();
-  EXPECT_NEAR(norm(branch_of(end, end.bonds[0])), 2 * radius, 1e-3 * radius);
+  EXPECT_NEAR(norm(branch_of(end, end.bonds[0])), 2 * grain_radius, 1e-3 * grain_radius);
 }
 
 }  // namespace

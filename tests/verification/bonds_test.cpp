@@ -138,16 +138,13 @@ TEST(Bonds, KeepMomentumAndAngularMomentum) {
   }
 }
 
-double stored(const Energies& e) { return e.kinetic + e.elastic + e.adhesive; }
-double lost(const Energies& e) { return e.dissipated_normal + e.dissipated_friction + e.dissipated_drag + e.dissipated_breakage; }
-
-struct Balance {
+struct PressBalance {
   double imbalance, work, broken, dashpots;
   std::size_t breaks;
 };
 
 /// Two walls close in on a cemented block that fills its box.
-Balance press(const dem::ParallelBond& bond, IntegratorKind kind, double friction, double share_of_contact_time = 500) {
+PressBalance press(const dem::ParallelBond& bond, IntegratorKind kind, double friction, double share_of_contact_time = 500) {
   Packing start = shaken_lattice(7, 7, 1);
   dem::ContactParameters law;
   law.friction = friction;
@@ -173,7 +170,7 @@ TEST(Bonds, EnergyIsClosedToAMillionthOfTheWorkAtAStepOfTcOver500) {
       SCOPED_TRACE(name(kind));
       dem::ParallelBond bond = unbreakable(1e9, damping);
       bond.gap = 0.1;
-      const Balance b = press(bond, kind, 0.5);
+      const PressBalance b = press(bond, kind, 0.5);
       EXPECT_GT(b.work, 0.1);
       EXPECT_EQ(b.broken, 0);
       EXPECT_LT(std::abs(b.imbalance), 1e-6 * b.work) << damping;
@@ -186,7 +183,7 @@ TEST(Bonds, EnergyIsClosedWhereTheyBreak) {
     dem::ParallelBond bond = unbreakable(1e9, 0.1);
     bond.gap = 0.1;
     bond.tensile_strength = bond.cohesion = 1e6;
-    const Balance b = press(bond, kind, 0.5);
+    const PressBalance b = press(bond, kind, 0.5);
     EXPECT_GT(b.breaks, 10u);
     EXPECT_GT(b.broken, 1e-3 * b.work);
     EXPECT_LT(std::abs(b.imbalance), 1e-6 * b.work);

@@ -14,12 +14,12 @@ namespace {
 using dem::Engine;
 using dem::IntegratorKind;
 
-constexpr double radius = 5e-3, thickness = 0.06;
+constexpr double wet_radius = 5e-3, wet_thickness = 0.06;
 
 dem::CapillaryDisks water(double contact_angle = 0, double share_of_square = 0.005) {
   dem::CapillaryDisks law;
   law.contact_angle = contact_angle;
-  law.volume = share_of_square * radius * radius * thickness;
+  law.volume = share_of_square * wet_radius * wet_radius * wet_thickness;
   return law;
 }
 /// Strong enough to matter beside the elastic forces of these disks.
@@ -29,7 +29,7 @@ dem::Cohesion strong(const dem::Cohesion& law) {
         if constexpr (std::is_same_v<decltype(changed), dem::Dmt>) changed = {2e3, 2e-5};
         if constexpr (std::is_base_of_v<dem::Liquid, decltype(changed)>) {
           changed.surface_tension = std::is_same_v<decltype(changed), dem::CapillaryDisks> ? 100 : 3e3;
-          changed.volume = 0.005 * radius * radius * thickness;
+          changed.volume = 0.005 * wet_radius * wet_radius * wet_thickness;
         }
         return changed;
       },
@@ -48,9 +48,9 @@ struct Pulled {
   double gap, force;
 };
 std::vector<Pulled> pulled_apart(const dem::Cohesion& law, double way, double radius_j, double overlap) {
-  const double width = 2 * (radius + radius_j) - overlap;
+  const double width = 2 * (wet_radius + radius_j) - overlap;
   Packing p = box(width, 0.5);
-  add(p, {{radius, 0.25}, radius});
+  add(p, {{wet_radius, 0.25}, wet_radius});
   add(p, {{width - radius_j, 0.25}, radius_j});
   dem::IntegrationParameters how;
   Engine engine(p, cohesive(law), how);
@@ -66,8 +66,8 @@ std::vector<Pulled> pulled_apart(const dem::Cohesion& law, double way, double ra
 
 TEST(Cohesion, DmtPullsOffAtTwoPiWRAndDoesTheWorkOfAdhesion) {
   const dem::Dmt law{0.1, 1e-6};
-  const double most = 2 * pi * 0.1 * radius / 2, overlap = 4 * most / k_pom;
-  const auto curve = pulled_apart(law, 1.3e-6 + overlap, radius, overlap);
+  const double most = 2 * pi * 0.1 * wet_radius / 2, overlap = 4 * most / k_pom;
+  const auto curve = pulled_apart(law, 1.3e-6 + overlap, wet_radius, overlap);
   double strongest = 0, work = 0;
   for (std::size_t n = 1; n < curve.size(); ++n) {
     strongest = std::max(strongest, curve[n].force);
@@ -80,11 +80,11 @@ TEST(Cohesion, DmtPullsOffAtTwoPiWRAndDoesTheWorkOfAdhesion) {
 }
 
 TEST(Cohesion, AWetPairPulledApartFollowsTheExactBridgeUntilItBreaks) {
-  for (const double radius_j : {radius, 2.5 * radius})
+  for (const double radius_j : {wet_radius, 2.5 * wet_radius})
     for (const double angle : {0.0, 0.8}) {
       const dem::CapillaryDisks law = water(angle);
-      const geometry::LiquidBridge bridge{radius, radius_j, angle};
-      const double area = law.volume / thickness, reach = geometry::rupture_gap(bridge, area), unit = law.surface_tension * thickness;
+      const geometry::LiquidBridge bridge{wet_radius, radius_j, angle};
+      const double area = law.volume / wet_thickness, reach = geometry::rupture_gap(bridge, area), unit = law.surface_tension * wet_thickness;
       const auto curve = pulled_apart(law, 1.2 * reach, radius_j, 1e-9);
       double last = 0;
       for (const auto& [gap, force] : curve) {
@@ -101,8 +101,8 @@ TEST(Cohesion, BridgesFormAtTheTouchAndNotBefore) {
   // A disk flies to another one at rest, rebounds, and is slowed by the bridge alone.
   Packing p = box(1, 1);
   const double speed = 0.2, gap = 1e-4;
-  add(p, {{0.5, 0.5}, radius, pom, {speed, 0}});
-  add(p, {{0.5 + 2 * radius + gap, 0.5}, radius});
+  add(p, {{0.5, 0.5}, wet_radius, pom, {speed, 0}});
+  add(p, {{0.5 + 2 * wet_radius + gap, 0.5}, wet_radius});
   const dem::CapillaryDisks law = water();
   dem::IntegrationParameters how;
   how.safety = 1.0 / 500;
@@ -114,7 +114,7 @@ TEST(Cohesion, BridgesFormAtTheTouchAndNotBefore) {
   const double before = engine.energies().kinetic;
   while (engine.cohesion_count().joined == 0) engine.advance(1);
   while (engine.cohesion_count().joined == 1) engine.advance(10);
-  const dem::PullCurve curve = law.curve(radius, radius, thickness);
+  const dem::PullCurve curve = law.curve(wet_radius, wet_radius, wet_thickness);
   const Energies after = engine.energies();
   EXPECT_NEAR(after.dissipated_breakage, curve.energy(curve.reach()), 1e-3 * curve.energy(curve.reach()));
   EXPECT_NEAR(before - after.kinetic, curve.energy(curve.reach()), 1e-3 * curve.energy(curve.reach()));
@@ -126,10 +126,10 @@ TEST(Cohesion, FrictionIsCappedByMuTimesTheForceAbovePullOff) {
   for (const dem::Cohesion& given : all_laws) {
     const dem::Cohesion law = strong(given);
     SCOPED_TRACE(law.word());
-    const double overlap = 5e-6, width = 4 * radius - overlap;
+    const double overlap = 5e-6, width = 4 * wet_radius - overlap;
     Packing p = box(width, 0.5);
-    add(p, {{radius, 0.25}, radius});
-    add(p, {{width - radius, 0.25}, radius});
+    add(p, {{wet_radius, 0.25}, wet_radius});
+    add(p, {{width - wet_radius, 0.25}, wet_radius});
     dem::ContactParameters contact = cohesive(law);
     contact.friction_law = dem::CundallStrack{};
     contact.friction = 0.3;
@@ -149,17 +149,14 @@ TEST(Cohesion, FrictionIsCappedByMuTimesTheForceAbovePullOff) {
   }
 }
 
-double stored(const Energies& e) { return e.kinetic + e.elastic + e.adhesive; }
-double lost(const Energies& e) { return e.dissipated_normal + e.dissipated_friction + e.dissipated_drag + e.dissipated_breakage; }
-
-struct Balance {
+struct DrivenBalance {
   double imbalance, work, broken;
   std::size_t joined, fewer;  ///< pairs joined at the end; how many less than there once were
 };
 
 /// A sample driven for some contact times, with friction and dashpots.
-Balance driven(const Packing& start, const dem::Cohesion& law, IntegratorKind kind, const std::array<bool, 4>& rough, const dem::WallDrives& drives,
-               int contact_times) {
+DrivenBalance driven(const Packing& start, const dem::Cohesion& law, IntegratorKind kind, const std::array<bool, 4>& rough, const dem::WallDrives& drives,
+                     int contact_times) {
   constexpr std::int64_t share = 500;
   dem::ContactParameters contact;
   contact.friction = 0.5;
@@ -186,7 +183,7 @@ TEST(Cohesion, EnergyIsClosedToAMillionthOfTheWorkWhereGrainsMeet) {
   for (const dem::Cohesion& law : all_laws)
     for (const auto kind : integrators) {
       SCOPED_TRACE(std::string(law.word()) + ", " + name(kind));
-      const Balance b = driven(shaken_lattice(7, 7, 1, false, 1), law, kind, {}, {dem::WallDrive{}, moved(-0.8), moved(1.1), dem::WallDrive{}}, 30);
+      const DrivenBalance b = driven(shaken_lattice(7, 7, 1, false, 1), law, kind, {}, {dem::WallDrive{}, moved(-0.8), moved(1.1), dem::WallDrive{}}, 30);
       EXPECT_GT(b.joined, 60u);
       EXPECT_GT(b.work, 1);
       EXPECT_LT(std::abs(b.imbalance), 1e-6 * b.work);
@@ -209,7 +206,7 @@ TEST(Cohesion, EnergyIsClosedToAMillionthOfTheWorkWhereGrainsPart) {
       SCOPED_TRACE(std::string(law.word()) + ", " + name(kind));
       const bool breaks = law.word() != std::string(dem::Dmt::word.word);
       const double speed = breaks ? 2 : 0.2;  // adhesion reaches less far
-      const Balance b = driven(touching_lattice(7, 7), law, kind, {false, false, true, true}, {dem::WallDrive{}, {}, {}, moved(speed)}, 60);
+      const DrivenBalance b = driven(touching_lattice(7, 7), law, kind, {false, false, true, true}, {dem::WallDrive{}, {}, {}, moved(speed)}, 60);
       EXPECT_GT(b.fewer, 5u);
       EXPECT_GT(b.work, 1e-3);
       EXPECT_EQ(b.broken > 0.05 * b.work, breaks);
@@ -225,8 +222,8 @@ TEST(Cohesion, KeepsMomentumAndAngularMomentum) {
     RandomStream random(3, Purpose::test);
     for (int r = 0; r < 6; ++r)
       for (int c = 0; c < 6; ++c)
-        add(p, {{0.4 + 2.001 * radius * (c + 0.5 * (r % 2)), 0.4 + 2.001 * radius * std::sqrt(0.75) * r},
-                radius,
+        add(p, {{0.4 + 2.001 * wet_radius * (c + 0.5 * (r % 2)), 0.4 + 2.001 * wet_radius * std::sqrt(0.75) * r},
+                wet_radius,
                 pom,
                 {random.uniform(-1, 1), random.uniform(-1, 1)},
                 random.uniform(-200, 200)});

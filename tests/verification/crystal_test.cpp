@@ -10,14 +10,14 @@ namespace {
 using dem::Engine;
 using dem::FrictionLaw;
 
-constexpr double radius = 6.2e-3;
+constexpr double disk_radius = 6.2e-3;
 
 /// A triangular lattice of touching disks, a row along x, in a periodic cell.
-Packing lattice(int columns, int rows) {
-  const double d = 2 * radius;
+Packing crystal(int columns, int rows) {
+  const double d = 2 * disk_radius;
   Packing p = periodic_cell(columns * d, rows * d * std::sqrt(0.75));
   for (int r = 0; r < rows; ++r)
-    for (int c = 0; c < columns; ++c) add(p, {{d * (0.25 + c + 0.5 * (r % 2)), d * std::sqrt(0.75) * (r + 0.5)}, radius});
+    for (int c = 0; c < columns; ++c) add(p, {{d * (0.25 + c + 0.5 * (r % 2)), d * std::sqrt(0.75) * (r + 0.5)}, disk_radius});
   return p;
 }
 
@@ -25,7 +25,7 @@ TEST(Crystal, HasTheModuliOfATriangularLatticeOfNormalAndTangentialSprings) {
   // Sums over the three bond directions: C11 = (sqrt 3/4)(3 k + k_t), C12 = (sqrt 3/4)(k - k_t), N/m of the plane.
   for (const dem::FrictionLaw& friction : std::initializer_list<dem::FrictionLaw>{dem::NoFriction{}, dem::CundallStrack{}})
     for (const Vec2 strain : {Vec2{1e-5, 1e-5}, Vec2{1e-5, 3e-5}, Vec2{2.5e-5, 1e-5}}) {
-      const Packing start = lattice(8, 8);
+      const Packing start = crystal(8, 8);
       dem::ContactParameters law;
       law.friction_law = friction;
       law.friction = 50;
@@ -59,9 +59,9 @@ TEST(Crystal, CarriesSoundAtTheSpeedOfItsStiffness) {
   // Long waves along x in a periodic lattice: omega = q sqrt(C11/rho), rho = m/(sqrt 3/2 d^2); here as the standing
   // wave of one wavelength, whose lattice dispersion lowers it by (q d)^2/24 or so.
   const int columns = 40;
-  Packing p = lattice(columns, 4);
+  Packing p = crystal(columns, 4);
   for (double& r : p.grains.radius) r *= 1.001;  // pressed, so that no contact opens
-  const double width = p.domain.width(), q = 2 * pi / width, d = 2 * radius;
+  const double width = p.domain.width(), q = 2 * pi / width, d = 2 * disk_radius;
   const double m = mass(p, 0), c11 = std::sqrt(3) / 4 * 3 * k_pom, rho = m / (std::sqrt(0.75) * d * d);
   for (std::size_t i = 0; i < p.grains.size(); ++i) p.grains.vx[i] = 1e-3 * std::sin(q * p.grains.x[i]);
   const double period = 2 * pi / (q * std::sqrt(c11 / rho));

@@ -14,10 +14,6 @@ using dem::FrictionLaw;
 using dem::IntegratorKind;
 using dem::NormalLaw;
 
-double stored(const Energies& e) { return e.kinetic + e.elastic + e.adhesive; }
-double lost(const Energies& e) { return e.dissipated_normal + e.dissipated_friction + e.dissipated_drag + e.dissipated_breakage; }
-double work(const Energies& e) { return e.work_walls + e.work_gravity; }
-
 struct Balance {
   double imbalance, work, lost;
   double relative() const { return std::abs(imbalance) / work; }

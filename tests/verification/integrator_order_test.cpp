@@ -10,7 +10,7 @@ namespace {
 using dem::Engine;
 using dem::IntegratorKind;
 
-constexpr double radius = 6.2e-3;
+constexpr double ball_radius = 6.2e-3;
 
 /// Errors in phase space, hypot(x, v/omega), after a fixed time with n, 2n and 4n steps.
 struct Convergence {
@@ -44,10 +44,10 @@ struct OnTheWall {
   Packing start = box(1, 1);
   double g = 1e5, omega, rest, amplitude;
   OnTheWall() {
-    add(start, {{0.5, radius}, radius});
+    add(start, {{0.5, ball_radius}, ball_radius});
     omega = std::sqrt(k_pom / mass(start, 0));
-    rest = radius - g / (omega * omega);
-    amplitude = 0.4 * (radius - rest);
+    rest = ball_radius - g / (omega * omega);
+    amplitude = 0.4 * (ball_radius - rest);
     start.grains.y[0] = rest + amplitude;
   }
   /// Errors against the damped oscillation with share zeta of the critical damping; velocity over omega.
@@ -94,9 +94,9 @@ Vec2 runge_kutta(Vec2 state, double end, int steps, const std::function<double(d
 TEST(IntegratorOrder, HoldsForTheNonlinearGluedPair) {
   constexpr double gamma = 1.060e6;
   Packing p = box(1, 1);
-  const double r_eff = 2 * radius, h_eq = r_eff * gamma * gamma / (k_pom * k_pom), h0 = 0.7 * h_eq;
-  add(p, {{0.5, 0.5}, radius, pom, {}, 0, 1});
-  add(p, {{0.5 + 2 * radius - h0, 0.5}, radius, pom, {}, 0, 1});
+  const double r_eff = 2 * ball_radius, h_eq = r_eff * gamma * gamma / (k_pom * k_pom), h0 = 0.7 * h_eq;
+  add(p, {{0.5, 0.5}, ball_radius, pom, {}, 0, 1});
+  add(p, {{0.5 + 2 * ball_radius - h0, 0.5}, ball_radius, pom, {}, 0, 1});
   dem::ContactParameters law = elastic();
   law.adhesion = dem::GeometricalAdhesion{};
   law.surface_energy = gamma;
@@ -104,7 +104,7 @@ TEST(IntegratorOrder, HoldsForTheNonlinearGluedPair) {
   const Vec2 exact = runge_kutta({h0, 0}, end, 40000, [&](double h, double) { return -(k_pom * h - gamma * std::sqrt(r_eff * h)) / m; });
   for (const auto kind : integrators) {
     const Convergence c = converge(p, law, kind, end, 150, 0, [&](const Packing& now) {
-      const double h = 2 * radius - (now.grains.x[1] - now.grains.x[0]);
+      const double h = 2 * ball_radius - (now.grains.x[1] - now.grains.x[0]);
       return Vec2{(h - exact.x) / h_eq, (now.grains.vx[0] - now.grains.vx[1] - exact.y) / (h_eq * std::sqrt(k_pom / m))};
     });
     expect_convergence(c, least_order(kind), 0.01, kind);
@@ -114,7 +114,7 @@ TEST(IntegratorOrder, HoldsForTheNonlinearGluedPair) {
 TEST(IntegratorOrder, HoldsForHertz) {
   Packing p = box(1, 1);
   const double h0 = 2e-5;
-  add(p, {{0.5, radius - h0}, radius});
+  add(p, {{0.5, ball_radius - h0}, ball_radius});
   dem::ContactParameters law = elastic();
   law.normal = dem::Hertz{};
   const double k_hertz = Engine(p, law, with_step(1e-8)).packing().contacts.fn.at(0) / std::pow(h0, 1.5);
@@ -124,7 +124,7 @@ TEST(IntegratorOrder, HoldsForHertz) {
   const Vec2 exact = runge_kutta({h0, 0}, end, 40000, [&](double h, double) { return g - k_hertz / m * std::pow(h, 1.5); });
   for (const auto kind : integrators) {
     const Convergence c = converge(p, law, kind, end, 300, g, [&](const Packing& now) {
-      return Vec2{(radius - now.grains.y[0] - exact.x) / h0, (-now.grains.vy[0] - exact.y) * period / h0};
+      return Vec2{(ball_radius - now.grains.y[0] - exact.x) / h0, (-now.grains.vy[0] - exact.y) * period / h0};
     });
     expect_convergence(c, least_order(kind), 0.01, kind);
   }
@@ -133,7 +133,7 @@ TEST(IntegratorOrder, HoldsForHertz) {
 TEST(IntegratorOrder, GlobalDragDecaysExponentially) {
   Packing p = box(1, 1);
   const double rate = 2e4, speed = 2, end = 4 / rate;
-  add(p, {{0.5, 0.5}, radius, pom, {0, speed}});
+  add(p, {{0.5, 0.5}, ball_radius, pom, {0, speed}});
   const double distance = speed / rate * (1 - std::exp(-rate * end));
   for (const auto kind : integrators) {
     Convergence c{};

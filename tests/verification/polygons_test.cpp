@@ -238,7 +238,7 @@ Packing crowd(bool periodic, std::uint64_t seed = 1, int side = 6) {
   return p;
 }
 
-Packing pressed(bool periodic, int side = 6) {
+Packing squeezed_crowd(bool periodic, int side = 6) {
   dem::ContactParameters smooth;
   smooth.friction = 0;
   smooth.restitution = 0.3;
@@ -257,7 +257,7 @@ TEST(Polygons, EnergyIsClosedToAMillionthOfTheWorkAtAStepOfTcOver500) {
     dem::IntegrationParameters how;
     how.safety = 1.0 / 500;
     how.track_energy = true;
-    Engine engine(pressed(boundary > 0), law, how);
+    Engine engine(squeezed_crowd(boundary > 0), law, how);
     engine.set_drives({moved(0.8), moved(-0.8), moved(0.8), moved(-0.8)});
     if (boundary == 2) engine.set_shear_rate(30);
     const Energies before = engine.energies();
@@ -272,7 +272,7 @@ TEST(Polygons, EnergyIsClosedToAMillionthOfTheWorkAtAStepOfTcOver500) {
 }
 
 TEST(Polygons, SameBitsOnOneAndTwoThreadsAndForEveryKernel) {
-  const Packing p = pressed(true, 48);  // enough for two threads
+  const Packing p = squeezed_crowd(true, 48);  // enough for two threads
   std::uint64_t hash = 0;
   for (const char* kernel : {"portable", "auto"})
     for (const int threads : {1, 2}) {
@@ -289,7 +289,7 @@ TEST(Polygons, SameBitsOnOneAndTwoThreadsAndForEveryKernel) {
 }
 
 TEST(Polygons, AStateThatIsSavedAndRestoredGoesOnWithTheSameBits) {
-  const Packing p = pressed(true);
+  const Packing p = squeezed_crowd(true);
   Engine whole(p, {}, {});
   whole.set_drives({moved(0.5), moved(-0.5), moved(0.5), moved(-0.5)});
   whole.set_shear_rate(20);

@@ -13,12 +13,12 @@
 namespace arenite {
 namespace {
 
-constexpr double depth = 0.01, density = 1190, g = 9.81, friction = 0.5;
+constexpr double depth = 0.01, acrylic = 1190, g = 9.81, friction = 0.5;
 
 /// Disks of 4 to 6 mm in a box, on a lattice from `bottom` on, that fall when it begins.
 Packing grains_above(double width, double height, double floor, int count, std::uint64_t seed) {
   Packing p;
-  p.materials = {{"acrylic", density, 2e4, 0}};
+  p.materials = {{"acrylic", acrylic, 2e4, 0}};
   p.domain.thickness = depth;
   p.domain.wall[right].position = width;
   p.domain.wall[top].position = height;
@@ -37,7 +37,7 @@ Packing grains_above(double width, double height, double floor, int count, std::
 double weight(const Packing& p) {
   double area = 0;
   for (const double r : p.grains.radius) area += std::numbers::pi * r * r;
-  return g * density * depth * area;
+  return g * acrylic * depth * area;
 }
 
 dem::ContactParameters contact() {

@@ -117,6 +117,11 @@ inline const char* name(dem::IntegratorKind kind) {
   return names[static_cast<int>(kind)];
 }
 
+/// Energy that is in the sample, that it has lost, and that was put in; their sum holds.
+inline double stored(const Energies& e) { return e.kinetic + e.elastic + e.adhesive; }
+inline double lost(const Energies& e) { return e.dissipated_normal + e.dissipated_friction + e.dissipated_drag + e.dissipated_breakage; }
+inline double work(const Energies& e) { return e.work_walls + e.work_gravity; }
+
 inline std::optional<std::size_t> find_contact(const Packing& p, std::int32_t i, std::int32_t j) {
   for (std::size_t c = 0; c < p.contacts.size(); ++c)
     if ((p.contacts.i[c] == i && p.contacts.j[c] == j) || (p.contacts.i[c] == j && p.contacts.j[c] == i)) return c;

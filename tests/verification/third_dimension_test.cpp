@@ -52,7 +52,7 @@ struct Collision {
     laws.lead = laws.lag = 0.5 * dt;
     ContactState<double, Vec3> c{};
     c.stiffness = k;
-    c.damping = damping_ratio(restitution, false) * std::sqrt(reduced_mass() * k);
+    c.damping = dem::damping_ratio(restitution, false) * std::sqrt(reduced_mass() * k);
     c.viscosity = viscosity;
     c.friction = friction;
     c.curvature = 1 / a.radius + 1 / b.radius;

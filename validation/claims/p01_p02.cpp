@@ -68,7 +68,7 @@ void add_choices_p2(Judgement& j, const Results& results) {
 }
 
 /// "0.826 to 0.879": the least and the greatest pair.
-std::string ends(const PairMeans& means, const char* name) {
+std::string ends_in_text(const PairMeans& means, const char* name) {
   if (means.empty()) return {};
   const auto [least, greatest] =
       std::minmax_element(means.begin(), means.end(), [](const PairMean& a, const PairMean& b) { return a.value.value < b.value.value; });
@@ -84,7 +84,7 @@ Judgement judge_p1(const Results& results) {
   Judgement j;
   j.checks = {number(in_range("rho_p", "0.82 to 0.89", rho, 0.81, 0.89)), with_gamma("rho_p", "rises", rho, +1), densest(rho),
               every("spread of rho_p over theta at a gamma below 5 less that at 5", "theta matters little", excess_spreads(rho), {.high = 0})};
-  j.ours = ends(rho, "rho_p");
+  j.ours = ends_in_text(rho, "rho_p");
   if (const Value asked = of_pair(pair_means(samples, "volume_ratio"), 5, 6); std::isfinite(asked.value))
     j.findings.push_back(fmt::format("At gamma 5 and theta 6 asked for, the crop has a volume ratio of {}.", text_of(asked)));
   add_choices(j, results, "rho_p, gamma 1, theta 1.4", at("solid_fraction", 1, 1.4), wanted_between(0.81, 0.89));
@@ -118,7 +118,7 @@ Judgement judge_p2(const Results& results) {
                     {.low = 0}),
               every("Z_ll where theta <= 1.6 and gamma >= 2.5, or theta 2.2 and gamma 5", "< 1", members(few_large), {.high = 1}),
               number(every("Z_ll where theta <= 2.2 and gamma > 2", "< 1", members(as_stated), {.high = 1}))};
-  if (!z_l.empty()) j.ours = ends(z_l, "Z_l") + ", " + ends(z_s, "Z_s");
+  if (!z_l.empty()) j.ours = ends_in_text(z_l, "Z_l") + ", " + ends_in_text(z_s, "Z_s");
   add_choices_p2(j, results);
   return j;
 }

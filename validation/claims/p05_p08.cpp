@@ -10,10 +10,6 @@
 namespace arenite::validation {
 namespace {
 
-PairMeans classed(const PairMeans& means) {
-  return only(means, [](const PairMean& m) { return m.gamma >= 1.43; });
-}
-
 PairMeans small_less_large(const Samples& samples) {
   return difference(stress_means(samples, "small", "variance"), stress_means(samples, "large", "variance"));
 }

@@ -112,12 +112,8 @@ PairMeans matrix_above_mean(const Samples& samples, double from, double to) {
   return difference(share(to), share(from));
 }
 
-PairMeans with_classes(const PairMeans& means) {
-  return only(means, [](const PairMean& m) { return m.gamma >= 1.43; });
-}
-
 std::vector<Check> asked_p10(const Samples& samples) {
-  const auto quantile = [&](double width) { return with_classes(small_less_large(samples, "quantiles.99.9 %", width)); };
+  const auto quantile = [&](double width) { return classed(small_less_large(samples, "quantiles.99.9 %", width)); };
   std::vector<double> from(samples.widths.begin(), samples.widths.end() - 1);
   const auto step = [&](double width) { return matrix_above_mean(samples, width, *std::upper_bound(samples.widths.begin(), samples.widths.end(), width)); };
   return {in_all("99.9 % quantile, small less large grains, gamma >= 1.43", "highest in small grains", leads(samples.widths, quantile), +1),

@@ -9,12 +9,12 @@
 namespace arenite::validation {
 namespace {
 
-constexpr const char* study = "paper-linearity";
+constexpr const char* linearity_study = "paper-linearity";
 
 /// The runs with this stretch, strain and cement.
 std::vector<Run> pulled(const Results& results, bool exact, const char* strain, double width) {
   std::vector<Run> runs;
-  for (const Run& run : results.runs(study, {{"loads.0.exact_stretch", exact ? "true" : "false"}, {"loads.0.strain", strain}}))
+  for (const Run& run : results.runs(linearity_study, {{"loads.0.exact_stretch", exact ? "true" : "false"}, {"loads.0.strain", strain}}))
     if (cement_of(run) == width) runs.push_back(run);
   return runs;
 }

@@ -11,7 +11,7 @@
 namespace arenite::validation {
 namespace {
 
-constexpr const char* study = "paper-choices";
+constexpr const char* choices_study = "paper-choices";
 
 const std::vector<Choice> choices{
     {{{"contact.friction", "0"}}, "without friction"},
@@ -36,7 +36,7 @@ Place place_of(const Run& run) { return {gamma_of(run), theta_of(run), cement_of
 /// The usual runs at the pairs and cements that choices are made at.
 Samples where_chosen(const Results& results) {
   std::set<Place> places;
-  for (const Run& run : results.runs(study)) places.insert(place_of(run));
+  for (const Run& run : results.runs(choices_study)) places.insert(place_of(run));
   Samples usual = paper_samples(results);
   std::erase_if(usual.runs, [&](const Run& run) { return !places.contains(place_of(run)); });
   return usual;
@@ -52,7 +52,7 @@ std::size_t samples_a_place(const std::vector<Run>& runs) {
 
 /// The runs with a choice, if there are any at every place: a statistic over some of the pairs would be another one.
 Samples chosen(const Results& results, const Where& choice, const Samples& usual) {
-  Samples samples{results.runs(study, choice), usual.widths};
+  Samples samples{results.runs(choices_study, choice), usual.widths};
   std::set<Place> wanted, there;
   for (const Run& run : usual.runs) wanted.insert(place_of(run));
   for (const Run& run : samples.runs) there.insert(place_of(run));

@@ -7,9 +7,9 @@
 namespace arenite::validation {
 namespace {
 
-constexpr const char* study = "paper-loads";
+constexpr const char* loads_study = "paper-loads";
 
-std::vector<Run> loaded(const Results& results, const char* loading) { return results.runs(study, {{"loads.0.loading", loading}}); }
+std::vector<Run> loaded(const Results& results, const char* loading) { return results.runs(loads_study, {{"loads.0.loading", loading}}); }
 
 bool same_sample(const Run& a, const Run& b) {
   for (const char* key : {"bidisperse.size_ratio", "cement.kind", "cement.width", "seed"})

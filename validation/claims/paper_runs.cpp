@@ -80,6 +80,10 @@ PairMeans only(const PairMeans& means, const std::function<bool(const PairMean&)
   return result;
 }
 
+PairMeans classed(const PairMeans& means) {
+  return only(means, [](const PairMean& m) { return m.gamma >= 1.43; });
+}
+
 PairMeans of_theta(const PairMeans& means, double theta) {
   return only(means, [=](const PairMean& m) { return m.theta == theta; });
 }

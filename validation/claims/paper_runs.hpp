@@ -53,6 +53,8 @@ PairMeans without(PairMeans means, std::size_t k);
 std::size_t fewest_samples(const std::vector<PairMeans>& means);
 /// Those that are wanted.
 PairMeans only(const PairMeans& means, const std::function<bool(const PairMean&)>& wanted);
+/// Those whose small and large grains differ enough to be classes of their own.
+PairMeans classed(const PairMeans& means);
 PairMeans of_theta(const PairMeans& means, double theta);
 /// a - b of the same pair, sample by sample: differently cemented they are the same packing. What either lacks is left out.
 PairMeans difference(const PairMeans& a, const PairMeans& b);
