@@ -163,7 +163,7 @@ void add_lockin(Options& command, int& status) {
   command.add("--no-refinement", a->no_refinement, "Keep the frequency as it is given");
   command.add("--diffusivity", a->diffusivity, "Of heat in the grains, for the adiabatic check; default \"0.1 mm^2/s\", about that of plastics")
       .type("QUANTITY");
-  command.add("--pixel", a->pixel, "Its side on the sample, e.g. \"1.6 mm\": warns where heat diffuses not far less within a cycle").type("LENGTH");
+  command.add("--pixel", a->pixel, "Side of a pixel on the sample, e.g. \"1.6 mm\": warns where the diffusion length of a cycle approaches it").type("LENGTH");
   a->reading.add_to(command);
   command.add("--threads", a->options.threads, "Threads (default: 1)").between(1, 256).type("N");
   command.add("--json", a->json, "Print all numbers as JSON");

@@ -149,8 +149,8 @@ void measure_field(const MeasureArguments& a) {
 
 void add_field_statistics(Options& command, MeasureArguments& a) {
   command.add("--clamp-rows", a.stress.clamp_rows, "Of a field: rows left out at the lower and the upper edge; default 4").between(0, 1 << 20).type("N");
-  command.add("--leave-out-surface", a.stress.leave_out_surface, "Of a field: without nodes that border another phase or grain");
-  command.add("--leave-out-unloaded", a.stress.leave_out_unloaded, "Of a field: without nodes that carry no stress at all");
+  command.add("--leave-out-surface", a.stress.leave_out_surface, "Fields: exclude nodes that border another phase or grain");
+  command.add("--leave-out-unloaded", a.stress.leave_out_unloaded, "Fields: exclude nodes that carry no stress");
   command.add("--mean-over-area", a.stress.mean_over_area, "Of a field: the sample's mean counts the void as zero stress");
 }
 

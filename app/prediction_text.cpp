@@ -73,7 +73,8 @@ std::string prediction_text(const Prediction& p) {
   const std::string from = p.sample < p.grains ? fmt::format("a sample of {}, for some {} grains", p.sample, p.grains) : fmt::format("its {} grains", p.grains);
   text += fmt::format("in all       {:>12} steps, about {} on one free core, at {:.2g} s a step timed on {}\n", count_text(steps, all_exact),
                       duration_text(p.seconds()), p.seconds_per_step, from);
-  if (!all_exact) text += "~ is an estimate: a stage that ends at rest lasts until its sample rings no more, which may take half or twice that\n";
+  if (!all_exact)
+    text += "~ is an estimate: a stage that ends at rest lasts until the sample stops oscillating; the true time may be half or twice the estimate\n";
   for (const std::string& warning : p.warnings) text += "mind: " + warning + "\n";
   return text;
 }

@@ -116,7 +116,7 @@ int execute(const StudyArguments& arguments) {
 void add_study(Options& command, int& status) {
   auto a = std::make_shared<StudyArguments>();
   a->jobs = cores();
-  command.add("what", a->what, "What to do: show the runs, run them, say how they stand, gather their numbers, draw its figures, write a script for a cluster")
+  command.add("what", a->what, "What to do: show the runs, run them, report progress, gather their numbers, draw its figures, write a script for a cluster")
       .required()
       .type("WHAT")
       .among({"plan", "run", "status", "collect", "page", "script"});

@@ -122,7 +122,7 @@ std::string heading(const VerifyArguments& a) {
   std::strftime(date, sizeof date, "%Y-%m-%d", std::gmtime(&now));
   return fmt::format(
       "# The ledger of claims\n\n{}Written by `arenite verify`, version {}, on {}, {} cores of {}.\n\n"
-      "What is behind ± is a standard error over runs, each with a seed of its own. A check holds where the 95 % interval (Student's t) lies in what is "
+      "Errors (±) are standard errors over runs, each with a seed of its own. A check holds where the 95 % interval (Student's t) lies in what is "
       "wanted, fails where it lies "
       "outside, and is undecided where the bound lies within it. Many like numbers, such as those of all pairs, are one check: it holds if each shows it, and "
       "fails if one is outside "

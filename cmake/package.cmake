@@ -1,11 +1,12 @@
 # make deb: one Debian package of program, module, completion, manual page and examples.
-install(DIRECTORY examples studies DESTINATION ${CMAKE_INSTALL_DATADIR}/arenite)
+install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DATADIR}/arenite)
+install(DIRECTORY validation/studies DESTINATION ${CMAKE_INSTALL_DATADIR}/arenite/validation)
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} FILES_MATCHING PATTERN "*.md" PATTERN "*.png" PATTERN "*.svg" PATTERN "*.csv" PATTERN html EXCLUDE)
 install(FILES README.md ARCHITECTURE.md CHANGELOG.md CONTRIBUTING.md LICENSE CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})
 # Links of the pages lead to examples and studies beside them.
 file(RELATIVE_PATH data_from_docs /${CMAKE_INSTALL_DOCDIR} /${CMAKE_INSTALL_DATADIR}/arenite)
 file(MAKE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/links)
-foreach(folder examples studies)
+foreach(folder examples validation)
   file(CREATE_LINK ${data_from_docs}/${folder} ${CMAKE_CURRENT_BINARY_DIR}/links/${folder} SYMBOLIC)
   install(FILES ${CMAKE_CURRENT_BINARY_DIR}/links/${folder} DESTINATION ${CMAKE_INSTALL_DOCDIR})
 endforeach()

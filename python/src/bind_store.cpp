@@ -172,8 +172,8 @@ void bind_store(py::module_& m) {
       "`arenite figures` "
       "read; gives the files. Other results that lie there are put aside, under earlier/.");
   m.def("export", &exported, py::arg("result"), py::arg("folder"), py::arg("format") = "vtk", py::kw_only(), py::arg("last") = false,
-        "Writes a result (its folder or file, a Result, Stage, Field, FilmResult or Packing) as `arenite export` does: \"vtk\", \"csv\", \"lammps\" or "
-        "\"extxyz\"; gives the files. `last`: the "
+        "Writes a result (its folder or file, a Result, Stage, Field, FilmResult or Packing) as `arenite export` does, in one of `export_formats`' words; "
+        "gives the files. `last`: the "
         "last state only.");
   m.def(
       "page",

@@ -91,9 +91,9 @@ Judgement judge_t5(const Results& results) {
       measured.push_back({single.back().name, {percent[k] / 100, 0}});
     }
   }
-  judgement.checks = {every("share above the mean, all grains", "< 0.5", all, {.high = 0.5}),
-                      every("share above the mean, one material", "<= 0.52 (table 3.2: 0.443 to 0.509)", single, {.high = 0.52}),
-                      as(Kind::source, every("share above the mean that table 3.2 prints", "fewer than half", measured, {.high = 0.5}))};
+  judgement.checks = {every("fraction above the mean, all grains", "< 0.5", all, {.high = 0.5}),
+                      every("fraction above the mean, one material", "<= 0.52 (table 3.2: 0.443 to 0.509)", single, {.high = 0.52}),
+                      as(Kind::source, every("fraction above the mean that table 3.2 prints", "fewer than half", measured, {.high = 0.5}))};
   for (const Member& m : all)
     if (std::isfinite(m.value.value)) judgement.ours += fmt::format("{}{} {}", judgement.ours.empty() ? "" : ", ", m.name, text_of(m.value));
   judgement.decides = "Table 3.2 itself prints 50.2 and 50.9 % for POM and HDPE of #2 and 50.9 % for POM of #12, where its sentence says fewer than half.";

@@ -6,7 +6,7 @@ import { Tooltip } from "./tooltip.js";
 import { themeOf } from "./theme.js";
 
 const key = navigator.platform.startsWith("Mac") ? "\u2318" : "Ctrl";
-const gestureWords = `${key} and the wheel or a pinch zoom, dragging moves, double click shows all; keys: +, \u2212, 0 and arrows`;
+const gestureWords = `${key}+wheel or pinch to zoom, drag to pan, double-click to show all; keys: +, \u2212, 0 and arrows`;
 const hintWords = matchMedia("(hover: none)").matches ? "Two fingers move and zoom the picture" : `${key} + wheel zooms the picture; the wheel alone scrolls the page`;
 const hintTime = 1600;  // ms
 

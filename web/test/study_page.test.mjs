@@ -164,7 +164,7 @@ test("light and dark differ and both are drawn", async (page) => {
   assert.equal((await drawing(page, "points")).dots, 4);
 });
 
-test("the table lists every run with its values and main numbers, and a click on a head sorts it", async (page) => {
+test("the table lists every run with its values and main numbers, and a click on a column header sorts it", async (page) => {
   const rows = page.locator(".runs tr[data-run]"), cells = async (k) => (await rows.locator(`td:nth-child(${k})`).allInnerTexts()).map((cell) => Number(cell.split(" ")[0]));
   assert.equal(await rows.count(), 8);
   assert.deepEqual(await page.locator(".runs thead th").allInnerTexts(), ["run", "status", "gamma", "width", "seed", "z"]);

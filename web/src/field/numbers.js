@@ -11,7 +11,7 @@ const names = {
   sigma_yy: "\u03c3_{yy}", sigma_xx: "\u03c3_{xx}", sigma_xy: "\u03c3_{xy}", sigma_hyd: "\u03c3_{hyd}", sigma_norm: "\u03c3_{norm}", S_m: "S_{m}", r2: "R^{2}", line_r2: "R^{2} of a line",
   q_gaussian: "q-Gaussian", beta: "\u03b2", p_value: "p-value", cv: "coefficient of variation", rms: "r.m.s.", dx: "node distance", lockin: "lock-in", fn_error: "s.e. of F_{n}", ft_error: "s.e. of F_{t}",
   bad_pixels: "bad pixels", lost_necks: "lost necks", thinnest_neck_nodes: "nodes across the thinnest neck", smallest_grain_nodes: "nodes across the smallest grain",
-  fraction_above_mean: "share above the mean", fraction_above_own_mean: "share above own mean", fraction_above_sample_mean: "share above sample mean",
+  fraction_above_mean: "fraction above the mean", fraction_above_own_mean: "fraction above own mean", fraction_above_sample_mean: "fraction above sample mean",
 };
 
 /** Name and unit of a key of the numbers: "mean_Pa" is "mean" in Pa. */

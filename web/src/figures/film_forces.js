@@ -8,7 +8,7 @@ const colourOf = (theme, uncertain) => (uncertain ? theme.tension : theme.strong
 
 export const rankedForces = {
   id: "film-forces", title: "Contact forces \u00b1 s.e.", wide: true, follows: ["component"],
-  caption: "Peak-to-peak forces, ranked, with one standard error to both sides. May be absent: contacts that are present with a probability below 95\u202f%; about as many that are present are not counted.",
+  caption: "Peak-to-peak forces, ranked, with one standard error on either side. May be absent: contacts that are present with a probability below 95\u202f%; about as many present contacts are missed.",
   choices: { component: ["", [["fn", "F_{n}"], ["ft", "F_{t}"]]] },
   when: (_, film) => film.hasForces,
   key: ({ sample, theme }) => {
@@ -37,7 +37,7 @@ export const rankedForces = {
 
 export const certainty = {
   id: "film-certainty", title: "Signal-to-noise ratio of forces",
-  caption: "Number of contacts by F_{n} over its standard error; the last bar holds all that lie beyond.",
+  caption: "Number of contacts by F_{n} over its standard error; the last bar includes all larger values.",
   when: (_, film) => film.hasForces && film.contacts.fn_error,
   draw({ sample, theme, width }) {
     const { fn, fn_error: error } = sample.contacts, ratio = Array.from(fn, (f, c) => ({ c, v: f / error[c] })).filter(({ v }) => Number.isFinite(v));

@@ -8,7 +8,7 @@ import { chart } from "./chart.js";
 
 export const rankedStresses = {
   id: "film-stresses", title: "Grain stresses \u00b1 s.e.",
-  caption: "Peak-to-peak pressure \u2212\u03c3_{hyd} of every grain, ranked, with one standard error to both sides (noise of pixels, place of the grain).",
+  caption: "Peak-to-peak pressure \u2212\u03c3_{hyd} of every grain, ranked, with one standard error on either side (noise of pixels, place of the grain).",
   when: (_, film) => film.stresses.film && film.grains.sigma_hyd,
   key: ({ sample, theme }) => (sample.materials.length > 1 ? sample.materials.map(({ name }, m) => ({ name, colour: materialLine(theme, m), values: [] })) : []),
   draw({ sample, theme, width }) {

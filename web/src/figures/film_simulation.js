@@ -28,7 +28,7 @@ const inOrder = ({ value, error }) => {
 export const againstSimulation = {
   id: "film-simulation", title: "Film against simulation", follows: ["companion", "over"],
   caption: "Every grain with the film\u2019s standard error; line: both the same. Largest load: with what grains carry at the smallest, which no film shows. " +
-    "On virtual films a simulation from places alone comes to a correlation of about 0.4 to 0.5: forces of single contacts hang on the friction that filling and " +
+    "On virtual films a simulation from places alone comes to a correlation of about 0.4 to 0.5: individual contact forces depend on the friction history of filling and " +
     "loading left in the sample, and that history is lost.",
   choices: { companion: ["", [["peak_to_peak", "Peak to peak"], ["state", "Largest load"]]], over: ["", [["mean", "\u03c3_{norm}"], ["unit", "Pa"]]] },
   when: (_, film) => film.hasSimulation,

@@ -20,7 +20,7 @@ function columnsOf(sample) {
   })];
 }
 
-/** All grains of the state that is shown with their numbers, in a table that is sorted by a click on a head; only the rows in sight are made.
+/** All grains of the state that is shown with their numbers, in a table that is sorted by a click on a column header; only the rows in sight are made.
     A click on a row selects its grain everywhere, arrows go from row to row. */
 export function grainTable(sample, state) {
   const columns = columnsOf(sample), sorting = { column: columns[0], down: false };
@@ -82,6 +82,6 @@ export function grainTable(sample, state) {
     h("div", { class: "title" }, h("h3", {}, "Grains"),
       h("span", { class: "saves" }, h("button", { class: "save", "data-save": "csv", "aria-label": "Save the table of grains as CSV", onclick: csv }, "CSV"))),
     scroller,
-    h("p", { class: "caption" }, rich(`${text.count(sample.count)} grains in the state shown; a click on a head sorts, a click on a row marks the grain in picture and charts. `
+    h("p", { class: "caption" }, rich(`${text.count(sample.count)} grains in the state shown; click a column header to sort, click a row to mark the grain in picture and charts. `
       + "p, q: half the sum and half the difference of the principal stresses of a grain, compression positive; u, \u03b8: since the first state of the stage. The file holds SI units.")));
 }

@@ -11,7 +11,7 @@ function written(number) {
 
 const quoted = (word) => (/[",\n]/.test(word) ? `"${word.replaceAll('"', '""')}"` : word);
 
-/** Every run of the study with what was swept and its main numbers, sorted by a click on a head; a run's name leads to its page. */
+/** Every run of the study with what was swept and its main numbers, sorted by a click on a column header; a run's name leads to its page. */
 export function runsTable(title, { keys, names, rows }) {
   const sorting = { column: 0, down: false }, body = h("tbody");
   const cells = ({ run, status, values, numbers }) => [run, status, ...values, ...numbers.map((number) => number?.[0] ?? NaN)];
