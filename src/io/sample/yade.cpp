@@ -123,7 +123,7 @@ std::string not_joined(std::size_t count, std::size_t all, const RawGrains& grai
 
 }  // namespace
 
-RawGrains read_yade_spheres(std::string_view text, const ReadingHints& hints, Problems& problems) {
+RawGrains read_yade_spheres(std::string_view text, const SampleOptions& options, Problems& problems) {
   RawGrains grains;
   std::vector<Point> centres;
   Lines lines(text);
@@ -147,8 +147,8 @@ RawGrains read_yade_spheres(std::string_view text, const ReadingHints& hints, Pr
     g.line = at;
     g.id = id_columns ? integer_or_problem(cells[0], "id", at, problems) : static_cast<std::int64_t>(grains.rows.size());
     Point p;
-    for (std::size_t k = 0; k < 3; ++k) p[k] = number_or_problem(cells[id_columns + k], "coordinate", hints.length, at, problems);
-    g.radius = number_or_problem(cells[id_columns + 3], "r", hints.length, at, problems);
+    for (std::size_t k = 0; k < 3; ++k) p[k] = number_or_problem(cells[id_columns + k], "coordinate", options.length(), at, problems);
+    g.radius = number_or_problem(cells[id_columns + 3], "r", options.length(), at, problems);
     if (material > 0) g.material = cells[material];
     centres.push_back(p);
     grains.rows.push_back(std::move(g));
@@ -159,7 +159,7 @@ RawGrains read_yade_spheres(std::string_view text, const ReadingHints& hints, Pr
   return grains;
 }
 
-RawContacts read_yade_interactions(std::string_view text, const RawGrains& grains, const ReadingHints& hints, Problems& problems) {
+RawContacts read_yade_interactions(std::string_view text, const RawGrains& grains, const SampleOptions& options, Problems& problems) {
   RawContacts contacts;
   Words words(text);
   std::vector<Point> ends, normal, shear;
@@ -169,11 +169,11 @@ RawContacts read_yade_interactions(std::string_view text, const RawGrains& grain
       count = static_cast<std::size_t>(std::max<std::int64_t>(0, integer_or_problem(words.next(), "number of points", words.line(), problems))) / 2;
       if (count > text.size()) break;  // more than the file can hold
       words.skip_line();
-      ends = read_points(words, 2 * count, hints.length, problems);
+      ends = read_points(words, 2 * count, options.length(), problems);
     } else if (word == "VECTORS") {
       const auto name = words.next();
       words.skip_line();
-      auto values = read_points(words, count, hints.force, problems);
+      auto values = read_points(words, count, options.force(), problems);
       if (name == "normalForce" || name == "fn") normal = std::move(values);
       if (name == "shearForce" || name == "fs") shear = std::move(values);
     }
