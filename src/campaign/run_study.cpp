@@ -79,7 +79,7 @@ constexpr const char* elsewhere = "elsewhere";
 struct Job {
   std::size_t run = 0;
   std::string stage;
-  Worker worker;
+  std::unique_ptr<Worker> worker;
 };
 
 class Scheduler {
@@ -120,7 +120,7 @@ class Scheduler {
       const auto chosen = choose();
       if (!chosen) return;
       const StudyRun& run = study_.runs[*chosen];
-      jobs_.push_back({*chosen, first_missing(*chosen), Worker([&] {
+      jobs_.push_back({*chosen, first_missing(*chosen), std::make_unique<Worker>([&] {
                          const auto state = run_in_study(study_, run, folder_, store_, journal_, options_);
                          return std::string(state ? word_for(state->kind) : elsewhere);
                        })});
@@ -153,11 +153,11 @@ class Scheduler {
   }
 
   void listen() {
-    auto ears = mapped(jobs_, [](const Job& job) { return pollfd{job.worker.descriptor(), POLLIN, 0}; });
+    auto ears = mapped(jobs_, [](const Job& job) { return pollfd{job.worker->descriptor(), POLLIN, 0}; });
     ::poll(ears.data(), ears.size(), 100);
     for (std::size_t j = jobs_.size(); j-- > 0;) {
       if (ears[j].revents == 0) continue;
-      const auto end = jobs_[j].worker.end();
+      const auto end = jobs_[j].worker->end();
       if (!end) continue;
       const std::size_t run = jobs_[j].run;
       jobs_.erase(jobs_.begin() + static_cast<std::ptrdiff_t>(j));
@@ -189,7 +189,7 @@ class Scheduler {
 
   void stop() {
     stopping_ = true;
-    for (const Job& job : jobs_) job.worker.ask_to_stop();
+    for (const Job& job : jobs_) job.worker->ask_to_stop();
   }
 
   void show(bool now) {

@@ -55,8 +55,8 @@ class Worker {
  public:
   /// `work` gives the word; it must let no exception out.
   explicit Worker(const std::function<std::string()>& work);
-  Worker(Worker&& other) noexcept;
-  Worker& operator=(Worker&& other) noexcept;
+  Worker(const Worker&) = delete;
+  Worker& operator=(const Worker&) = delete;
   ~Worker();
 
   int descriptor() const { return pipe_; }  ///< readable when there is something to hear

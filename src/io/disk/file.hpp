@@ -2,10 +2,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 
 #include "core/error.hpp"
 
@@ -46,19 +46,15 @@ int write_all(int descriptor, std::string_view bytes, std::size_t* written = nul
 /// the lock.
 class FileLock {
  public:
-  FileLock(FileLock&& other) noexcept;
-  FileLock& operator=(FileLock&& other) noexcept;
-  ~FileLock();
-
   /// Nothing if another process, or another FileLock of this one, holds it. Throws InputError when the system refuses.
   static std::optional<FileLock> try_take(const std::filesystem::path& file);
   /// Whether anybody holds it now.
   static bool is_held(const std::filesystem::path& file);
 
  private:
-  FileLock(std::filesystem::path file, int descriptor) : file_(std::move(file)), descriptor_(descriptor) {}
-  std::filesystem::path file_;
-  int descriptor_ = -1;
+  struct Held;
+  explicit FileLock(const Held* held);
+  std::shared_ptr<const Held> held_;
 };
 
 }  // namespace arenite::io
