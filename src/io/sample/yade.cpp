@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 
 #include "io/table/table.hpp"
 
@@ -25,11 +26,11 @@ std::array<std::size_t, 2> plane_of(const std::vector<Point>& points) {
 class Centres {
  public:
   explicit Centres(const RawGrains& grains) : grains_(grains) {
-    for (const RawGrain& g : grains.rows) {
-      wrapped_.push_back(wrapped(g.centre));
-      order_.push_back(order_.size());
+    for (std::size_t g = 0; g < grains.rows.size(); ++g) {
+      const Vec2 centre = wrapped(grains.rows[g].centre);
+      by_x_.emplace(centre.x, Centre{centre, g});
+      largest_ = std::max(largest_, grains.rows[g].radius);
     }
-    std::sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) { return wrapped_[a].x < wrapped_[b].x; });
   }
   /// Index of the grain, or -1.
   std::int64_t find(Vec2 p) const {
@@ -42,33 +43,27 @@ class Centres {
   }
 
  private:
+  struct Centre {
+    Vec2 at;
+    std::size_t grain;
+  };
   Vec2 wrapped(Vec2 p) const {
     const Vec2 size = grains_.box_high - grains_.box_low;
-    if (grains_.periodic_y) {
-      const double n = std::floor((p.y - grains_.box_low.y) / size.y);
-      p = p - n * Vec2{grains_.tilt, size.y};
-    }
+    if (grains_.periodic_y) p = p - std::floor((p.y - grains_.box_low.y) / size.y) * Vec2{grains_.tilt, size.y};
     if (grains_.periodic_x) p.x -= std::floor((p.x - grains_.box_low.x) / size.x) * size.x;
     return p;
   }
   std::int64_t near(Vec2 p, double reach) const {
-    const double most = reach + slack * largest_radius();
-    auto it = std::lower_bound(order_.begin(), order_.end(), p.x - most, [&](std::size_t g, double x) { return wrapped_[g].x < x; });
-    for (; it != order_.end() && wrapped_[*it].x <= p.x + most; ++it)
-      if (norm(wrapped_[*it] - p) <= reach + slack * grains_.rows[*it].radius) return static_cast<std::int64_t>(*it);
+    const double most = reach + slack * largest_;
+    for (auto it = by_x_.lower_bound(p.x - most); it != by_x_.end() && it->first <= p.x + most; ++it)
+      if (const auto& [at, grain] = it->second; norm(at - p) <= reach + slack * grains_.rows[grain].radius) return static_cast<std::int64_t>(grain);
     return -1;
-  }
-  double largest_radius() const {
-    if (largest_ < 0)
-      for (const RawGrain& g : grains_.rows) largest_ = std::max(largest_, g.radius);
-    return largest_;
   }
 
   static constexpr double slack = 1e-3;
   const RawGrains& grains_;
-  std::vector<Vec2> wrapped_;
-  std::vector<std::size_t> order_;
-  mutable double largest_ = -1;
+  std::multimap<double, Centre> by_x_;
+  double largest_ = 0;
 };
 
 /// Reads the words of a legacy VTK file one after the other, knowing their lines.
