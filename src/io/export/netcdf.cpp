@@ -106,13 +106,13 @@ template <class Array> auto joined(const Frames& frames, Array array) {
   }
   return all;
 }
-template <class T> std::vector<T> joined(const Frames& frames, std::vector<T> Grains::*member) {
-  return joined(
-      frames, [&](const auto& f) -> auto& { return f.frame->packing.grains.*member; });
-}
-template <class T> std::vector<T> joined(const Frames& frames, std::vector<T> Contacts::*member) {
-  return joined(
-      frames, [&](const auto& f) -> auto& { return f.frame->packing.contacts.*member; });
+/// A member of the grains or contacts of each state.
+template <class T, class Owner> std::vector<T> joined(const Frames& frames, std::vector<T> Owner::*member) {
+  const auto values_in = [member](const ExportFrame& f) -> auto& {
+    if constexpr (std::is_same_v<Owner, Grains>) return f.frame->packing.grains.*member;
+    else return f.frame->packing.contacts.*member;
+  };
+  return joined(frames, values_in);
 }
 
 void put_states(NetcdfFile& file, const Frames& frames) {
