@@ -11,8 +11,6 @@
 #include <fstream>
 #include <sstream>
 
-#include "io/disk/refuse.hpp"
-
 namespace arenite::io {
 
 namespace fs = std::filesystem;

@@ -15,7 +15,6 @@
 #include "core/hash.hpp"
 #include "core/text.hpp"
 #include "io/disk/file.hpp"
-#include "io/disk/refuse.hpp"
 
 namespace arenite::io {
 

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "io/disk/refuse.hpp"
+#include "io/disk/file.hpp"
 
 namespace arenite::io {
 

@@ -1,6 +1,5 @@
 #include "io/hdf5/handle.hpp"
 #include "core/mapped.hpp"
-#include "io/disk/refuse.hpp"
 
 #include <fmt/format.h>
 

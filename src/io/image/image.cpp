@@ -7,7 +7,6 @@
 
 #include "core/mapped.hpp"
 #include "core/problems.hpp"
-#include "io/disk/refuse.hpp"
 
 namespace arenite::io {
 namespace {

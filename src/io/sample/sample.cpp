@@ -4,7 +4,6 @@
 
 #include "core/mapped.hpp"
 #include "io/disk/file.hpp"
-#include "io/disk/refuse.hpp"
 #include "io/table/table.hpp"
 
 namespace arenite::io {
