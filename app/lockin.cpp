@@ -41,7 +41,7 @@ std::vector<float> phase_in_degrees(const LockinMaps& m) {
 double read_phase(const std::string& text) {
   const Quantity phase = option_value("--reference-phase", [&] { return parse_quantity(text); });
   if (phase.dimension != dimension::none) throw InputError("--reference-phase: must be an angle, such as \"90 deg\"");
-  if (!phase.has_unit) fmt::print(stderr, "--reference-phase {0} is taken in radians; write \"{0} rad\" or an angle in degrees, such as \"90 deg\"\n", text);
+  if (phase.unit.empty()) fmt::print(stderr, "--reference-phase {0} is taken in radians; write \"{0} rad\" or an angle in degrees, such as \"90 deg\"\n", text);
   return phase.value;
 }
 

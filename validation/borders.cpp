@@ -18,7 +18,7 @@ void add_with_border(Results& results, const std::string& study, double border, 
   for (const Run& run : results.runs(study)) {
     if (!wanted(run)) continue;
     auto row = run.study->table().rows[run.row];
-    row.numbers.assign(table.names.size(), std::nullopt);
+    row.numbers.assign(table.names.size(), {});
     try {
       for (const auto& [name, estimate] : campaign::flat_numbers(workflow::texture_with_border(run.folder(), border))) {
         const auto [column, added] = columns.try_emplace(name, table.names.size());

@@ -27,9 +27,7 @@ StudyResults::StudyResults(campaign::CollectedTable table, std::filesystem::path
 
 double StudyResults::number(std::size_t row, std::string_view name) const {
   const auto at = columns_.find(std::string(name));
-  if (at == columns_.end()) return statistics::unknown;
-  const auto& estimate = table_.rows[row].numbers[at->second];
-  return estimate ? estimate->value : statistics::unknown;
+  return at == columns_.end() ? statistics::unknown : table_.rows[row].numbers[at->second].value;
 }
 
 std::string StudyResults::value(std::size_t row, std::string_view key) const {

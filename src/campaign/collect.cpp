@@ -10,8 +10,9 @@
 
 #include "core/error.hpp"
 #include "core/mapped.hpp"
-#include "core/problems.hpp"
+#include "core/text.hpp"
 #include "core/units.hpp"
+#include "io/table/table.hpp"
 #include "recipe/reader.hpp"
 #include "statistics/measured.hpp"
 
@@ -24,7 +25,7 @@ constexpr std::size_t most_items = 4;
 
 bool is_number(const Numbers& j) { return j.is_number() || j.is_truth(); }
 
-std::optional<double> number_in(const Numbers* j) { return j && is_number(*j) ? std::optional(j->get<double>()) : std::nullopt; }
+double number_in(const Numbers* j) { return j && is_number(*j) ? j->get<double>() : statistics::unknown; }
 
 /// Tensors and pairs, not curves.
 bool is_short(const Numbers& list) {
@@ -46,8 +47,8 @@ void flatten_list(const Numbers& values, const Numbers* errors, const std::strin
 
 void flatten_object(const Numbers& j, const std::string& name, Flat& out) {
   const Numbers *value = j.at_path("/value"), *error = j.at_path("/error");
-  if (const auto number = number_in(value)) {
-    out.emplace_back(name, Estimate{*number, number_in(error)});
+  if (value && is_number(*value)) {
+    out.emplace_back(name, Estimate{number_in(value), number_in(error)});
   } else if (value && value->is_list()) {
     if (is_short(*value)) flatten_list(*value, error, name, out);
   } else {
@@ -57,7 +58,7 @@ void flatten_object(const Numbers& j, const std::string& name, Flat& out) {
 }
 
 void flatten(const Numbers& j, const std::string& name, Flat& out) {
-  if (is_number(j)) out.emplace_back(name, Estimate{j.get<double>(), std::nullopt});
+  if (is_number(j)) out.emplace_back(name, Estimate{j.get<double>()});
   else if (j.is_tree()) flatten_object(j, name, out);
   else if (j.is_list() && is_short(j)) flatten_list(j, nullptr, name, out);
   else if (j.is_list())
@@ -67,45 +68,31 @@ void flatten(const Numbers& j, const std::string& name, Flat& out) {
 
 using Row = CollectedTable::Row;
 
-/// The unit behind the number of a quantity such as "350 mm"; nothing for anything else.
-std::optional<std::string> unit_of(const std::string& text) {
+/// The unit of a quantity such as "350 mm"; empty for anything else.
+std::string unit_of(const std::string& text) {
   try {
-    if (!parse_quantity(text).has_unit) return std::nullopt;
-    const auto start = text.find_first_not_of(' ', text.find_first_not_of("+-.0123456789eE"));
-    return text.substr(start);
-  } catch (const InputError&) { return std::nullopt; }
+    return parse_quantity(text).unit;
+  } catch (const InputError&) { return {}; }
 }
 
 /// A column whose quantities all have one unit gets it into its head.
 void move_unit_to_head(CollectedTable& table, std::size_t k) {
-  std::optional<std::string> unit;
+  std::string unit;
   for (const Row& row : table.rows) {
     if (row.values[k].empty()) continue;
-    const auto here = unit_of(row.values[k]);
-    if (!here || (unit && *unit != *here)) return;
+    const std::string here = unit_of(row.values[k]);
+    if (here.empty() || (!unit.empty() && here != unit)) return;
     unit = here;
   }
-  if (!unit) return;
-  table.keys[k].unit = *unit;
-  for (Row& row : table.rows) {
-    std::string& value = row.values[k];
-    if (value.empty()) continue;
-    value.resize(value.size() - unit->size());
-    while (value.ends_with(' ')) value.pop_back();
-  }
+  table.keys[k].unit = unit;
+  for (Row& row : table.rows)
+    if (std::string& value = row.values[k]; !value.empty()) value = trimmed(std::string(value, 0, value.rfind(unit)));
 }
 
 /// The value as a person would write it: texts without quotes.
 std::string cell_of(const std::string& literal) {
   const recipe::Node value = recipe::parse_value(literal);
   return value.kind == recipe::Node::Kind::text ? value.text : literal;
-}
-
-std::string quoted(const std::string& cell) {
-  if (cell.find_first_of(",\"\n;") == std::string::npos) return cell;
-  std::string text = "\"";
-  for (const char c : cell) text += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return text + "\"";
 }
 
 std::string number(double value) { return std::isfinite(value) ? fmt::format("{}", value) : std::string(); }
@@ -117,9 +104,9 @@ Row mean_of(const std::vector<const Row*>& group, std::vector<std::string> value
   for (std::size_t c = 0; c < columns; ++c) {
     std::vector<double> parts;
     for (const Row* row : group)
-      if (row->numbers[c] && std::isfinite(row->numbers[c]->value)) parts.push_back(row->numbers[c]->value);
+      if (std::isfinite(row->numbers[c].value)) parts.push_back(row->numbers[c].value);
     const statistics::Measured of_all = statistics::mean_of(parts);
-    mean.numbers.push_back(parts.empty() ? std::nullopt : std::optional(Estimate{of_all.value, parts.size() > 1 ? std::optional(of_all.error) : std::nullopt}));
+    mean.numbers.push_back({of_all.value, of_all.error});
   }
   return mean;
 }
@@ -188,7 +175,7 @@ std::string CollectedTable::csv() const {
   std::vector<bool> has_error(names.size(), false);
   for (const Row& row : rows)
     for (std::size_t c = 0; c < names.size(); ++c)
-      if (row.numbers[c] && row.numbers[c]->error) has_error[c] = true;
+      if (std::isfinite(row.numbers[c].error)) has_error[c] = true;
   std::vector<std::string> cells;
   const auto line = [&cells] {
     const std::string text = fmt::format("{}\n", fmt::join(cells, ","));
@@ -196,21 +183,20 @@ std::string CollectedTable::csv() const {
     return text;
   };
   if (!means) cells = {"run", "status"};
-  for (const Key& key : keys) cells.push_back(quoted(key.unit.empty() ? key.name : fmt::format("{} [{}]", key.name, key.unit)));
+  for (const Key& key : keys) cells.push_back(io::quoted_cell(key.unit.empty() ? key.name : fmt::format("{} [{}]", key.name, key.unit)));
   if (means) cells.emplace_back("runs");
   for (std::size_t c = 0; c < names.size(); ++c) {
-    cells.push_back(quoted(names[c]));
-    if (has_error[c]) cells.push_back(quoted(names[c] + "_error"));
+    cells.push_back(io::quoted_cell(names[c]));
+    if (has_error[c]) cells.push_back(io::quoted_cell(names[c] + "_error"));
   }
   std::string text = line();
   for (const Row& row : rows) {
     if (!means) cells = {row.run, row.status};
-    for (const auto& value : row.values) cells.push_back(quoted(value));
+    for (const auto& value : row.values) cells.push_back(io::quoted_cell(value));
     if (means) cells.push_back(std::to_string(row.runs));
     for (std::size_t c = 0; c < names.size(); ++c) {
-      const auto& estimate = row.numbers[c];
-      cells.push_back(estimate ? number(estimate->value) : "");
-      if (has_error[c]) cells.push_back(estimate && estimate->error ? number(*estimate->error) : "");
+      cells.push_back(number(row.numbers[c].value));
+      if (has_error[c]) cells.push_back(number(row.numbers[c].error));
     }
     text += line();
   }
@@ -231,10 +217,10 @@ std::string CollectedTable::json() const {
       swept[keys[k].name] = keys[k].unit.empty() ? std::move(plain) : Numbers{{"value", std::move(plain)}, {"unit", keys[k].unit}};
     }
     for (std::size_t c = 0; c < names.size(); ++c) {
-      if (!row.numbers[c]) continue;
-      Numbers estimate{{"value", row.numbers[c]->value}};
-      if (row.numbers[c]->error) estimate["error"] = *row.numbers[c]->error;
-      numbers[names[c]] = std::move(estimate);
+      const auto [value, error] = row.numbers[c];
+      if (!std::isfinite(value)) continue;
+      numbers[names[c]] = Numbers{{"value", value}};
+      if (std::isfinite(error)) numbers[names[c]]["error"] = error;
     }
     one["values"] = std::move(swept);
     one["numbers"] = std::move(numbers);

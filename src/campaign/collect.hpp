@@ -1,5 +1,4 @@
 #pragma once
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -9,23 +8,19 @@
 
 namespace arenite::campaign {
 
-/// A number of a run with its standard error, where it has one.
-struct Estimate {
-  double value = 0;
-  std::optional<double> error;
-};
+using statistics::Estimate;
 
 /// All single numbers of a run by dotted names ("texture.coordination"), in its order. {"value", "error"} is one
 /// number; of lists those of at most four numbers are taken (tensors, counted from 0), and those of things with a "name", by it.
 std::vector<std::pair<std::string, Estimate>> flat_numbers(const Numbers& numbers);
 
-/// Runs as rows: first the swept keys, then numbers. Empty cells are empty texts and numbers that a run does not have.
+/// Runs as rows: first the swept keys, then numbers. Empty cells are empty texts and numbers that are not known of a run.
 struct CollectedTable {
   struct Row {
     std::string run, status;          ///< empty in means
     std::vector<std::string> values;  ///< by key, without the unit that the whole column has
     std::size_t runs = 1;             ///< that the row is the mean of
-    std::vector<std::optional<Estimate>> numbers;
+    std::vector<Estimate> numbers;
   };
   struct Key {
     std::string name, unit;

@@ -43,21 +43,11 @@ Worker::Worker(const std::function<std::string()>& work) {
   pipe_ = ends[0];
 }
 
-Worker::Worker(Worker&& other) noexcept : process_(std::exchange(other.process_, -1)), pipe_(std::exchange(other.pipe_, -1)), heard_(std::move(other.heard_)) {}
-
-Worker& Worker::operator=(Worker&& other) noexcept {
-  std::swap(process_, other.process_);
-  std::swap(pipe_, other.pipe_);
-  std::swap(heard_, other.heard_);
-  return *this;
-}
-
 Worker::~Worker() {
-  if (pipe_ >= 0) ::close(pipe_);
-  if (process_ > 0) {
-    ask_to_stop();
-    while (::waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {}
-  }
+  ::close(pipe_);
+  if (process_ < 0) return;
+  ask_to_stop();
+  while (::waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {}
 }
 
 void Worker::ask_to_stop() const { ::kill(process_, SIGTERM); }
@@ -71,8 +61,7 @@ std::optional<Worker::End> Worker::end() {
   int raw = 0;
   while (::waitpid(process_, &raw, 0) < 0 && errno == EINTR) {}
   process_ = -1;
-  End end{heard_, WIFSIGNALED(raw) ? WTERMSIG(raw) : 0, WIFEXITED(raw) ? WEXITSTATUS(raw) : 0};
-  return end;
+  return End{heard_, WIFSIGNALED(raw) ? WTERMSIG(raw) : 0, WIFEXITED(raw) ? WEXITSTATUS(raw) : 0};
 }
 
 namespace {

@@ -48,26 +48,6 @@ double seconds_of_missing(const Study& study, const std::vector<std::size_t>& ru
   return seconds;
 }
 
-DroppedFields::DroppedFields(const Study& study, const StudyFolder& folder, const workflow::Store& store) : folder_(folder), store_(store) {
-  for (const StudyRun& run : study.runs)
-    for (const workflow::PlannedStage& stage : run.stages)
-      if (stage.field) users_[stage.hash].push_back(run.name);
-}
-
-void DroppedFields::run_settled(const StudyRun& run) const {
-  const auto is_settled = [&](const std::string& name) {
-    const auto status = read_status(folder_, name);
-    return status && status->settled();
-  };
-  for (const workflow::PlannedStage& stage : run.stages) {
-    if (!stage.field) continue;
-    std::error_code error;
-    std::filesystem::remove(folder_.run(run.name) / stage.file, error);
-    const auto& users = users_.at(stage.hash);
-    if (std::all_of(users.begin(), users.end(), is_settled)) store_.drop(stage.hash);
-  }
-}
-
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -79,7 +59,7 @@ constexpr const char* elsewhere = "elsewhere";
 struct Job {
   std::size_t run = 0;
   std::string stage;
-  Worker worker;
+  std::unique_ptr<Worker> worker;
 };
 
 class Scheduler {
@@ -92,7 +72,9 @@ class Scheduler {
         journal_(folder.journal(), options.notice),
         next_(study.runs.size(), 0) {
     workflow::make_folder(folder.out / "locks");
-    if (!options.keep_fields) dropped_.emplace(study, folder, store_);
+    for (const StudyRun& run : study.runs)
+      for (const workflow::PlannedStage& stage : run.stages)
+        if (stage.field && !options.keep_fields) field_users_[stage.hash].push_back(run.name);
     for (const std::size_t run : shard_of(study, options.shard, options.shards)) {
       const auto state = read_status(folder, study.runs[run].name);
       if (!state || !state->settled() || (options.retry && state->kind != Kind::done)) pending_.push_back(run);
@@ -120,7 +102,7 @@ class Scheduler {
       const auto chosen = choose();
       if (!chosen) return;
       const StudyRun& run = study_.runs[*chosen];
-      jobs_.push_back({*chosen, first_missing(*chosen), Worker([&] {
+      jobs_.push_back({*chosen, first_missing(*chosen), std::make_unique<Worker>([&] {
                          const auto state = run_in_study(study_, run, folder_, store_, journal_, options_);
                          return std::string(state ? word_for(state->kind) : elsewhere);
                        })});
@@ -153,11 +135,11 @@ class Scheduler {
   }
 
   void listen() {
-    auto ears = mapped(jobs_, [](const Job& job) { return pollfd{job.worker.descriptor(), POLLIN, 0}; });
+    auto ears = mapped(jobs_, [](const Job& job) { return pollfd{job.worker->descriptor(), POLLIN, 0}; });
     ::poll(ears.data(), ears.size(), 100);
     for (std::size_t j = jobs_.size(); j-- > 0;) {
       if (ears[j].revents == 0) continue;
-      const auto end = jobs_[j].worker.end();
+      const auto end = jobs_[j].worker->end();
       if (!end) continue;
       const std::size_t run = jobs_[j].run;
       jobs_.erase(jobs_.begin() + static_cast<std::ptrdiff_t>(j));
@@ -184,12 +166,27 @@ class Scheduler {
 
   void settle(std::size_t run, Kind kind) {
     ++(kind == Kind::done ? progress_.done : progress_.not_done);
-    if (dropped_) dropped_->run_settled(study_.runs[run]);
+    if (!options_.keep_fields) drop_fields(study_.runs[run]);
+  }
+
+  /// Takes the field files of a run (cemented samples and loads), whose numbers are kept, away; those of the store when all runs that share them are
+  /// settled.
+  void drop_fields(const StudyRun& run) const {
+    const auto is_settled = [&](const std::string& name) {
+      const auto status = read_status(folder_, name);
+      return status && status->settled();
+    };
+    for (const workflow::PlannedStage& stage : run.stages) {
+      if (!stage.field) continue;
+      std::error_code error;
+      std::filesystem::remove(folder_.run(run.name) / stage.file, error);
+      if (std::ranges::all_of(field_users_.at(stage.hash), is_settled)) store_.drop(stage.hash);
+    }
   }
 
   void stop() {
     stopping_ = true;
-    for (const Job& job : jobs_) job.worker.ask_to_stop();
+    for (const Job& job : jobs_) job.worker->ask_to_stop();
   }
 
   void show(bool now) {
@@ -211,8 +208,8 @@ class Scheduler {
   const StudyOptions& options_;
   const workflow::Store store_;
   const io::AppendLog journal_;
-  std::optional<DroppedFields> dropped_;
-  std::vector<std::size_t> pending_, next_;  ///< next_: first stage of each run that may be missing
+  std::unordered_map<std::string, std::vector<std::string>> field_users_;  ///< names of runs, by hash of the stage; of fields that are not kept
+  std::vector<std::size_t> pending_, next_;                                ///< next_: first stage of each run that may be missing
   std::vector<Job> jobs_;
   StudyProgress progress_;
   std::size_t total_ = 0;

@@ -6,7 +6,6 @@
 #include <limits>
 #include <optional>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 #include "campaign/study_folder.hpp"
@@ -55,8 +54,8 @@ class Worker {
  public:
   /// `work` gives the word; it must let no exception out.
   explicit Worker(const std::function<std::string()>& work);
-  Worker(Worker&& other) noexcept;
-  Worker& operator=(Worker&& other) noexcept;
+  Worker(const Worker&) = delete;
+  Worker& operator=(const Worker&) = delete;
   ~Worker();
 
   int descriptor() const { return pipe_; }  ///< readable when there is something to hear
@@ -79,18 +78,5 @@ class Worker {
 /// No exception leaves it: what goes wrong is the run's state. `waiting` says that it was asked to stop.
 std::optional<RunState> run_in_study(const Study& study, const StudyRun& run, const StudyFolder& folder, const workflow::Store& store,
                                      const io::AppendLog& journal, const StudyOptions& options);
-
-/// Takes field files (cemented samples and loads) away once their numbers are kept: a run's own when it is settled, those of the
-/// store when all runs of the study that share them are.
-class DroppedFields {
- public:
-  DroppedFields(const Study& study, const StudyFolder& folder, const workflow::Store& store);
-  void run_settled(const StudyRun& run) const;
-
- private:
-  const StudyFolder& folder_;
-  const workflow::Store& store_;
-  std::unordered_map<std::string, std::vector<std::string>> users_;  ///< names of runs, by hash of the stage
-};
 
 }  // namespace arenite::campaign

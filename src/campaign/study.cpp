@@ -141,12 +141,14 @@ std::string describe(const StudyRun& run) {
   return text;
 }
 
-Study read_study(const std::string& file, const std::vector<std::string>& overrides) {
+Study read_study(const std::string& file, const std::vector<std::string>& overrides, const fs::path& folder) {
   Study study;
   study.file = file;
   study.overrides = overrides;
   recipe::Reading reading{file, fs::path(file).parent_path().string(), true, {}};
+  const bool is_known = !folder.empty() && read_runs(folder / "runs.tsv", study);
   const Sweep sweep = take_sweep(study, reading);
+  if (is_known) return study;
   if (!reading.problems.empty()) throw InputError(std::move(reading.problems));
   study.inputs.emplace_back(file, content_hash(io::read_file(file)));
   for (const auto& base : reading.bases) study.inputs.emplace_back(base, content_hash(io::read_file(base)));
@@ -159,19 +161,7 @@ Study read_study(const std::string& file, const std::vector<std::string>& overri
   const std::size_t combinations = sweep.combinations();
   for (std::size_t index = 0; index < combinations && !expansion.enough(); ++index) expansion.add(sweep.combination(index));
   expansion.end(combinations);
-  return study;
-}
-
-Study read_study(const std::string& file, const std::vector<std::string>& overrides, const fs::path& folder) {
-  Study study;
-  study.file = file;
-  study.overrides = overrides;
-  if (read_runs(folder / "runs.tsv", study)) {
-    recipe::Reading reading{file, fs::path(file).parent_path().string(), true, {}};
-    take_sweep(study, reading);
-    return study;
-  }
-  study = read_study(file, overrides);
+  if (folder.empty()) return study;
   rename_former_runs(folder, study);
   write_runs(folder / "runs.tsv", study);
   return study;

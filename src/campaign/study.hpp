@@ -65,12 +65,10 @@ struct Study {
   recipe::Node tree;                                        ///< of the recipe without [sweep]
 };
 
-/// Reads a recipe with [sweep] and all of its runs. Throws InputError with every problem of every run, each once, with its
-/// place and, where not all runs have it, the values of the first run that does.
-Study read_study(const std::string& file, const std::vector<std::string>& overrides = {});
-
-/// The same, but runs are taken from `folder`/runs.tsv where it was written for the same inputs; it is written there else. `folder` must exist.
-Study read_study(const std::string& file, const std::vector<std::string>& overrides, const std::filesystem::path& folder);
+/// Reads a recipe with [sweep] and all of its runs; with a folder, which must exist, runs are taken from its runs.tsv where that was written for the
+/// same inputs, and written there else. Throws InputError with every problem of every run, each once, with its place and, where not all runs have it,
+/// the values of the first run that does.
+Study read_study(const std::string& file, const std::vector<std::string>& overrides = {}, const std::filesystem::path& folder = {});
 
 /// Runs that version 0.1 did in the study's folder get their names of now, and so do their files.
 void rename_former_runs(const std::filesystem::path& folder, const Study& study);

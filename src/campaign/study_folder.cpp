@@ -181,12 +181,7 @@ void rename_former_runs(const fs::path& out, const Study& study) {
 void write_runs(const std::filesystem::path& file, const Study& study) {
   std::string text = fmt::format("{}\nmade\t{}\n", first_line, made_with(study));
   for (const auto& [path, hash] : study.inputs) text += fmt::format("input\t{}\t{}\n", path, hash);
-  text += fmt::format("title\t{}\n", toml_literal([&] {
-                        recipe::Node node;
-                        node.kind = recipe::Node::Kind::text;
-                        node.text = study.title;
-                        return node;
-                      }()));
+  text += fmt::format("title\t{}\n", toml_literal(recipe::Node{.kind = recipe::Node::Kind::text, .text = study.title}));
   for (const auto& key : study.keys) text += fmt::format("key\t{}\n", key);
   for (const auto& run : study.runs) text += line_of(run);
   io::write_atomically(file, text + "end\n");

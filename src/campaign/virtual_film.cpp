@@ -120,10 +120,9 @@ Numbers film_numbers(const fs::path& run) {
   return read(run);
 }
 
-FilmAgreement film_agreement(const fs::path& run) {
+double film_number(const fs::path& run, const char* name) {
   const Numbers j = read(run);
-  const auto number = [&](const char* name) { return j.contains(name) && j[name].is_number() ? j[name].get<double>() : statistics::unknown; };
-  return {number("grains"), number("correlation"), number("rms_sigma_norm"), number("slope")};
+  return j.contains(name) && j[name].is_number() ? j[name].get<double>() : statistics::unknown;
 }
 
 }  // namespace arenite::campaign

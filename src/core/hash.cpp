@@ -1,5 +1,6 @@
 #include "core/hash.hpp"
 
+#include <fmt/format.h>
 #include <xxhash.h>
 
 #include <bit>
@@ -7,42 +8,30 @@
 namespace arenite {
 namespace {
 
-/// Eight bytes, lowest first, on any machine.
-std::string little_endian(std::uint64_t bits) {
-  std::string bytes(8, '\0');
-  for (int k = 0; k < 8; ++k) bytes[static_cast<std::size_t>(k)] = static_cast<char>((bits >> (8 * k)) & 0xff);
-  return bytes;
+/// Numbers of eight bytes, each with its lowest first.
+template <class T> std::string_view bytes_of(const T* numbers, std::size_t count) {
+  static_assert(std::endian::native == std::endian::little && sizeof(T) == 8);
+  return {reinterpret_cast<const char*>(numbers), count * sizeof(T)};
 }
 
 }  // namespace
 
 std::string content_hash(std::string_view bytes) {
   const XXH128_hash_t hash = XXH3_128bits(bytes.data(), bytes.size());
-  constexpr char digits[] = "0123456789abcdef";
-  std::string text;
-  for (const std::uint64_t half : {std::uint64_t{hash.high64}, std::uint64_t{hash.low64}})
-    for (int shift = 60; shift >= 0; shift -= 4) text += digits[(half >> shift) & 0xf];
-  return text;
+  return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
 }
 
 HashBuilder& HashBuilder::add(std::string_view key, std::string_view value) { return add_part('s', key, value); }
-
-HashBuilder& HashBuilder::add(std::string_view key, double value) { return add_part('d', key, little_endian(std::bit_cast<std::uint64_t>(value))); }
-
-HashBuilder& HashBuilder::add(std::string_view key, std::int64_t value) { return add_part('i', key, little_endian(static_cast<std::uint64_t>(value))); }
-
-HashBuilder& HashBuilder::add(std::string_view key, const std::vector<double>& values) {
-  std::string bytes;
-  for (const double v : values) bytes += little_endian(std::bit_cast<std::uint64_t>(v));
-  return add_part('a', key, bytes);
-}
+HashBuilder& HashBuilder::add(std::string_view key, double value) { return add_part('d', key, bytes_of(&value, 1)); }
+HashBuilder& HashBuilder::add(std::string_view key, std::int64_t value) { return add_part('i', key, bytes_of(&value, 1)); }
+HashBuilder& HashBuilder::add(std::string_view key, const std::vector<double>& values) { return add_part('a', key, bytes_of(values.data(), values.size())); }
 
 HashBuilder& HashBuilder::add_part(char type, std::string_view key, std::string_view bytes) {
   text_ += type;
-  text_ += little_endian(key.size());
-  text_ += key;
-  text_ += little_endian(bytes.size());
-  text_ += bytes;
+  for (const std::string_view part : {key, bytes}) {
+    const std::uint64_t size = part.size();
+    text_.append(bytes_of(&size, 1)).append(part);
+  }
   return *this;
 }
 

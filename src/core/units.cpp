@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -21,22 +22,13 @@ struct NumberSpan {
   std::size_t length = 0, mantissa = 0;
 };
 NumberSpan number_span(std::string_view text) {
-  const auto digits = [&](std::size_t& at) {
-    const std::size_t first = at;
-    while (at < text.size() && is_digit(text[at])) ++at;
-    return at - first;
-  };
-  std::size_t at = !text.empty() && (text[0] == '+' || text[0] == '-') ? 1 : 0;
-  std::size_t count = digits(at);
-  if (at < text.size() && text[at] == '.') count += digits(++at);
-  if (count == 0) return {};
-  const std::size_t mantissa = at;
-  if (at < text.size() && (text[at] == 'e' || text[at] == 'E')) {
-    std::size_t exponent = at + 1;
-    if (exponent < text.size() && (text[exponent] == '+' || text[exponent] == '-')) ++exponent;
-    if (digits(exponent) > 0) return {exponent, mantissa};
-  }
-  return {mantissa, mantissa};
+  const std::size_t sign = text.starts_with('+') || text.starts_with('-') ? 1 : 0;
+  if (text.size() == sign || (!is_digit(text[sign]) && text[sign] != '.')) return {};
+  double value = 0;
+  const char* const end = std::from_chars(text.data() + sign, text.data() + text.size(), value).ptr;
+  if (end == text.data() + sign) return {};
+  const auto length = static_cast<std::size_t>(end - text.data());
+  return {length, std::min(text.find_first_of("eE"), length)};
 }
 
 /// number * 10^decade, rounded once.
@@ -81,14 +73,14 @@ Quantity parse_quantity(std::string_view text) {
   const auto value = shifted(text, span, unit.decade);
   if (!value || !is_in_reach(*value * unit.factor))
     throw InputError(fmt::format("\"{}\" is beyond the range of numbers, 1e-60 to 1e60 in SI units; write 0 or a number in it", text));
-  return {*value * unit.factor, unit.dimension, !rest.empty()};
+  return {*value * unit.factor, unit.dimension, std::string(rest)};
 }
 
 double parse_si(std::string_view text, Dimension wanted, std::string_view unit) {
   const Quantity quantity = parse_quantity(text);
-  if (quantity.dimension == wanted && (quantity.has_unit || wanted == dimension::none)) return quantity.value;
+  if (quantity.dimension == wanted && (!quantity.unit.empty() || wanted == dimension::none)) return quantity.value;
   const std::string suggested = unit.empty() ? si_unit(wanted) : std::string(unit);
-  if (!quantity.has_unit) throw InputError(fmt::format("\"{0}\" has no unit; write it with its unit, for example \"{0} {1}\"", trimmed(text), suggested));
+  if (quantity.unit.empty()) throw InputError(fmt::format("\"{0}\" has no unit; write it with its unit, for example \"{0} {1}\"", trimmed(text), suggested));
   throw InputError(suggested.empty() ? fmt::format("\"{}\" is {}, but a number without unit is needed", trimmed(text), with_unit(quantity.dimension))
                                      : fmt::format("\"{}\" is {}, but {} is needed; write it in {}", trimmed(text), with_unit(quantity.dimension),
                                                    with_unit(wanted), suggested));

@@ -34,7 +34,7 @@ struct Unit {
 struct Quantity {
   double value = 0;
   Dimension dimension;
-  bool has_unit = false;  ///< false for a bare number
+  std::string unit;  ///< as it is written; empty for a bare number
 };
 
 /// Reads products, quotients and powers of units with SI prefixes: "kN/mm", "kg/m^3", "N s/m", "K/MPa", "%", "1/s", "MPa m^0.5". Throws InputError

@@ -1,6 +1,7 @@
 #include "report/study_page.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <optional>
 #include <set>
@@ -117,8 +118,8 @@ Numbers runs_table(const campaign::CollectedTable& table, const std::function<st
       mapped(numbers, [&](const MainNumber& number) { return static_cast<std::size_t>(std::ranges::find(table.names, number.name) - table.names.begin()); });
   const auto row_of = [&](const campaign::CollectedTable::Row& row) {
     const auto number_in = [&](std::size_t c) {
-      const auto& number = c < row.numbers.size() ? row.numbers[c] : std::nullopt;
-      return number ? Numbers{number->value, number->error ? Numbers(*number->error) : Numbers()} : Numbers();
+      const auto number = c < row.numbers.size() ? row.numbers[c] : statistics::Estimate();
+      return std::isfinite(number.value) ? Numbers{number.value, number.error} : Numbers();
     };
     return Numbers{
         {"run", row.run}, {"status", row.status}, {"link", link ? link(row.run) : ""}, {"values", row.values}, {"numbers", mapped(columns, number_in)}};

@@ -104,17 +104,16 @@ std::vector<FigureCurve> list_curves(const Figure& figure, const Table& table, c
 }
 
 /// A number of a mean row, or one of its keys, or a number written out; "1/NAME" and "27.35/NAME" are a number over it.
-campaign::Estimate value_of(const Table& table, const Row& row, const std::string& name) {
+statistics::Estimate value_of(const Table& table, const Row& row, const std::string& name) {
   const std::size_t slash = name.find('/');
   if (const double over = number_of(name.substr(0, slash)); slash != std::string::npos && std::isfinite(over)) {
-    const campaign::Estimate e = value_of(table, row, name.substr(slash + 1));
-    return {over / e.value, e.error ? std::optional(std::abs(over) * *e.error / (e.value * e.value)) : std::nullopt};
+    const auto [value, error] = value_of(table, row, name.substr(slash + 1));
+    return {over / value, std::abs(over) * error / (value * value)};
   }
-  if (const std::size_t k = key_place(table, name); k < table.keys.size()) return {number_of(row.values[k]), std::nullopt};
+  if (const std::size_t k = key_place(table, name); k < table.keys.size()) return {number_of(row.values[k])};
   const auto at = std::find(table.names.begin(), table.names.end(), name);
-  if (at == table.names.end()) return {number_of(name), std::nullopt};
-  const auto number = row.numbers[static_cast<std::size_t>(at - table.names.begin())];
-  return number.value_or(campaign::Estimate{statistics::unknown, std::nullopt});
+  if (at == table.names.end()) return {number_of(name)};
+  return row.numbers[static_cast<std::size_t>(at - table.names.begin())];
 }
 
 /// Means over runs that differ in their seed alone, which know of how many runs each is.
@@ -144,7 +143,7 @@ class MeanRows {
       if (!std::isfinite(at.value) || !std::isfinite(value.value)) continue;
       const std::size_t n = samples(*row, y);
       const double scale = figure.spread == Spread::deviation ? std::sqrt(static_cast<double>(n)) : 1;
-      points.push_back({at.value, value.value, n > 1 ? scale * value.error.value_or(statistics::unknown) : statistics::unknown});
+      points.push_back({at.value, value.value, n > 1 ? scale * value.error : statistics::unknown});
       curve.fewest = curve.fewest == 0 ? n : std::min(curve.fewest, n);
       curve.most = std::max(curve.most, n);
     }

@@ -1,7 +1,7 @@
 #include "statistics/tails.hpp"
 
+#include <Eigen/Dense>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -13,7 +13,7 @@ namespace {
 constexpr double lowest_q = -2, highest_q = 2.95;
 
 /// Centre, ln beta, q.
-using Parameters = std::array<double, 3>;
+using Parameters = Eigen::Vector3d;
 
 double log_gamma_quotient(double a, double b) { return std::lgamma(a) - std::lgamma(b); }
 
@@ -57,52 +57,41 @@ double cost(const Points& points, const Parameters& p) {
   return sum;
 }
 
-/// Solves (A + lambda diag A) d = g for a 3 x 3 A by Cramer's rule; false where A is singular.
-bool solve(const std::array<double, 9>& normal, double lambda, const Parameters& g, Parameters& d) {
-  std::array<double, 9> a = normal;
-  for (std::size_t k = 0; k < 3; ++k) a[4 * k] *= 1 + lambda;
-  const auto determinant = [](const std::array<double, 9>& m) {
-    return m[0] * (m[4] * m[8] - m[5] * m[7]) - m[1] * (m[3] * m[8] - m[5] * m[6]) + m[2] * (m[3] * m[7] - m[4] * m[6]);
-  };
-  const double whole = determinant(a);
+/// Solves (A + lambda diag A) d = g by Cramer's rule; false where A is singular.
+bool solve(Eigen::Matrix3d a, double lambda, const Parameters& g, Parameters& d) {
+  a.diagonal() *= 1 + lambda;
+  const double whole = a.determinant();
   if (!(std::abs(whole) > 0) || !std::isfinite(whole)) return false;
-  for (std::size_t k = 0; k < 3; ++k) {
-    std::array<double, 9> m = a;
-    for (std::size_t row = 0; row < 3; ++row) m[3 * row + k] = g[row];
-    d[k] = determinant(m) / whole;
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    Eigen::Matrix3d m = a;
+    m.col(k) = g;
+    d[k] = m.determinant() / whole;
   }
   return true;
 }
 
 /// Slope of the density by each parameter at every point.
 std::vector<Parameters> slopes(const Points& points, const Parameters& p) {
-  const std::array<double, 3> step{1e-5 * std::exp(-0.5 * p[1]), 1e-5, 1e-5};
-  const auto shifted = [&](std::size_t k, double by) {
-    Parameters s = p;
-    s[k] += by;
-    return Density(s);
-  };
+  const Parameters step{1e-5 * std::exp(-0.5 * p[1]), 1e-5, 1e-5};
   std::vector<Parameters> result(points.x.size());
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Density up = shifted(k, step[k]), down = shifted(k, -step[k]);
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    const Parameters shift = step[k] * Parameters::Unit(k);
+    const Density up(p + shift), down(p - shift);
     for (std::size_t i = 0; i < points.x.size(); ++i) result[i][k] = (up(points.x[i]) - down(points.x[i])) / (2 * step[k]);
   }
   return result;
 }
 
-std::array<double, 9> normal_matrix(const std::vector<Parameters>& slope) {
-  std::array<double, 9> normal{};
-  for (const Parameters& s : slope)
-    for (std::size_t k = 0; k < 3; ++k)
-      for (std::size_t l = 0; l < 3; ++l) normal[3 * k + l] += s[k] * s[l];
+Eigen::Matrix3d normal_matrix(const std::vector<Parameters>& slope) {
+  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+  for (const Parameters& s : slope) normal += s * s.transpose();
   return normal;
 }
 
 /// Slopes times what the density leaves of y.
 Parameters gradient(const std::vector<Parameters>& slope, const std::vector<double>& rest) {
-  Parameters g{};
-  for (std::size_t i = 0; i < slope.size(); ++i)
-    for (std::size_t k = 0; k < 3; ++k) g[k] += slope[i][k] * rest[i];
+  Parameters g = Parameters::Zero();
+  for (std::size_t i = 0; i < slope.size(); ++i) g += slope[i] * rest[i];
   return g;
 }
 
@@ -111,13 +100,13 @@ bool minimise(const Points& points, Parameters& p, int iterations) {
   double lambda = 1e-3, now = cost(points, p);
   for (int iteration = 0; iteration < iterations; ++iteration) {
     const std::vector<Parameters> slope = slopes(points, p);
-    const std::array<double, 9> normal = normal_matrix(slope);
+    const Eigen::Matrix3d normal = normal_matrix(slope);
     const Parameters g = gradient(slope, residuals(points, p));
     const double before = now;
     Parameters d;
     for (bool better = false; !better; lambda *= 10) {
       if (lambda > 1e9 || !solve(normal, lambda, g, d)) return p[2] > lowest_q && p[2] < highest_q;
-      Parameters trial{p[0] + d[0], p[1] + std::clamp(d[1], -1.0, 1.0), std::clamp(p[2] + std::clamp(d[2], -0.3, 0.3), lowest_q, highest_q)};
+      const Parameters trial{p[0] + d[0], p[1] + std::clamp(d[1], -1.0, 1.0), std::clamp(p[2] + std::clamp(d[2], -0.3, 0.3), lowest_q, highest_q)};
       const double then = cost(points, trial);
       better = then < now;
       if (!better) continue;
@@ -131,15 +120,12 @@ bool minimise(const Points& points, Parameters& p, int iterations) {
 }
 
 /// Half the second derivatives of the cost, by differences of its gradient: unlike the normal matrix they hold where the density is not a good one.
-std::array<double, 9> curvature(const Points& points, const Parameters& p) {
-  std::array<double, 9> result{};
-  for (std::size_t l = 0; l < 3; ++l) {
+Eigen::Matrix3d curvature(const Points& points, const Parameters& p) {
+  Eigen::Matrix3d result;
+  for (Eigen::Index l = 0; l < 3; ++l) {
     const double h = l == 0 ? 1e-4 * std::exp(-0.5 * p[1]) : 1e-4;
-    Parameters up = p, down = p;
-    up[l] += h;
-    down[l] -= h;
-    const Parameters g = gradient(slopes(points, up), residuals(points, up)), f = gradient(slopes(points, down), residuals(points, down));
-    for (std::size_t k = 0; k < 3; ++k) result[3 * k + l] = (f[k] - g[k]) / (2 * h);
+    const Parameters shift = h * Parameters::Unit(l), up = p + shift, down = p - shift;
+    result.col(l) = (gradient(slopes(points, down), residuals(points, down)) - gradient(slopes(points, up), residuals(points, up))) / (2 * h);
   }
   return result;
 }
@@ -159,7 +145,7 @@ double r2_of(const Points& points, const Parameters& p) {
 
 }  // namespace
 
-double q_gaussian_density(double x, double centre, double beta, double q) { return Density({centre, std::log(beta), q})(x); }
+double q_gaussian_density(double x, double centre, double beta, double q) { return Density(Parameters(centre, std::log(beta), q))(x); }
 
 QGaussian fit_q_gaussian(const BlockCounts& counts, const std::vector<double>& replicate_mean) {
   QGaussian fit;
@@ -169,7 +155,7 @@ QGaussian fit_q_gaussian(const BlockCounts& counts, const std::vector<double>& r
   Parameters p{points.x[static_cast<std::size_t>(peak - points.y.begin())], std::log(std::numbers::pi * *peak * *peak), 1.2};
   if (!minimise(points, p, 100)) return fit;
   const std::vector<Parameters> slope = slopes(points, p);
-  const std::array<double, 9> half_hessian = curvature(points, p);
+  const Eigen::Matrix3d half_hessian = curvature(points, p);
   std::vector<std::vector<double>> replicates;
   for (std::size_t b = 0; b < counts.block.size(); ++b) {
     const Counts rest = counts.without(b);
@@ -177,7 +163,7 @@ QGaussian fit_q_gaussian(const BlockCounts& counts, const std::vector<double>& r
     const double m = replicate_mean[b];
     std::vector<double> change = density(counts.bins, rest);  // one Newton step away from the fit to all
     for (std::size_t k = 0; k < change.size(); ++k) change[k] -= points.y[k];
-    Parameters d{};
+    Parameters d;
     if (solve(half_hessian, 0, gradient(slope, change), d)) replicates.push_back({p[2] + d[2], std::exp(p[1] + d[1]) * m * m, (p[0] + d[0]) / m});
   }
   const auto estimates = with_errors({p[2], std::exp(p[1]), p[0]}, replicates);

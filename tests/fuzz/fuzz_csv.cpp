@@ -40,24 +40,24 @@ void examine(const Packing& packing) {
 void read(char format, const Files& files) {
   Problems grain_problems("grains"), contact_problems("contacts");
   const bool bare = format == 'h';  // without header
-  const io::ReadingHints of_grains{bare ? "id,x,y,radius" : ""}, of_contacts{bare ? "i,j,fn,ft" : ""};
+  io::SampleOptions options;
+  options.merge_doubled = true;
+  if (bare) options.grain_columns = "id,x,y,radius", options.contact_columns = "i,j,fn,ft";
   io::RawGrains grains;
   io::RawContacts contacts;
   if (format == 'l') {
-    grains = io::read_lammps_atoms(files.grains, of_grains, grain_problems);
-    contacts = io::read_lammps_pairs(files.contacts, grains, of_contacts, contact_problems);
+    grains = io::read_lammps_atoms(files.grains, options, grain_problems);
+    contacts = io::read_lammps_pairs(files.contacts, grains, options, contact_problems);
   } else if (format == 'y') {
-    grains = io::read_yade_spheres(files.grains, of_grains, grain_problems);
-    contacts = io::read_yade_interactions(files.contacts, grains, of_contacts, contact_problems);
+    grains = io::read_yade_spheres(files.grains, options, grain_problems);
+    contacts = io::read_yade_interactions(files.contacts, grains, options, contact_problems);
   } else if (format == 'm') {
-    grains = io::read_mercury_data(files.grains, of_grains, grain_problems);
-    contacts = io::read_mercury_fstat(files.contacts, grains, of_contacts, contact_problems);
+    grains = io::read_mercury_data(files.grains, options, grain_problems);
+    contacts = io::read_mercury_fstat(files.contacts, grains, options, contact_problems);
   } else {
-    grains = io::read_grains_csv(files.grains, of_grains, grain_problems);
-    contacts = io::read_contacts_csv(files.contacts, grains, of_contacts, contact_problems);
+    grains = io::read_grains_csv(files.grains, options, grain_problems);
+    contacts = io::read_contacts_csv(files.contacts, grains, options, contact_problems);
   }
-  io::SampleOptions options;
-  options.merge_doubled = true;
   io::Sample sample;
   io::place_box(grains, grain_problems);
   io::assemble(grains, contacts, options, sample, grain_problems, contact_problems);

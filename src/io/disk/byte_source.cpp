@@ -1,5 +1,4 @@
 #include "io/disk/byte_source.hpp"
-#include "io/disk/refuse.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>

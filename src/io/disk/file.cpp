@@ -11,8 +11,6 @@
 #include <fstream>
 #include <sstream>
 
-#include "io/disk/refuse.hpp"
-
 namespace arenite::io {
 
 namespace fs = std::filesystem;
@@ -141,19 +139,16 @@ int write_all(int descriptor, std::string_view bytes, std::size_t* written) {
   return error;
 }
 
-FileLock::FileLock(FileLock&& other) noexcept : file_(std::move(other.file_)), descriptor_(std::exchange(other.descriptor_, -1)) {}
+struct FileLock::Held {
+  std::filesystem::path file;
+  int descriptor = -1;
+  ~Held() {
+    ::unlink(file.c_str());
+    ::close(descriptor);
+  }
+};
 
-FileLock& FileLock::operator=(FileLock&& other) noexcept {
-  std::swap(file_, other.file_);
-  std::swap(descriptor_, other.descriptor_);
-  return *this;
-}
-
-FileLock::~FileLock() {
-  if (descriptor_ < 0) return;
-  ::unlink(file_.c_str());
-  ::close(descriptor_);
-}
+FileLock::FileLock(const Held* held) : held_(held) {}
 
 std::optional<FileLock> FileLock::try_take(const std::filesystem::path& file) {
   for (;;) {
@@ -163,7 +158,7 @@ std::optional<FileLock> FileLock::try_take(const std::filesystem::path& file) {
       ::close(descriptor);
       return std::nullopt;
     }
-    if (is_still(descriptor, file)) return FileLock(file, descriptor);
+    if (is_still(descriptor, file)) return FileLock(new Held{file, descriptor});
     ::close(descriptor);
   }
 }

@@ -1,7 +1,10 @@
 #pragma once
+#include <fmt/core.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,6 +13,11 @@
 #include "core/error.hpp"
 
 namespace arenite::io {
+
+/// What is wrong with a file, and how to fix it: InputError, as a sentence after the file's name.
+template <class... A> [[noreturn]] void refuse(const std::string& file, fmt::format_string<A...> sentence, A&&... arguments) {
+  throw InputError(file, 0, fmt::format(sentence, std::forward<A>(arguments)...));
+}
 
 /// Writes `bytes` to `path` all or nothing: beside it as ".name.tmp", flushed to the disk, then renamed. Whatever happens before the rename (full
 /// disk, no permission, a kill), a file that was there stays as it was. Two processes that write the same path take turns; what a killed one left is
@@ -46,19 +54,15 @@ int write_all(int descriptor, std::string_view bytes, std::size_t* written = nul
 /// the lock.
 class FileLock {
  public:
-  FileLock(FileLock&& other) noexcept;
-  FileLock& operator=(FileLock&& other) noexcept;
-  ~FileLock();
-
   /// Nothing if another process, or another FileLock of this one, holds it. Throws InputError when the system refuses.
   static std::optional<FileLock> try_take(const std::filesystem::path& file);
   /// Whether anybody holds it now.
   static bool is_held(const std::filesystem::path& file);
 
  private:
-  FileLock(std::filesystem::path file, int descriptor) : file_(std::move(file)), descriptor_(descriptor) {}
-  std::filesystem::path file_;
-  int descriptor_ = -1;
+  struct Held;
+  explicit FileLock(const Held* held);
+  std::shared_ptr<const Held> held_;
 };
 
 }  // namespace arenite::io

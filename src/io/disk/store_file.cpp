@@ -15,10 +15,11 @@
 #include "core/hash.hpp"
 #include "core/text.hpp"
 #include "io/disk/file.hpp"
-#include "io/disk/refuse.hpp"
-#include "io/table/table.hpp"
 
 namespace arenite::io {
+
+namespace fs = std::filesystem;
+
 namespace {
 
 constexpr std::string_view hdf5_signature{"\x89HDF\r\n\x1a\n", 8};
@@ -40,7 +41,7 @@ std::string own_name() {
 }
 
 /// Throws unless `bytes` are one whole file of that kind.
-void check_header(std::string_view bytes, std::string_view kind, const std::filesystem::path& path) {
+void check_header(std::string_view bytes, std::string_view kind, const fs::path& path) {
   const auto refuse = [&path](const std::string& message) { io::refuse(path.string(), "{}", message); };
   const auto damaged = [&path](std::string message) { throw DamagedFile(path.string(), 0, std::move(message)); };
   if (bytes.empty()) damaged(fmt::format("is empty; a {} of Arenite is written by \"arenite run\"", kind));
@@ -63,9 +64,18 @@ void check_header(std::string_view bytes, std::string_view kind, const std::file
     damaged("was changed or damaged after it was written (its checksum differs); remove it and make it again with \"arenite run\"");
 }
 
+/// Files of a folder with this ending by their names, without those that are still being written.
+std::vector<fs::path> files_in(const fs::path& folder, std::string_view ending, std::error_code& error) {
+  std::vector<fs::path> files;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+    if (entry->path().extension() == ending && entry->path().filename().string().front() != '.') files.push_back(entry->path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
 }  // namespace
 
-void write_checksummed(const std::filesystem::path& path, std::string_view kind, std::string bytes) {
+void write_checksummed(const fs::path& path, std::string_view kind, std::string bytes) {
   std::string header = fmt::format("arenite {} format {}\nHDF5 from byte {} on\nbytes {}\nxxh3 {}\n", kind, file_format, header_size, bytes.size(),
                                    content_hash(std::string_view(bytes).substr(header_size)));
   header.resize(header_size, '\0');
@@ -73,7 +83,7 @@ void write_checksummed(const std::filesystem::path& path, std::string_view kind,
   write_atomically(path, bytes);
 }
 
-std::string stored_kind(const std::filesystem::path& path) {
+std::string stored_kind(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
   std::string line;
   constexpr std::string_view ours = "arenite ", then = " format ";
@@ -82,13 +92,11 @@ std::string stored_kind(const std::filesystem::path& path) {
   return end == std::string::npos ? std::string() : line.substr(ours.size(), end - ours.size());
 }
 
-std::string read_checksummed(const std::filesystem::path& path, std::string_view kind) {
+std::string read_checksummed(const fs::path& path, std::string_view kind) {
   std::string bytes = read_file(path);
   check_header(bytes, kind, path);
   return bytes;
 }
-
-namespace fs = std::filesystem;
 
 std::string stage_file_name(int place, std::string_view stage, std::string_view hash) { return full_stage_file_name(place, stage, hash.substr(0, 12)); }
 
@@ -102,12 +110,9 @@ std::string full_stage_file_name(int place, std::string_view stage, std::string_
 std::vector<fs::path> stage_files(const fs::path& result) {
   std::error_code error;
   if (!fs::is_directory(result, error)) return {result};
-  std::vector<fs::path> files;
-  for (fs::directory_iterator entry(result, error), end; !error && entry != end; entry.increment(error))
-    if (entry->path().extension() == ".h5" && entry->path().filename().string().front() != '.') files.push_back(entry->path());
+  auto files = files_in(result, ".h5", error);
   if (error) throw InputError(result.string(), 0, "cannot be listed: " + error.message() + "; check its permissions");
   if (files.empty()) refuse(result.string(), "holds no stage file (.h5); give the folder that \"arenite run\" wrote");
-  std::sort(files.begin(), files.end());
   return files;
 }
 
@@ -138,12 +143,8 @@ void AppendLog::add(std::string line) const {
 }
 
 void read_log(const fs::path& folder, const std::function<void(std::string_view)>& see) {
-  std::vector<fs::path> files;
   std::error_code error;
-  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
-    if (entry->path().extension() == ".log") files.push_back(entry->path());
-  std::sort(files.begin(), files.end());
-  for (const auto& file : files) {
+  for (const auto& file : files_in(folder, ".log", error)) {
     const std::string text = read_file(file);
     for (std::size_t begin = 0, end = 0; (end = text.find('\n', begin)) != std::string::npos; begin = end + 1)
       see(std::string_view(text).substr(begin, end - begin));

@@ -6,6 +6,7 @@
 
 #include "io/export/export.hpp"
 #include "io/results/groups.hpp"
+#include "io/table/table.hpp"
 
 namespace arenite::io {
 namespace {
@@ -28,24 +29,13 @@ void cell(std::string& text, double value) {
   if (!std::isnan(value)) fmt::format_to(Text(text), "{}", value);
 }
 
-/// A cell of text, quoted where CSV asks for it.
-std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"') out += '"';
-    out += c;
-  }
-  return out + '"';
-}
-
 std::string grain_table(const ExportFrame& from) {
   const Packing& packing = from.frame->packing;
   const Grains& g = packing.grains;
   std::string text = "id,x [m],y [m],radius [m],material,zone,angle [rad],vx [m/s],vy [m/s],omega [rad/s]" + titles(from.fields);
   for (std::size_t i = 0; i < g.size(); ++i) {
     fmt::format_to(Text(text), "{},{},{},{},{},{}", g.id[i], g.x[i], g.y[i], g.radius[i],
-                   quoted(packing.materials[static_cast<std::size_t>(g.material[i])].name), int{g.zone[i]});
+                   quoted_cell(packing.materials[static_cast<std::size_t>(g.material[i])].name), int{g.zone[i]});
     for (const double v : {g.angle[i], g.vx[i], g.vy[i], g.omega[i]}) cell(text, v);
     for (const auto& field : from.fields) cell(text, field.values[i]);
     text += '\n';

@@ -40,7 +40,7 @@ class NetcdfFile {
 
   void variable(const std::string& name, const std::string& dimension, const std::vector<std::string>& values, const About& about) {
     auto texts = mapped(values, [](const auto& value) { return value.c_str(); });
-    const auto type = text_type(), set = put(name, {dimension}, *type, *type, texts.size(), false, texts.data());
+    const auto type = text_type(), set = put(name, {dimension}, *type, texts.size(), false, texts.data());
     attribute(*set, "long_name", about.long_name);
     done(H5DSattach_scale(*set, *scale_.at(dimension), 0));
   }
@@ -61,11 +61,10 @@ class NetcdfFile {
   static void attribute(hid_t owner, const std::string& name, const std::string& text) {
     const auto type = text_type();
     const char* pointer = text.c_str();
-    write_attribute(owner, name, *type, *type, static_cast<const void*>(&pointer));
+    write_attribute(owner, name, *type, static_cast<const void*>(&pointer));
   }
 
-  Hdf5Handle put(const std::string& name, const std::vector<std::string>& dimensions, hid_t stored, hid_t native, std::size_t count, bool compress,
-                 const void* values) {
+  Hdf5Handle put(const std::string& name, const std::vector<std::string>& dimensions, hid_t type, std::size_t count, bool compress, const void* values) {
     const auto size = mapped<hsize_t>(dimensions, [&](const auto& d) { return d == name ? count : size_.at(d); });
     if (dimensions.front() == name) size_[name] = count;
     const auto properties = timeless(H5P_DATASET_CREATE);
@@ -76,11 +75,11 @@ class NetcdfFile {
       if (chunk.size() > 1) chunk.front() = std::clamp<hsize_t>(131'072 / chunk.back(), 1, chunk.front());
       pack(*properties, chunk, true, 2);
     }
-    return write_set(*file_, name, size, stored, native, *properties, values);
+    return write_set(*file_, name, size, type, *properties, values);
   }
 
   template <class T> Hdf5Handle put(const std::string& name, const std::vector<std::string>& dimensions, const std::vector<T>& values, const About& about) {
-    const auto set = put(name, dimensions, stored_type<T>(), native_type<T>(), values.size(), true, values.data());
+    const auto set = put(name, dimensions, number_type<T>(), values.size(), true, values.data());
     if (!about.units.empty()) attribute(*set, "units", about.units);
     if (!about.long_name.empty()) attribute(*set, "long_name", about.long_name);
     return set;
@@ -107,13 +106,13 @@ template <class Array> auto joined(const Frames& frames, Array array) {
   }
   return all;
 }
-template <class T> std::vector<T> joined(const Frames& frames, std::vector<T> Grains::*member) {
-  return joined(
-      frames, [&](const auto& f) -> auto& { return f.frame->packing.grains.*member; });
-}
-template <class T> std::vector<T> joined(const Frames& frames, std::vector<T> Contacts::*member) {
-  return joined(
-      frames, [&](const auto& f) -> auto& { return f.frame->packing.contacts.*member; });
+/// A member of the grains or contacts of each state.
+template <class T, class Owner> std::vector<T> joined(const Frames& frames, std::vector<T> Owner::*member) {
+  const auto values_in = [member](const ExportFrame& f) -> auto& {
+    if constexpr (std::is_same_v<Owner, Grains>) return f.frame->packing.grains.*member;
+    else return f.frame->packing.contacts.*member;
+  };
+  return joined(frames, values_in);
 }
 
 void put_states(NetcdfFile& file, const Frames& frames) {

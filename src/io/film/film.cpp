@@ -8,7 +8,6 @@
 #include <cmath>
 
 #include "core/median.hpp"
-#include "io/disk/refuse.hpp"
 #include "io/disk/store_file.hpp"
 #include "io/film/formats.hpp"
 

@@ -7,7 +7,6 @@
 #include <limits>
 #include <stdexcept>
 
-#include "io/disk/refuse.hpp"
 #include "io/table/table.hpp"
 
 namespace arenite::io {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/disk/refuse.hpp"
 #include "io/film/formats.hpp"
 
 namespace arenite::io {

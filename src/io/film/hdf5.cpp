@@ -58,7 +58,7 @@ Hdf5Handle without_lock() {
 }
 
 Hdf5Handle opened(const Bytes& bytes) {
-  if (bytes->path() == nullptr) return open_foreign(bytes->text(0, bytes->size()), bytes->name());
+  if (bytes->path() == nullptr) return open_in_memory(bytes->text(0, bytes->size()), bytes->name());
   auto id = own(H5Fopen(bytes->path()->c_str(), H5F_ACC_RDONLY, *without_lock()), H5Fclose);
   if (!id) refuse_damaged(bytes);
   return id;
@@ -224,7 +224,7 @@ class Hdf5FilmWriter : public FilmWriter {
     if (const std::string notes = film_notes(info_); !notes.empty()) {
       const auto type = made(H5Tcopy(H5T_C_S1), H5Tclose);
       done(H5Tset_size(*type, notes.size()));
-      write_attribute(*set_, "notes", *type, *type, notes.data());
+      write_attribute(*set_, "notes", *type, notes.data());
     }
     if (info_.time.empty()) return;
     const hsize_t count = std::min<hsize_t>(frames_, info_.time.size());

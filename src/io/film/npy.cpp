@@ -4,7 +4,6 @@
 #include <optional>
 #include <vector>
 
-#include "io/disk/refuse.hpp"
 #include "io/film/formats.hpp"
 
 namespace arenite::io {

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "io/disk/refuse.hpp"
 #include "io/film/formats.hpp"
 
 namespace arenite::io {

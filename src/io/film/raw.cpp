@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <map>
 
-#include "io/disk/refuse.hpp"
 #include "io/film/formats.hpp"
 #include "io/table/table.hpp"
 

@@ -5,7 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "io/disk/refuse.hpp"
 #include "io/film/formats.hpp"
 
 namespace arenite::io {

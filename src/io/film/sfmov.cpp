@@ -4,7 +4,6 @@
 #include <map>
 
 #include "core/text.hpp"
-#include "io/disk/refuse.hpp"
 #include "io/film/formats.hpp"
 #include "io/table/table.hpp"
 

@@ -5,7 +5,6 @@
 #include <optional>
 #include <vector>
 
-#include "io/disk/refuse.hpp"
 #include "io/film/formats.hpp"
 #include "io/table/table.hpp"
 

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "io/disk/refuse.hpp"
 #include "io/hdf5/handle.hpp"
 
 // HDF5 trusts what it reads. Of files of other programs it is asked little, in a process of its own.

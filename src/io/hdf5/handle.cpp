@@ -1,6 +1,5 @@
 #include "io/hdf5/handle.hpp"
 #include "core/mapped.hpp"
-#include "io/disk/refuse.hpp"
 
 #include <fmt/format.h>
 
@@ -97,18 +96,18 @@ void pack(hid_t properties, const std::vector<hsize_t>& chunk, bool shuffle, uns
   done(H5Pset_deflate(properties, level));
 }
 
-Hdf5Handle write_set(hid_t group, const std::string& name, const std::vector<hsize_t>& size, hid_t stored, hid_t native, hid_t properties, const void* values) {
+Hdf5Handle write_set(hid_t group, const std::string& name, const std::vector<hsize_t>& size, hid_t type, hid_t properties, const void* values) {
   const auto space =
       size.empty() ? made(H5Screate(H5S_SCALAR), H5Sclose) : made(H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr), H5Sclose);
-  auto set = made(H5Dcreate2(group, name.c_str(), stored, *space, H5P_DEFAULT, properties, H5P_DEFAULT), H5Dclose);
-  if (H5Sget_simple_extent_npoints(*space) > 0) done(H5Dwrite(*set, native, H5S_ALL, H5S_ALL, H5P_DEFAULT, values));
+  auto set = made(H5Dcreate2(group, name.c_str(), type, *space, H5P_DEFAULT, properties, H5P_DEFAULT), H5Dclose);
+  if (H5Sget_simple_extent_npoints(*space) > 0) done(H5Dwrite(*set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values));
   return set;
 }
 
-void write_attribute(hid_t owner, const std::string& name, hid_t stored, hid_t native, const void* value) {
+void write_attribute(hid_t owner, const std::string& name, hid_t type, const void* value) {
   const auto space = made(H5Screate(H5S_SCALAR), H5Sclose);
-  const auto attribute = made(H5Acreate2(owner, name.c_str(), stored, *space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
-  done(H5Awrite(*attribute, native, value));
+  const auto attribute = made(H5Acreate2(owner, name.c_str(), type, *space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+  done(H5Awrite(*attribute, type, value));
 }
 
 std::string unused_name() {
@@ -116,15 +115,16 @@ std::string unused_name() {
   return fmt::format("arenite in memory {}", ++count);
 }
 
-Hdf5Handle open_foreign(std::string bytes, const std::string& file) {
+Hdf5Handle open_in_memory(std::string bytes, const std::string& file, const char* refusal) {
   Hdf5Handle id;
   const auto access = memory_properties();
   if (!bytes.empty()) {
     done(H5Pset_libver_bounds(*access, H5F_LIBVER_EARLIEST, H5F_LIBVER_LATEST));  // whoever wrote it
     done(H5Pset_file_image(*access, bytes.data(), bytes.size()));
+    bytes = {};  // HDF5 has copied them
     id = own(H5Fopen(unused_name().c_str(), H5F_ACC_RDONLY, *access), H5Fclose);
   }
-  if (!id) refuse(file, "is an HDF5 file that is cut short or damaged; copy it again");
+  if (!id) refuse(file, "{}", refusal);
   return id;
 }
 

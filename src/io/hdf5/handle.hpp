@@ -54,32 +54,24 @@ void keep_order(hid_t properties);
 /// Chunks and deflates a dataset that is made with these properties.
 void pack(hid_t properties, const std::vector<hsize_t>& chunk, bool shuffle, unsigned level);
 
-/// Writes an array of this size (one value without any) with all its values; and one value as an attribute.
-Hdf5Handle write_set(hid_t group, const std::string& name, const std::vector<hsize_t>& size, hid_t stored, hid_t native, hid_t properties, const void* values);
-void write_attribute(hid_t owner, const std::string& name, hid_t stored, hid_t native, const void* value);
+/// Writes an array of this size (one value without any) with all its values; and one value as an attribute. `type` is that of the values, in the file
+/// and in memory.
+Hdf5Handle write_set(hid_t group, const std::string& name, const std::vector<hsize_t>& size, hid_t type, hid_t properties, const void* values);
+void write_attribute(hid_t owner, const std::string& name, hid_t type, const void* value);
 
-/// How numbers lie in the file (lowest byte first on every machine), and how in memory.
-template <class T> hid_t stored_type();
-template <> inline hid_t stored_type<double>() { return H5T_IEEE_F64LE; }
-template <> inline hid_t stored_type<float>() { return H5T_IEEE_F32LE; }
-template <> inline hid_t stored_type<std::int32_t>() { return H5T_STD_I32LE; }
-template <> inline hid_t stored_type<std::int64_t>() { return H5T_STD_I64LE; }
-template <> inline hid_t stored_type<std::uint64_t>() { return H5T_STD_U64LE; }
-template <> inline hid_t stored_type<std::uint8_t>() { return H5T_STD_U8LE; }
-template <class T> hid_t native_type();
-template <> inline hid_t native_type<double>() { return H5T_NATIVE_DOUBLE; }
-template <> inline hid_t native_type<float>() { return H5T_NATIVE_FLOAT; }
-template <> inline hid_t native_type<std::int32_t>() { return H5T_NATIVE_INT32; }
-template <> inline hid_t native_type<std::int64_t>() { return H5T_NATIVE_INT64; }
-template <> inline hid_t native_type<std::uint64_t>() { return H5T_NATIVE_UINT64; }
-template <> inline hid_t native_type<std::uint8_t>() { return H5T_NATIVE_UINT8; }
+/// How numbers lie in the file: lowest byte first, as in memory.
+template <class T> hid_t number_type();
+template <> inline hid_t number_type<double>() { return H5T_IEEE_F64LE; }
+template <> inline hid_t number_type<float>() { return H5T_IEEE_F32LE; }
+template <> inline hid_t number_type<std::int32_t>() { return H5T_STD_I32LE; }
+template <> inline hid_t number_type<std::int64_t>() { return H5T_STD_I64LE; }
+template <> inline hid_t number_type<std::uint64_t>() { return H5T_STD_U64LE; }
+template <> inline hid_t number_type<std::uint8_t>() { return H5T_STD_U8LE; }
 
-template <class T> void write_number(hid_t owner, const std::string& name, T value) {
-  write_attribute(owner, name, stored_type<T>(), native_type<T>(), &value);
-}
+template <class T> void write_number(hid_t owner, const std::string& name, T value) { write_attribute(owner, name, number_type<T>(), &value); }
 
-/// Files of other programs: one in memory; `file` names it in the InputError of one that is damaged.
-Hdf5Handle open_foreign(std::string bytes, const std::string& file);
+/// A file in memory that is read, whoever wrote it; `file` names it in the InputError of one that HDF5 cannot open.
+Hdf5Handle open_in_memory(std::string bytes, const std::string& file, const char* refusal = "is an HDF5 file that is cut short or damaged; copy it again");
 
 /// Lengths of a dataset's axes; empty for one without.
 std::vector<std::int64_t> shape_of(hid_t set);

@@ -30,7 +30,7 @@ std::string chosen_dataset(hid_t id, const std::string& file, const ImageChoice&
 }
 
 Image decode(const std::string& bytes, const std::string& file, const ImageChoice& choice) {
-  const auto id = open_foreign(bytes, file);
+  const auto id = open_in_memory(bytes, file);
   const std::string name = chosen_dataset(*id, file, choice);
   const auto set = own(H5Dopen2(*id, name.c_str(), H5P_DEFAULT), H5Dclose);
   if (!set) refuse(file, "has no dataset \"{}\"; it has: {}", name, fmt::join(pictures(*id), ", "));

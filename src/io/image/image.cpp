@@ -1,13 +1,12 @@
 #include "io/image/image.hpp"
 
-#include <cstring>
+#include <bit>
 #include <limits>
 #include <string_view>
 #include <utility>
 
 #include "core/mapped.hpp"
 #include "core/problems.hpp"
-#include "io/disk/refuse.hpp"
 
 namespace arenite::io {
 namespace {
@@ -29,12 +28,6 @@ constexpr Format formats[] = {
 constexpr std::pair<const char*, Channel> channels[] = {
     {"red", Channel::red}, {"green", Channel::green}, {"blue", Channel::blue}, {"mean", Channel::mean}, {"grey", Channel::grey}};
 
-template <class T> std::int64_t sample(const std::uint8_t* samples, std::size_t i) {
-  T value;
-  std::memcpy(&value, samples + i * sizeof(T), sizeof(T));
-  return value;
-}
-
 /// The value of a pixel of these colours.
 std::int64_t seen(const PixelLayout& layout, std::int64_t red, std::int64_t green, std::int64_t blue, int x, int row) {
   if (red == green && green == blue) return red;
@@ -53,22 +46,6 @@ std::int64_t shown(const PixelLayout& layout, std::int64_t index, int x, int row
   if (index >= static_cast<std::int64_t>(layout.palette.size())) refuse(layout.file, "is damaged: pixel {}, {} is not in its palette; copy it again", x, row);
   const auto& entry = layout.palette[static_cast<std::size_t>(index)];
   return seen(layout, entry[0], entry[1], entry[2], x, row);
-}
-
-template <class T> void take(const PixelLayout& layout, const std::uint8_t* samples, int row, std::int32_t* out) {
-  const auto per_pixel = static_cast<std::size_t>(layout.samples);
-  constexpr auto most = std::int64_t{std::numeric_limits<T>::max()};
-  for (int x = 0; x < layout.width; ++x) {
-    const std::size_t first = static_cast<std::size_t>(x) * per_pixel;
-    std::int64_t value = sample<T>(samples, first);
-    if (layout.colour) value = seen(layout, value, sample<T>(samples, first + 1), sample<T>(samples, first + 2), x, row);
-    if (layout.opacity && sample<T>(samples, first + per_pixel - 1) != most)
-      refuse(layout.file, "is transparent at pixel {}, {}; save it without transparency", x, row);
-    if (!layout.palette.empty()) value = shown(layout, value, x, row);
-    if (layout.inverted) value = most - value;
-    if (value > std::numeric_limits<std::int32_t>::max()) refuse(layout.file, "holds the value {} at pixel {}, {}; values go up to 2147483647", value, x, row);
-    out[x] = static_cast<std::int32_t>(value);
-  }
 }
 
 }  // namespace
@@ -122,11 +99,20 @@ Image image_of(const PixelLayout& layout, const std::vector<std::uint8_t>& sampl
 }
 
 void take_row(const PixelLayout& layout, const std::uint8_t* samples, int row, Image& image) {
-  std::int32_t* out = image.value.data() + image.index(0, row);
-  switch (layout.bits) {
-    case 8: layout.is_signed ? take<std::int8_t>(layout, samples, row, out) : take<std::uint8_t>(layout, samples, row, out); break;
-    case 16: layout.is_signed ? take<std::int16_t>(layout, samples, row, out) : take<std::uint16_t>(layout, samples, row, out); break;
-    default: layout.is_signed ? take<std::int32_t>(layout, samples, row, out) : take<std::uint32_t>(layout, samples, row, out);
+  const auto per_pixel = static_cast<std::size_t>(layout.samples);
+  const auto type = static_cast<NumberType>(2 * std::countr_zero(static_cast<unsigned>(layout.bits) / 8) + (layout.is_signed ? 1 : 0));
+  const std::int64_t most = (std::int64_t{1} << (layout.is_signed ? layout.bits - 1 : layout.bits)) - 1;
+  std::vector<std::int64_t> sample(static_cast<std::size_t>(layout.width) * per_pixel);
+  each_number(type, false, reinterpret_cast<const char*>(samples), sample.size(), [&](std::size_t i, auto v) { sample[i] = static_cast<std::int64_t>(v); });
+  for (int x = 0; x < layout.width; ++x) {
+    const std::int64_t* const here = sample.data() + static_cast<std::size_t>(x) * per_pixel;
+    std::int64_t value = here[0];
+    if (layout.colour) value = seen(layout, value, here[1], here[2], x, row);
+    if (layout.opacity && here[per_pixel - 1] != most) refuse(layout.file, "is transparent at pixel {}, {}; save it without transparency", x, row);
+    if (!layout.palette.empty()) value = shown(layout, value, x, row);
+    if (layout.inverted) value = most - value;
+    if (value > std::numeric_limits<std::int32_t>::max()) refuse(layout.file, "holds the value {} at pixel {}, {}; values go up to 2147483647", value, x, row);
+    image.value[image.index(x, row)] = static_cast<std::int32_t>(value);
   }
 }
 

@@ -10,8 +10,6 @@
 #include <csetjmp>
 #include <vector>
 
-#include "io/disk/refuse.hpp"
-
 namespace arenite::io {
 namespace {
 

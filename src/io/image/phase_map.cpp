@@ -6,7 +6,6 @@
 #include <cmath>
 #include <unordered_map>
 
-#include "io/disk/refuse.hpp"
 #include "io/table/table.hpp"
 
 namespace arenite::io {

@@ -8,7 +8,6 @@
 #include <string_view>
 #include <vector>
 
-#include "io/disk/refuse.hpp"
 #include "io/image/image.hpp"
 
 namespace arenite::io {

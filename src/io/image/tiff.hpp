@@ -6,7 +6,6 @@
 #include <string>
 
 #include "io/disk/byte_source.hpp"
-#include "io/disk/refuse.hpp"
 
 // Only the files that speak TIFF include this one.
 namespace arenite::io {

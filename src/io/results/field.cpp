@@ -5,14 +5,7 @@
 namespace arenite::io {
 namespace {
 
-template <class Necks> void check_ends(const ResultPart& at, const Necks& necks, std::size_t grains) {
-  if (!at.reads()) return;
-  for (const auto& neck : necks)
-    for (const std::int32_t g : {neck.i, neck.j})
-      if (g < 0 || static_cast<std::size_t>(g) >= grains) at.take->refuse("names a grain that does not exist");
-}
-
-void transfer_cement(const ResultPart& at, Cement& cement, std::size_t grains) {
+void transfer_cement(const Hdf5Group& at, Cement& cement, std::size_t grains) {
   const auto group = at.group("cement");
   group("full", cement.full);
   group("coating [m]", cement.coating);
@@ -20,15 +13,15 @@ void transfer_cement(const ResultPart& at, Cement& cement, std::size_t grains) {
   bridges.records(cement.bridges, Named{"i", &Bridge::i}, Named{"j", &Bridge::j}, Named{"half_i", &Bridge::half_i, "m"}, Named{"half_j", &Bridge::half_j, "m"});
   const auto menisci = group.group("menisci");
   menisci.records(cement.menisci, Named{"i", &Meniscus::i}, Named{"j", &Meniscus::j}, Named{"radius", &Meniscus::radius, "m"});
-  check_ends(bridges, cement.bridges, grains);
-  check_ends(menisci, cement.menisci, grains);
+  check_ends(bridges, cement.bridges, grains, "names a grain that does not exist");
+  check_ends(menisci, cement.menisci, grains, "names a grain that does not exist");
 }
 
 template <class To, class From> std::vector<To> converted(const std::vector<From>& values) {
   return mapped(values, [](From value) { return static_cast<To>(value); });
 }
 
-void transfer_map(const ResultPart& at, PhaseMap& map) {
+void transfer_map(const Hdf5Group& at, PhaseMap& map) {
   const auto group = at.group("map");
   group("width", map.width);
   group("height", map.height);
@@ -36,7 +29,7 @@ void transfer_map(const ResultPart& at, PhaseMap& map) {
   group.note("first_row", "bottom");
   group.note("phases", "0 empty, 1 matrix, 2 particle");
   constexpr int largest = 1 << 20;
-  if (at.reads() && (map.width < 0 || map.height < 0 || map.width > largest || map.height > largest)) group.take->refuse("has an impossible size");
+  if (at.reads() && (map.width < 0 || map.height < 0 || map.width > largest || map.height > largest)) group.refuse("has an impossible size");
   const Shape shape{map.height, map.width};
   auto phases = converted<std::uint8_t>(map.phase), classes = converted<std::uint8_t>(map.grain_class);
   group.image("phase", phases, shape);
@@ -44,19 +37,19 @@ void transfer_map(const ResultPart& at, PhaseMap& map) {
   group.array("grain_class", classes);
   if (!at.reads()) return;
   for (const auto phase : phases)
-    if (phase > static_cast<std::uint8_t>(Phase::particle)) group.take->refuse("names a phase that does not exist");
+    if (phase > static_cast<std::uint8_t>(Phase::particle)) group.refuse("names a phase that does not exist");
   for (const auto each : classes)
-    if (each > static_cast<std::uint8_t>(GrainClass::large)) group.take->refuse("names a class of grains that does not exist");
+    if (each > static_cast<std::uint8_t>(GrainClass::large)) group.refuse("names a class of grains that does not exist");
   map.phase = converted<Phase>(phases);
   map.grain_class = converted<GrainClass>(classes);
   try {
     check(map);
-  } catch (const InputError& error) { group.take->refuse(error.what()); }
+  } catch (const InputError& error) { group.refuse(error.what()); }
 }
 
 /// A field that is there; none is where nothing was loaded.
-void transfer_stresses(const ResultPart& at, StressField& field, const PhaseMap& map) {
-  if (at.reads() ? !at.take->has("field") : field.size() == 0) return;
+void transfer_stresses(const Hdf5Group& at, StressField& field, const PhaseMap& map) {
+  if (at.lacks("field", field.size() == 0)) return;
   if (at.reads()) {
     field.width = map.width;
     field.height = map.height;
@@ -66,7 +59,7 @@ void transfer_stresses(const ResultPart& at, StressField& field, const PhaseMap&
   for (const auto& c : field_columns) group.image(c.name, field.*c.member, {field.height, field.width}, c.unit);
 }
 
-void transfer_field(const ResultPart& at, FieldResult& result) {
+void transfer_field(const Hdf5Group& at, FieldResult& result) {
   transfer_origin(at, result);
   transfer_packing(at, result.packing);
   transfer_cement(at, result.cement, result.packing.grains.size());

@@ -4,31 +4,32 @@
 namespace arenite::io {
 namespace {
 
-constexpr std::array grain_columns{Column<PictureGrains, double>{"column", "1", &PictureGrains::x},
-                                   Column<PictureGrains, double>{"row", "1", &PictureGrains::y},
-                                   Column<PictureGrains, double>{"radius", "1", &PictureGrains::radius},
-                                   Column<PictureGrains, double>{"position_error", "1", &PictureGrains::position_error},
-                                   Column<PictureGrains, double>{"radius_error", "1", &PictureGrains::radius_error},
-                                   Column<PictureGrains, double>{"brightness", "1", &PictureGrains::brightness},
-                                   Column<PictureGrains, double>{"score", "1", &PictureGrains::score}};
+constexpr Column<PictureGrains> grain_columns[] = {{"column", "1", &PictureGrains::x},
+                                                   {"row", "1", &PictureGrains::y},
+                                                   {"radius", "1", &PictureGrains::radius},
+                                                   {"position_error", "1", &PictureGrains::position_error},
+                                                   {"radius_error", "1", &PictureGrains::radius_error},
+                                                   {"brightness", "1", &PictureGrains::brightness},
+                                                   {"score", "1", &PictureGrains::score}};
 
-constexpr std::array motion_columns{
-    Column<GrainMotion, double>{"cos_x", "1", &GrainMotion::cos_x}, Column<GrainMotion, double>{"sin_x", "1", &GrainMotion::sin_x},
-    Column<GrainMotion, double>{"cos_y", "1", &GrainMotion::cos_y}, Column<GrainMotion, double>{"sin_y", "1", &GrainMotion::sin_y},
-    Column<GrainMotion, double>{"error", "1", &GrainMotion::error}};
+constexpr Column<GrainMotion> motion_columns[] = {{"cos_x", "1", &GrainMotion::cos_x},
+                                                  {"sin_x", "1", &GrainMotion::sin_x},
+                                                  {"cos_y", "1", &GrainMotion::cos_y},
+                                                  {"sin_y", "1", &GrainMotion::sin_y},
+                                                  {"error", "1", &GrainMotion::error}};
 
-constexpr std::array peak_to_peak_columns{
-    Column<PeakToPeak, double>{"temperature", "K", &PeakToPeak::temperature}, Column<PeakToPeak, double>{"sigma_hyd", "Pa", &PeakToPeak::sigma_hyd},
-    Column<PeakToPeak, double>{"error", "Pa", &PeakToPeak::error}, Column<PeakToPeak, double>{"pixels", "1", &PeakToPeak::pixels}};
+constexpr Column<PeakToPeak> peak_to_peak_columns[] = {{"temperature", "K", &PeakToPeak::temperature},
+                                                       {"sigma_hyd", "Pa", &PeakToPeak::sigma_hyd},
+                                                       {"error", "Pa", &PeakToPeak::error},
+                                                       {"pixels", "1", &PeakToPeak::pixels}};
 
-constexpr std::array simulation_columns{Column<FilmSimulation, double>{"peak_to_peak", "Pa", &FilmSimulation::peak_to_peak},
-                                        Column<FilmSimulation, double>{"state", "Pa", &FilmSimulation::state}};
-constexpr std::array former_simulation_columns{Column<FilmSimulation, double>{"swing", "Pa", &FilmSimulation::peak_to_peak}, simulation_columns[1]};
+constexpr Column<FilmSimulation> simulation_columns[] = {{"peak_to_peak", "Pa", &FilmSimulation::peak_to_peak}, {"state", "Pa", &FilmSimulation::state}};
+constexpr Column<FilmSimulation> former_simulation_columns[] = {{"swing", "Pa", &FilmSimulation::peak_to_peak}, simulation_columns[1]};
 
 /// Version 0.1 called the simulation a twin and peak-to-peak values swings.
-void transfer_stresses(const ResultPart& at, FilmResult& r) {
+void transfer_stresses(const Hdf5Group& at, FilmResult& r) {
   const std::size_t grains = r.packing.grains.size();
-  const bool former = at.reads() && !at.take->has_group("peak_to_peak");
+  const bool former = at.reads() && !at.has_group("peak_to_peak");
   transfer_columns(at.group(former ? "swing" : "peak_to_peak"), r.peak_to_peak, peak_to_peak_columns, grains, true);
   transfer_columns(at.group(former ? "twin" : "simulation"), r.simulation, former ? former_simulation_columns : simulation_columns, grains, true);
 }
@@ -47,7 +48,7 @@ void rename_former(Numbers& numbers) {
   numbers["lockin"]["convention"] = name_of(numbers["lockin"]["convention"] == "full" ? AmplitudeConvention::peak_to_peak : AmplitudeConvention::amplitude);
 }
 
-void transfer_film(const ResultPart& at, FilmResult& r) {
+void transfer_film(const Hdf5Group& at, FilmResult& r) {
   const auto group = at.group("film");
   group("width", r.film.width);
   group("height", r.film.height);
@@ -62,18 +63,18 @@ void transfer_film(const ResultPart& at, FilmResult& r) {
   group("origin_y [m]", r.origin.y);
   if (!at.reads()) return;
   constexpr int largest = 1 << 16;
-  if (r.film.width < 0 || r.film.height < 0 || r.film.width > largest || r.film.height > largest) group.take->refuse("has an impossible size");
+  if (r.film.width < 0 || r.film.height < 0 || r.film.width > largest || r.film.height > largest) group.refuse("has an impossible size");
   r.maps.width = r.film.width;
   r.maps.height = r.film.height;
 }
 
-void transfer_maps(const ResultPart& at, FilmResult& r, Shape shape) {
+void transfer_maps(const Hdf5Group& at, FilmResult& r, Shape shape) {
   const auto group = at.group("maps");
   group("frequency [1/s]", r.maps.frequency);
   group("frequency_error [1/s]", r.maps.frequency_error);
   group("reference_phase [rad]", r.maps.reference_phase);
   group("frames", r.maps.frames);
-  const bool former = at.reads() && !group.take->has_attribute("convention");
+  const bool former = at.reads() && !group.has_attribute("convention");
   group.choice(former ? "swing" : "convention", r.maps.convention, AmplitudeConvention::peak_to_peak,
                former ? "full" : name_of(AmplitudeConvention::peak_to_peak), AmplitudeConvention::amplitude,
                former ? "half" : name_of(AmplitudeConvention::amplitude));
@@ -83,7 +84,7 @@ void transfer_maps(const ResultPart& at, FilmResult& r, Shape shape) {
     if (values != &LockinMaps::noise_floor) group.optional_image(name, r.maps.*values, shape, unit);  // which follows from the standard error
 }
 
-void transfer_forces(const ResultPart& at, FilmResult& r, Shape shape) {
+void transfer_forces(const Hdf5Group& at, FilmResult& r, Shape shape) {
   const auto group = at.group("forces");
   group.array("fn_error", r.fn_error, "N");
   group.array("ft_error", r.ft_error, "N");
@@ -103,7 +104,7 @@ void transfer_forces(const ResultPart& at, FilmResult& r, Shape shape) {
   group.optional_image("picture", r.fit.picture, shape, "K");
 }
 
-void transfer_result(const ResultPart& at, FilmResult& r) {
+void transfer_result(const Hdf5Group& at, FilmResult& r) {
   transfer_origin(at, r);
   transfer_film(at, r);
   const Shape shape{r.film.height, r.film.width};

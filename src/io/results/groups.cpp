@@ -21,17 +21,17 @@ struct Constant {
 constexpr Constant material_constants[] = {{"youngs_modulus [Pa]", &Material::youngs_modulus}, {"poisson", &Material::poisson}};
 
 /// A number that need not be there.
-void transfer_constant(const ResultPart& at, const char* name, std::optional<double>& value) {
-  if (at.reads() ? !at.take->has_attribute(name) : !value) return;
+void transfer_constant(const Hdf5Group& at, const char* name, std::optional<double>& value) {
+  if (at.reads() ? !at.has_attribute(name) : !value) return;
   double number = value.value_or(0);
   at(name, number);
   value = number;
 }
 
 /// The boundaries of a domain, of which most have none: files without them have no such group.
-void transfer_boundaries(const ResultPart& at, std::vector<Boundary>& boundaries) {
-  if (at.reads() ? !at.take->has_group("boundaries") : boundaries.empty()) return;
-  at.each("boundaries", boundaries, 2, [](const ResultPart& one, Boundary& boundary) {
+void transfer_boundaries(const Hdf5Group& at, std::vector<Boundary>& boundaries) {
+  if (at.lacks("boundaries", boundaries.empty())) return;
+  at.each("boundaries", boundaries, 2, [](const Hdf5Group& one, Boundary& boundary) {
     one("name", boundary.name);
     one("closed", boundary.closed);
     one("present", boundary.present);
@@ -54,9 +54,9 @@ void transfer_boundaries(const ResultPart& at, std::vector<Boundary>& boundaries
 }
 
 /// What grains are that are no disks; files of disks have no such group.
-void transfer_shapes(const ResultPart& at, Grains& grains, const Grains* sample) {
+void transfer_shapes(const Hdf5Group& at, Grains& grains, const Grains* sample) {
   Shapes& shapes = grains.shapes;
-  if (at.reads() && !at.take->has_group("shapes")) {
+  if (at.reads() && !at.has_group("shapes")) {
     if (sample) shapes = sample->shapes;
     return;
   }
@@ -75,30 +75,50 @@ void transfer_shapes(const ResultPart& at, Grains& grains, const Grains* sample)
   group.same_length({n, shapes.first.empty() ? n + 1 : shapes.first.size() - 1, shapes.filled.size(), shapes.gyration.size()});
   group.same_length({disks, shapes.y.size(), shapes.radius.size()});
   const bool rising = std::is_sorted(shapes.first.begin(), shapes.first.end()) && shapes.first.front() == 0;
-  if (!rising || shapes.first.back() != static_cast<std::int32_t>(disks)) group.take->refuse("names disks of grains that do not exist");
+  if (!rising || shapes.first.back() != static_cast<std::int32_t>(disks)) group.refuse("names disks of grains that do not exist");
+}
+
+/// Refuses items whose grains are not i < j.
+template <class Items> void check_order(const Hdf5Group& at, const Items& items, std::size_t grains, const char* refusal) {
+  check_ends(at, items, grains, refusal);
+  if (at.reads() && std::any_of(items.begin(), items.end(), [](const auto& item) { return item.j <= item.i; })) at.refuse(refusal);
+}
+
+void transfer_bonds(const Hdf5Group& at, std::vector<Bond>& bonds, std::size_t grains) {
+  at.note("i and j", "places in the arrays of grains, from 0, i < j; signs as of contacts; length, n and angles are those of when the bond was made");
+  at.note("broken", "0: holds; broken in 1 tension, 2 bending, 3 shear, at that time and place, with that energy");
+  at.records(bonds, Named{"i", &Bond::i}, Named{"j", &Bond::j}, Named{"broken", &Bond::broken}, Named{"length", &Bond::length, "m"},
+             Named{"nx", [](Bond& b) -> double& { return b.normal.x; }}, Named{"ny", [](Bond& b) -> double& { return b.normal.y; }},
+             Named{"angle_i", &Bond::angle_i, "rad"}, Named{"angle_j", &Bond::angle_j, "rad"}, Named{"fn", &Bond::fn, "N"}, Named{"ft", &Bond::ft, "N"},
+             Named{"moment", &Bond::moment, "N m"}, Named{"energy", &Bond::energy, "J"}, Named{"load", &Bond::load}, Named{"time", &Bond::time, "s"},
+             Named{"x", [](Bond& b) -> double& { return b.place.x; }, "m"}, Named{"y", [](Bond& b) -> double& { return b.place.y; }, "m"});
+  constexpr const char* refusal = "names a grain or a break that does not exist";
+  check_order(at, bonds, grains, refusal);
+  for (const Bond& b : bonds)
+    if (at.reads() && (b.broken < BondBreak::none || b.broken > BondBreak::shear)) at.refuse(refusal);
+}
+
+void transfer_cohesive(const Hdf5Group& at, std::vector<CohesivePair>& pairs, std::size_t grains) {
+  at.note("i and j", "places in the arrays of grains, from 0, i < j; the pull of a pair whose gap is not above 0 is part of the force of its contact");
+  at.records(pairs, Named{"i", &CohesivePair::i}, Named{"j", &CohesivePair::j}, Named{"gap", &CohesivePair::gap, "m"}, Named{"pull", &CohesivePair::pull, "N"},
+             Named{"energy", &CohesivePair::energy, "J"});
+  check_order(at, pairs, grains, "names a grain that does not exist");
 }
 
 }  // namespace
 
-void transfer_provenance(const ResultPart& at, Provenance& provenance) {
+void transfer_provenance(const Hdf5Group& at, Provenance& provenance) {
   at("version", provenance.version);
   at("stage", provenance.stage);
   at("input_hash", provenance.input_hash);
   at.seed("seed", provenance.seed);
   at("kernel", provenance.kernel);
-  if (at.reads()) {
-    provenance.recipe = at.take->text("recipe");
-    const auto from = at.take->group("options");
-    for (const auto& key : from.attribute_names()) provenance.options.emplace_back(key, from.label(key));
-  } else {
-    at.put->write_text("recipe", provenance.recipe);
-    const auto to = at.put->create_group("options");
-    for (const auto& [key, value] : provenance.options) to.set(key, value);
-  }
+  at.text("recipe", provenance.recipe);
+  at.attributes("options", provenance.options);
 }
 
-void transfer_materials(const ResultPart& at, Materials& materials) {
-  at.each("materials", materials, 2, [](const ResultPart& one, Material& material) {
+void transfer_materials(const Hdf5Group& at, Materials& materials) {
+  at.each("materials", materials, 2, [](const Hdf5Group& one, Material& material) {
     one("name", material.name);
     for (const auto& s : material_scalars) one(s.name, material.*s.member);
     for (const auto& c : material_constants) transfer_constant(one, c.name, material.*c.member);
@@ -113,7 +133,7 @@ bool same(const Materials& a, const Materials& b) {
   });
 }
 
-void transfer_domain(const ResultPart& at, Domain& domain) {
+void transfer_domain(const Hdf5Group& at, Domain& domain) {
   const auto group = at.group("domain");
   group("periodic_x", domain.periodic_x);
   group("periodic_y", domain.periodic_y);
@@ -127,10 +147,10 @@ void transfer_domain(const ResultPart& at, Domain& domain) {
   transfer_boundaries(group, domain.boundaries);
 }
 
-void transfer_names(const ResultPart& at, Grains& grains, const Grains* sample) {
+void transfer_names(const Hdf5Group& at, Grains& grains, const Grains* sample) {
   const auto transfer = [&]<class T>(const char* name, std::vector<T> Grains::*member, const char* unit = "1") {
     auto& values = grains.*member;
-    if (at.reads() && sample && !at.take->has(name)) values = sample->*member;
+    if (at.reads() && sample && !at.has(name)) values = sample->*member;
     else if (at.reads() || !sample || values != sample->*member) at.array(name, values, unit);
   };
   transfer("id", &Grains::id);
@@ -141,16 +161,16 @@ void transfer_names(const ResultPart& at, Grains& grains, const Grains* sample) 
   transfer_shapes(at, grains, sample);
 }
 
-void transfer_grains(const ResultPart& at, Packing& packing, const Grains* sample) {
+void transfer_grains(const Hdf5Group& at, Packing& packing, const Grains* sample) {
   const auto group = at.group("grains");
   transfer_names(group, packing.grains, sample);
   transfer_columns(group, packing.grains, grain_state_columns, packing.grains.id.size());
   const auto kinds = static_cast<std::int64_t>(packing.materials.size());
   for (const auto m : packing.grains.material)
-    if (at.reads() && (m < 0 || m >= kinds)) at.take->refuse("names a material that does not exist");
+    if (at.reads() && (m < 0 || m >= kinds)) at.refuse("names a material that does not exist");
 }
 
-void transfer_contacts(const ResultPart& at, Contacts& contacts, std::size_t grains, int elements) {
+void transfer_contacts(const Hdf5Group& at, Contacts& contacts, std::size_t grains, int elements) {
   const auto group = at.group("contacts");
   group.note("i and j", "places in the arrays of grains, from 0, not ids; j = -1, -2, -3, -4 is the left, right, bottom, top wall");
   if (elements > 0)
@@ -160,7 +180,7 @@ void transfer_contacts(const ResultPart& at, Contacts& contacts, std::size_t gra
   group.array("j", contacts.j);
   transfer_columns(group, contacts, contact_columns, contacts.size());
   group.array("glued", contacts.glued);
-  if (at.reads() ? group.take->has(lever_columns[0].name) : !contacts.off_i_x.empty()) {
+  if (at.reads() ? group.has(lever_columns[0].name) : !contacts.off_i_x.empty()) {
     group.note("off_i_x", "the arms of i and j begin this far off the centres, which a grain that is no disk needs");
     transfer_columns(group, contacts, lever_columns, contacts.size());
   }
@@ -169,25 +189,29 @@ void transfer_contacts(const ResultPart& at, Contacts& contacts, std::size_t gra
   const auto n = static_cast<std::int64_t>(grains);
   for (std::size_t c = 0; c < contacts.size(); ++c)
     if (contacts.i[c] < 0 || contacts.i[c] >= n || contacts.j[c] >= n || contacts.j[c] < wall_partner(top) - elements)
-      group.take->refuse("names a grain that does not exist");
+      group.refuse("names a grain that does not exist");
 }
 
-void transfer_packing(const ResultPart& at, Packing& packing) {
+void transfer_packing(const Hdf5Group& at, Packing& packing) {
   const auto group = at.group("packing");
   transfer_materials(group, packing.materials);
   transfer_domain(group, packing.domain);
   transfer_grains(group, packing, nullptr);
   transfer_contacts(group, packing.contacts, packing.grains.size(), packing.domain.elements());
-  transfer_bonds(group, packing.bonds, packing.grains.size());
-  transfer_cohesive(group, packing.cohesive, packing.grains.size());
+  transfer_joints(group, packing);
 }
 
-void transfer_history(const ResultPart& at, const char* name, History& history) {
+void transfer_joints(const Hdf5Group& at, Packing& packing) {
+  const std::size_t grains = packing.grains.size();
+  if (!at.lacks("bonds", packing.bonds.empty())) transfer_bonds(at.group("bonds"), packing.bonds, grains);
+  if (!at.lacks("cohesive", packing.cohesive.empty())) transfer_cohesive(at.group("cohesive"), packing.cohesive, grains);
+}
+
+void transfer_history(const Hdf5Group& at, const char* name, History& history) {
   const auto group = at.group(name);
   if (at.reads())
-    for (const auto& own : group.take->names()) history.columns.push_back({own, group.take->unit(own), group.take->array<double>(own)});
-  else
-    for (const auto& column : history.columns) group.put->write(column.name, column.values, column.unit);
+    for (const auto& own : group.names()) history.columns.push_back({own, group.unit(own), {}});
+  for (auto& column : history.columns) group.array(column.name, column.values, column.unit);
 }
 
 }  // namespace arenite::io

@@ -18,6 +18,14 @@ struct NumberRows {
   std::vector<std::uint8_t> depth, kind;
   std::vector<double> value;
 
+  void transfer(const Hdf5Group& at) {
+    at.texts("name", name);
+    at.array("depth", depth);
+    at.array("kind", kind);
+    at.array("value", value, "of the name");
+    at.texts("text", text);
+  }
+
   void add(const std::string& path, std::uint8_t level, const Numbers& node) {
     constexpr double exact = 9007199254740992.0;  // integers beyond are kept as text
     name.push_back(path);
@@ -103,8 +111,9 @@ Numbers node_at(const NumberRows& table, std::size_t& row) {
   return node;
 }
 
-Numbers read_rows(const Hdf5Reader& at) {
-  const NumberRows table{at.texts("name"), at.texts("text"), at.array<std::uint8_t>("depth"), at.array<std::uint8_t>("kind"), at.array<double>("value")};
+Numbers read_rows(const Hdf5Group& at) {
+  NumberRows table;
+  table.transfer(at);
   const std::size_t rows = table.name.size();
   if (rows == 0) return {};
   if (table.text.size() != rows || table.depth.size() != rows || table.kind.size() != rows || table.value.size() != rows || table.depth[0] != 0)
@@ -117,36 +126,33 @@ Numbers read_rows(const Hdf5Reader& at) {
   at.refuse("holds numbers that are damaged");
 }
 
+Numbers read_json(const Hdf5Group& at, const std::string& name) {
+  std::string json;
+  at.text(name, json);
+  if (json.empty()) return {};
+  const auto numbers = from_json(json);
+  if (!numbers || !numbers->is_tree()) at.refuse(fmt::format("holds numbers \"{}\" that are damaged", name));
+  return *numbers;
+}
+
+void transfer_file(const Hdf5Group& at, Numbers& numbers) { transfer_numbers(at, "numbers", numbers); }
+
 }  // namespace
 
-void write_numbers(const Hdf5Writer& at, const std::string& name, const Numbers& numbers) {
-  NumberRows table;
-  if (numbers.is_known()) table.add("", 0, numbers);
-  const auto group = at.create_group(name);
-  group.write_texts("name", table.name);
-  group.write("depth", table.depth);
-  group.write("kind", table.kind);
-  group.write("value", table.value, "of the name");
-  group.write_texts("text", table.text);
+void transfer_numbers(const Hdf5Group& at, const std::string& name, Numbers& numbers) {
+  if (at.reads()) {
+    numbers = under_names_of_now(at.has_group(name) ? read_rows(at.group(name)) : read_json(at, name));
+  } else {
+    NumberRows table;
+    if (numbers.is_known()) table.add("", 0, numbers);
+    table.transfer(at.group(name));
+  }
 }
 
-Numbers read_numbers(const Hdf5Reader& at, const std::string& name) {
-  if (at.has_group(name)) return under_names_of_now(read_rows(at.group(name)));
-  const std::string json = at.text(name);
-  if (json.empty()) return {};
-  auto numbers = from_json(json);
-  if (!numbers || !numbers->is_tree()) at.refuse(fmt::format("holds numbers \"{}\" that are damaged", name));
-  return under_names_of_now(*numbers);
-}
-
-void write_numbers_file(const std::filesystem::path& path, const Numbers& numbers) {
-  const Hdf5Writer file;
-  write_numbers(file, "numbers", finite(numbers));
-  write_checksummed(path, "numbers", file.bytes());
-}
+void write_numbers_file(const std::filesystem::path& path, const Numbers& numbers) { write_result_file(path, "numbers", transfer_file, finite(numbers)); }
 
 Numbers read_numbers_file(const std::filesystem::path& path, const std::filesystem::path& former_json) {
-  if (std::filesystem::exists(path)) return read_numbers(Hdf5Reader(read_checksummed(path, "numbers"), path.string()), "numbers");
+  if (std::filesystem::exists(path)) return read_result_file(path, "numbers", transfer_file);
   return std::filesystem::exists(former_json) ? under_names_of_now(from_json(read_file(former_json)).value_or(Numbers{})) : Numbers{};
 }
 

@@ -16,40 +16,50 @@ constexpr Scalar equilibrium_scalars[] = {{"unbalanced_ratio", &Equilibrium::unb
                                           {"falling", &Equilibrium::falling, false},
                                           {"loose_kinetic_ratio", &Equilibrium::loose_kinetic, false}};
 
-void transfer_energies(const ResultPart& at, Frame& frame) {
+void transfer_energies(const Hdf5Group& at, Frame& frame) {
   const auto energies = at.group("energies");
   for (const EnergyTerm& term : energy_terms) energies(std::string(term.name) + " [J]", frame.energies.*term.value);
   const auto equilibrium = at.group("equilibrium");
   for (const auto& s : equilibrium_scalars)
-    if (s.always || !at.reads() || equilibrium.take->has_attribute(s.name)) equilibrium(s.name, frame.equilibrium.*s.member);
+    if (s.always || !at.reads() || equilibrium.has_attribute(s.name)) equilibrium(s.name, frame.equilibrium.*s.member);
 }
 
-void transfer_frame(const ResultPart& at, Frame& frame, const Packing& sample) {
+void transfer_frame(const Hdf5Group& at, Frame& frame, const Packing& sample) {
   at("time [s]", frame.time);
   at("step", frame.step);
   at("label", frame.label);
   Packing& packing = frame.packing;
-  if (at.reads() ? at.take->has("materials") : !same(packing.materials, sample.materials)) transfer_materials(at, packing.materials);
+  if (at.reads() ? at.has("materials") : !same(packing.materials, sample.materials)) transfer_materials(at, packing.materials);
   else if (at.reads()) packing.materials = sample.materials;
   transfer_domain(at, packing.domain);
   transfer_grains(at, packing, &sample.grains);
   transfer_contacts(at, packing.contacts, packing.grains.size(), packing.domain.elements());
-  transfer_bonds(at, packing.bonds, packing.grains.size());
-  transfer_cohesive(at, packing.cohesive, packing.grains.size());
+  transfer_joints(at, packing);
   transfer_energies(at, frame);
 }
 
 /// What stage files and checkpoints have in common.
-void transfer_result(const ResultPart& at, StageResult& result) {
+void transfer_result(const Hdf5Group& at, StageResult& result) {
   transfer_origin(at, result);
   Packing sample = result.frames.empty() ? Packing{} : result.frames.front().packing;
   transfer_materials(at, sample.materials);
   transfer_names(at.group("grains"), sample.grains, nullptr);
-  at.each("frames", result.frames, 4, [&](const ResultPart& one, Frame& frame) { transfer_frame(one, frame, sample); });
+  at.each("frames", result.frames, 4, [&](const Hdf5Group& one, Frame& frame) { transfer_frame(one, frame, sample); });
   transfer_history(at, "history", result.history);
-  if (at.reads() ? at.take->has_group("cycles") : !result.cycles.columns.empty()) transfer_history(at, "cycles", result.cycles);
+  if (!at.lacks("cycles", result.cycles.columns.empty())) transfer_history(at, "cycles", result.cycles);
   transfer_numbers(at, "texture", result.texture);
   at.array("continuation", result.continuation);
+}
+
+void transfer_checkpoint(const Hdf5Group& at, Checkpoint& checkpoint) {
+  at("key", checkpoint.key);
+  const auto blobs = at.group("blobs");
+  if (at.reads())
+    for (const auto& name : blobs.names()) checkpoint.blobs[name];
+  for (auto& [name, bytes] : checkpoint.blobs) blobs.array(name, bytes);
+  at.attributes("numbers", checkpoint.numbers);
+  at.attributes("integers", checkpoint.integers);
+  transfer_result(at.group("partial"), checkpoint.partial);
 }
 
 }  // namespace
@@ -66,29 +76,16 @@ std::variant<StageResult, FieldResult, FilmResult> read_result(const std::filesy
 }
 
 void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint) {
-  const Hdf5Writer root(false);
-  root.set("key", checkpoint.key);
-  const auto blobs = root.create_group("blobs");
-  for (const auto& [name, bytes] : checkpoint.blobs) blobs.write(name, bytes);
-  const auto numbers = root.create_group("numbers");
-  for (const auto& [name, value] : checkpoint.numbers) numbers.set(name, value);
-  const auto integers = root.create_group("integers");
-  for (const auto& [name, value] : checkpoint.integers) integers.set(name, value);
-  transfer_result(ResultPart(root.create_group("partial")), const_cast<StageResult&>(checkpoint.partial));  // which it only reads
-  write_checksummed(path, "checkpoint", root.bytes());
+  write_result_file(path, "checkpoint", transfer_checkpoint, checkpoint, false);
 }
 
 std::optional<Checkpoint> read_checkpoint(const std::filesystem::path& path, const std::string& key) {
   if (!std::filesystem::exists(path)) return std::nullopt;
-  const Hdf5Reader root(read_checksummed(path, "checkpoint"), path.string());
+  const Hdf5Group root(read_checksummed(path, "checkpoint"), path.string());
   Checkpoint checkpoint;
-  checkpoint.key = root.label("key");
+  root("key", checkpoint.key);
   if (checkpoint.key != key) return std::nullopt;
-  const auto blobs = root.group("blobs"), numbers = root.group("numbers"), integers = root.group("integers");
-  for (const auto& name : blobs.names()) checkpoint.blobs[name] = blobs.array<std::uint8_t>(name);
-  for (const auto& name : numbers.attribute_names()) checkpoint.numbers[name] = numbers.number(name);
-  for (const auto& name : integers.attribute_names()) checkpoint.integers[name] = integers.integer(name);
-  transfer_result(ResultPart(root.group("partial")), checkpoint.partial);
+  transfer_checkpoint(root, checkpoint);
   return checkpoint;
 }
 

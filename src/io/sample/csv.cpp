@@ -32,9 +32,9 @@ bool in_pixels(const Table& table) {
 }
 
 /// A length; one in pixels has their width for a factor.
-Field find_length(const Table& table, std::initializer_list<std::string_view> names, const ReadingHints& hints, Problems& problems) {
-  if (const Field field{table.find(names), hints.pixel}; field && table.columns[*field.index].unit == "px") return field;
-  return find_field(table, names, dimension::length, hints.length, problems);
+Field find_length(const Table& table, std::initializer_list<std::string_view> names, const SampleOptions& options, Problems& problems) {
+  if (const Field field{table.find(names), options.pixel}; field && table.columns[*field.index].unit == "px") return field;
+  return find_field(table, names, dimension::length, options.length(), problems);
 }
 
 double number(const Table& table, const Table::Row& row, const Field& field, Problems& problems) {
@@ -76,28 +76,28 @@ bool lies_inside(Vec2 p, const Domain& domain) {
 
 }  // namespace
 
-RawGrains read_grains_csv(std::string_view text, const ReadingHints& hints, Problems& problems) {
-  const Table table = read_table(text, hints.columns, problems);
+RawGrains read_grains_csv(std::string_view text, const SampleOptions& options, Problems& problems) {
+  const Table table = read_table(text, options.grain_columns, problems);
   RawGrains grains;
   if (table.columns.empty()) return grains;
-  if (in_pixels(table) && hints.pixel == 0) {
+  if (in_pixels(table) && options.pixel == 0) {
     problems.add(table.header_line,
                  "lengths are in pixels (px), whose width on the sample is not known; give it to `arenite measure` by --pixel, "
                  "for example --pixel \"1.6 mm\", or to `arenite grains`, which then writes the table in mm");
     return grains;
   }
   const auto id = table.find({"id", "grain"});
-  const Field x = find_length(table, {"x"}, hints, problems);
-  const Field y = find_length(table, {"y"}, hints, problems);
-  const Field radius = find_length(table, {"radius", "r"}, hints, problems);
-  const Field diameter = find_length(table, {"diameter", "d"}, hints, problems);
+  const Field x = find_length(table, {"x"}, options, problems);
+  const Field y = find_length(table, {"y"}, options, problems);
+  const Field radius = find_length(table, {"radius", "r"}, options, problems);
+  const Field diameter = find_length(table, {"diameter", "d"}, options, problems);
   const auto material = table.find({"material"}), zone = table.find({"zone"});
   constexpr const char* kind = "grains need id, x, y, radius and may have material, zone";
   require(table, x.index.has_value(), "x", kind, problems);
   require(table, y.index.has_value(), "y", kind, problems);
   require(table, radius || diameter, "radius", kind, problems);
   if (!x || !y || (!radius && !diameter)) return grains;
-  note_assumed_unit(table, x, hints.length_chosen, "length", "m", "--length-unit", grains.notes);
+  note_assumed_unit(table, x, options.length_unit.has_value(), "length", "m", "--length-unit", grains.notes);
   for (const auto& row : table.rows) {
     RawGrain grain;
     grain.line = row.line;
@@ -111,15 +111,15 @@ RawGrains read_grains_csv(std::string_view text, const ReadingHints& hints, Prob
   return grains;
 }
 
-RawContacts read_contacts_csv(std::string_view text, const RawGrains&, const ReadingHints& hints, Problems& problems) {
-  const Table table = read_table(text, hints.columns, problems);
+RawContacts read_contacts_csv(std::string_view text, const RawGrains&, const SampleOptions& options, Problems& problems) {
+  const Table table = read_table(text, options.contact_columns, problems);
   RawContacts contacts;
   if (table.columns.empty()) return contacts;
   const auto i = table.find({"i", "id1"}), j = table.find({"j", "id2"});
-  const Field fn = find_field(table, {"fn"}, dimension::force, hints.force, problems);
-  const Field ft = find_field(table, {"ft"}, dimension::force, hints.force, problems);
-  const Field fx = find_field(table, {"fx"}, dimension::force, hints.force, problems);
-  const Field fy = find_field(table, {"fy"}, dimension::force, hints.force, problems);
+  const Field fn = find_field(table, {"fn"}, dimension::force, options.force(), problems);
+  const Field ft = find_field(table, {"ft"}, dimension::force, options.force(), problems);
+  const Field fx = find_field(table, {"fx"}, dimension::force, options.force(), problems);
+  const Field fy = find_field(table, {"fy"}, dimension::force, options.force(), problems);
   const Field nx = find_field(table, {"nx"}, dimension::none, 1, problems);
   const Field ny = find_field(table, {"ny"}, dimension::none, 1, problems);
   constexpr const char* kind = "contacts need i, j, fn, ft (or fx, fy for the force on j) and may have nx, ny";
@@ -129,7 +129,7 @@ RawContacts read_contacts_csv(std::string_view text, const RawGrains&, const Rea
   require(table, fn || vector, "fn", kind, problems);
   if (nx && !ny) problems.add(table.header_line, "there is a column nx but no ny; give both or neither");
   if (!i || !j || (!fn && !vector)) return contacts;
-  note_assumed_unit(table, fn ? fn : fx, hints.force_chosen, "force", "N", "--force-unit", contacts.notes);
+  note_assumed_unit(table, fn ? fn : fx, options.force_unit.has_value(), "force", "N", "--force-unit", contacts.notes);
   for (const auto& row : table.rows) {
     RawContact contact;
     contact.line = row.line;

@@ -14,89 +14,61 @@ namespace {
 /// One "ITEM: name" and the lines below it.
 struct Item {
   std::string_view title;
-  int line = 0;
-  std::vector<std::pair<int, std::string_view>> body;
+  Table table;
 };
 
 /// Items of the last snapshot.
 std::vector<Item> last_snapshot(std::string_view text, Problems& problems) {
   std::vector<Item> items;
-  Lines lines(text);
+  if (text.empty()) problems.add("the file is empty; give a dump with at least one snapshot");
+  else if (!text.starts_with("ITEM: ")) problems.add(1, "this is not a LAMMPS dump: the first line must be \"ITEM: TIMESTEP\"");
+  if (problems.any()) return items;
+  const std::size_t before = text.rfind("\nITEM: TIMESTEP"), start = before == text.npos ? 0 : before + 1;
+  Lines lines(text.substr(start), 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(start), '\n')));
   std::string_view line;
   while (lines.next(line)) {
-    if (line.starts_with("ITEM: ")) {
-      line.remove_prefix(6);
-      if (line.starts_with("TIMESTEP")) items.clear();
-      items.push_back({line, lines.number(), {}});
-    } else if (items.empty()) {
-      problems.add(lines.number(), "this is not a LAMMPS dump: the first line must be \"ITEM: TIMESTEP\"");
-      return items;
-    } else if (!split_blanks(line).empty()) {
-      items.back().body.emplace_back(lines.number(), line);
-    }
+    if (line.starts_with("ITEM: ")) items.push_back({line.substr(6), {{}, lines.number(), {}}});
+    else if (auto cells = split_blanks(line); !cells.empty()) items.back().table.rows.push_back({lines.number(), std::move(cells)});
   }
-  if (items.empty()) problems.add("the file is empty; give a dump with at least one snapshot");
   return items;
 }
 
-const Item* find_item(const std::vector<Item>& items, std::string_view title) {
+Item* find_item(std::vector<Item>& items, std::string_view title) {
   const auto it = std::find_if(items.begin(), items.end(), [&](const Item& i) { return i.title.starts_with(title); });
   return it == items.end() ? nullptr : &*it;
 }
 
-/// Rows of numbers under named columns.
-struct Columns {
-  std::vector<std::string> names;
-  int line = 0;
-
-  std::optional<std::size_t> find(std::string_view name) const {
-    const auto it = std::find(names.begin(), names.end(), name);
-    return it == names.end() ? std::nullopt : std::optional(static_cast<std::size_t>(it - names.begin()));
-  }
-  std::size_t require(std::initializer_list<std::string_view> choices, const char* fix, Problems& problems) const {
-    for (const auto name : choices)
-      if (const auto c = find(name)) return *c;
-    problems.add(line, fmt::format("there is no column \"{}\"; {}", *choices.begin(), fix));
-    return names.size();
-  }
-};
-
-Columns columns_of(const Item& item, std::string_view title) {
-  Columns columns;
-  columns.line = item.line;
-  for (const auto name : split_blanks(item.title.substr(title.size()))) columns.names.emplace_back(name);
-  return columns;
+void name_columns(Table& table, const std::vector<std::string_view>& names) {
+  table.columns = mapped(names, [](std::string_view name) { return Table::Column{std::string(name), {}, {}}; });
 }
 
 /// Rows with as many cells as columns; the others are problems.
-template <class Use> void for_each_row(const Item& item, std::size_t columns, Problems& problems, Use use) {
-  for (const auto& [number, line] : item.body) {
-    const auto cells = split_blanks(line);
-    if (cells.size() != columns)
-      problems.add(number, fmt::format("this row has {} values, but there are {} columns; the dump is cut off or damaged", cells.size(), columns));
-    else use(number, cells);
+template <class Use> void for_each_row(const Table& table, Problems& problems, Use use) {
+  for (const auto& [line, cells] : table.rows) {
+    if (cells.size() != table.columns.size())
+      problems.add(line, fmt::format("this row has {} values, but there are {} columns; the dump is cut off or damaged", cells.size(), table.columns.size()));
+    else use(line, cells);
   }
 }
 
-void check_count(const std::vector<Item>& items, const Item& rows, std::string_view title, Problems& problems) {
+void check_count(std::vector<Item>& items, const Table& table, std::string_view title, Problems& problems) {
   const Item* count = find_item(items, title);
-  if (!count || count->body.empty()) return;
-  const auto expected = to_integer(split_blanks(count->body.front().second).front());
-  if (expected && *expected != static_cast<std::int64_t>(rows.body.size()))
-    problems.add(rows.line, fmt::format("the dump announces {} rows, but {} follow; it is cut off, so write it again", *expected, rows.body.size()));
+  if (!count || count->table.rows.empty()) return;
+  const auto expected = to_integer(count->table.rows.front().cells.front());
+  if (expected && *expected != static_cast<std::int64_t>(table.rows.size()))
+    problems.add(table.header_line, fmt::format("the dump announces {} rows, but {} follow; it is cut off, so write it again", *expected, table.rows.size()));
 }
 
-void read_box(const std::vector<Item>& items, double length, RawGrains& grains, Problems& problems) {
+void read_box(std::vector<Item>& items, double length, RawGrains& grains, Problems& problems) {
   constexpr std::string_view title = "BOX BOUNDS";
   const Item* item = find_item(items, title);
-  if (!item || item->body.size() < 2) return;
+  if (!item || item->table.rows.size() < 2) return;
   const auto flags = split_blanks(item->title.substr(title.size()));
   const bool tilted = !flags.empty() && flags.front() == "xy";
   std::array<double, 3> x{}, y{};
   const auto read = [&](std::size_t row, std::array<double, 3>& to) {
-    const auto cells = split_blanks(item->body[row].second);
-    for (std::size_t c = 0; c < std::min<std::size_t>(3, cells.size()); ++c)
-      to[c] = number_or_problem(cells[c], "box bound", length, item->body[row].first, problems);
+    const auto& [line, cells] = item->table.rows[row];
+    for (std::size_t c = 0; c < std::min<std::size_t>(3, cells.size()); ++c) to[c] = number_or_problem(cells[c], "box bound", length, line, problems);
   };
   read(0, x);
   read(1, y);
@@ -110,15 +82,15 @@ void read_box(const std::vector<Item>& items, double length, RawGrains& grains, 
   grains.has_box = true;
 }
 
-bool is_opaque(const std::string& name) { return name.starts_with("c_") || name.starts_with("f_"); }
+bool is_opaque(std::string_view name) { return name.starts_with("c_") || name.starts_with("f_"); }
 
 /// What to write for a dump whose columns nobody can tell apart: an example that has as many.
-std::string missing_columns(const std::vector<std::string>& names) {
+std::string missing_columns(const std::vector<std::string_view>& names) {
   static const std::vector<std::string> wanted{"patom1", "patom2", "fx", "fy", "p1", "p2"};
   std::string found, example;
   std::size_t next = 0;
   for (const auto& name : names) {
-    found += (found.empty() ? "" : " ") + name;
+    found.append(found.empty() ? "" : " ").append(name);
     example += (example.empty() ? "" : ",") + (is_opaque(name) && next < wanted.size() ? wanted[next++] : std::string("-"));
   }
   return fmt::format(
@@ -127,91 +99,90 @@ std::string missing_columns(const std::vector<std::string>& names) {
       found, next == wanted.size() ? example : "-,patom1,patom2,fx,fy,p1,p2");
 }
 
-/// Columns of a dump that LAMMPS named after computes: by what they hold, else index, two atoms, then forces in the documented order.
-void name_columns(Columns& columns, const Item& entries, const RawGrains& grains) {
+/// Names columns that LAMMPS named after computes: by what they hold, else index, two atoms, then forces in the documented order.
+void name_opaque_columns(Table& entries, const RawGrains& grains) {
   std::vector<std::size_t> at;
-  for (std::size_t c = 0; c < columns.names.size(); ++c)
-    if (is_opaque(columns.names[c])) at.push_back(c);
-  const auto rows = mapped(entries.body, [](const auto& numbered) { return split_blanks(numbered.second); });
-  if (const auto found = find_pair_columns(rows, at, grains)) {
+  for (std::size_t c = 0; c < entries.columns.size(); ++c)
+    if (is_opaque(entries.columns[c].name)) at.push_back(c);
+  if (const auto found = find_pair_columns(mapped(entries.rows, &Table::Row::cells), at, grains)) {
     for (const auto& [name, c] :
          {std::pair{"patom1", found->i}, {"patom2", found->j}, {"fx", found->fx}, {"fy", found->fy}, {"p1", found->p1}, {"p2", found->p2}})
-      columns.names[c] = name;
+      entries.columns[c].name = name;
     return;
   }
   static const std::vector<std::string> plane{"patom1", "patom2", "fx", "fy", "p1", "p2"};
   static const std::vector<std::string> space{"patom1", "patom2", "fx", "fy", "fz", "p1", "p2", "p3"};
   const auto& names = at.size() == space.size() ? space : plane;
   if (at.size() != names.size()) return;
-  for (std::size_t k = 0; k < at.size(); ++k) columns.names[at[k]] = names[k];
+  for (std::size_t k = 0; k < at.size(); ++k) entries.columns[at[k]].name = names[k];
 }
 
 }  // namespace
 
-RawGrains read_lammps_atoms(std::string_view text, const ReadingHints& hints, Problems& problems) {
+RawGrains read_lammps_atoms(std::string_view text, const SampleOptions& options, Problems& problems) {
   RawGrains grains;
-  const auto items = last_snapshot(text, problems);
-  const Item* atoms = find_item(items, "ATOMS");
-  if (!atoms) {
+  auto items = last_snapshot(text, problems);
+  Item* item = find_item(items, "ATOMS");
+  if (!item) {
     if (!problems.any()) problems.add("the last snapshot has no \"ITEM: ATOMS\"; write the grains by `dump custom`");
     return grains;
   }
-  check_count(items, *atoms, "NUMBER OF ATOMS", problems);
-  read_box(items, hints.length, grains, problems);
-  const Columns columns = columns_of(*atoms, "ATOMS");
-  constexpr const char* fix = "dump id type x y radius";
-  const std::size_t id = columns.require({"id"}, fix, problems), type = columns.find("type").value_or(columns.names.size());
-  const std::size_t x = columns.require({"x", "xu", "xs"}, fix, problems), y = columns.require({"y", "yu", "ys"}, fix, problems);
-  const std::size_t r = columns.require({"radius", "diameter"}, fix, problems);
+  Table& atoms = item->table;
+  check_count(items, atoms, "NUMBER OF ATOMS", problems);
+  read_box(items, options.length(), grains, problems);
+  name_columns(atoms, split_blanks(item->title.substr(5)));
+  const auto column = [&](std::initializer_list<std::string_view> names) {
+    const auto found = atoms.find(names);
+    if (!found) problems.add(atoms.header_line, fmt::format("there is no column \"{}\"; dump id type x y radius", *names.begin()));
+    return found.value_or(0);
+  };
+  const std::size_t id = column({"id"}), x = column({"x", "xu", "xs"}), y = column({"y", "yu", "ys"}), r = column({"radius", "diameter"});
+  const auto type = atoms.find({"type"});
   if (problems.any()) return grains;
-  const bool scaled = columns.names[x] == "xs";
-  const double half = columns.names[r] == "diameter" ? 0.5 : 1.0;
-  for_each_row(*atoms, columns.names.size(), problems, [&](int line, const auto& cells) {
+  const bool scaled = atoms.columns[x].name == "xs";
+  const double half = atoms.columns[r].name == "diameter" ? 0.5 : 1.0;
+  for_each_row(atoms, problems, [&](int line, const auto& cells) {
+    const auto length = [&](std::size_t c, double unit) { return number_or_problem(cells[c], atoms.columns[c].name, unit, line, problems); };
     RawGrain g;
     g.line = line;
     g.id = integer_or_problem(cells[id], "id", line, problems);
-    g.centre = {number_or_problem(cells[x], columns.names[x], scaled ? 1 : hints.length, line, problems),
-                number_or_problem(cells[y], columns.names[y], scaled ? 1 : hints.length, line, problems)};
+    g.centre = {length(x, scaled ? 1 : options.length()), length(y, scaled ? 1 : options.length())};
     if (scaled) {
       const Vec2 size = grains.box_high - grains.box_low;
       g.centre = grains.box_low + Vec2{g.centre.x * size.x + g.centre.y * grains.tilt, g.centre.y * size.y};
     }
-    g.radius = half * number_or_problem(cells[r], columns.names[r], hints.length, line, problems);
-    if (type < columns.names.size()) g.material = cells[type];
+    g.radius = half * length(r, options.length());
+    if (type) g.material = cells[*type];
     grains.rows.push_back(std::move(g));
   });
   return grains;
 }
 
-RawContacts read_lammps_pairs(std::string_view text, const RawGrains& grains, const ReadingHints& hints, Problems& problems) {
+RawContacts read_lammps_pairs(std::string_view text, const RawGrains& grains, const SampleOptions& options, Problems& problems) {
   RawContacts contacts;
-  const auto items = last_snapshot(text, problems);
-  const Item* entries = find_item(items, "ENTRIES");
-  if (!entries) {
+  auto items = last_snapshot(text, problems);
+  Item* item = find_item(items, "ENTRIES");
+  if (!item) {
     if (!problems.any()) problems.add("the last snapshot has no \"ITEM: ENTRIES\"; write the contacts by `dump local`");
     return contacts;
   }
-  check_count(items, *entries, "NUMBER OF ENTRIES", problems);
-  Columns columns = columns_of(*entries, "ENTRIES");
-  if (hints.columns.empty()) {
-    name_columns(columns, *entries, grains);
-  } else {
-    columns.names.clear();
-    std::string spaced = hints.columns;
-    std::replace(spaced.begin(), spaced.end(), ',', ' ');
-    for (const auto name : split_blanks(spaced)) columns.names.emplace_back(name);
-  }
-  const auto column = [&](const char* name, const char* other) { return columns.find(name) ? columns.find(name) : columns.find(other); };
-  const auto i = column("patom1", "i"), j = column("patom2", "j"), fx = columns.find("fx"), fy = columns.find("fy");
+  Table& entries = item->table;
+  check_count(items, entries, "NUMBER OF ENTRIES", problems);
+  const auto titles = split_blanks(item->title.substr(7));
+  std::string given = options.contact_columns;
+  std::replace(given.begin(), given.end(), ',', ' ');
+  name_columns(entries, given.empty() ? titles : split_blanks(given));
+  if (given.empty()) name_opaque_columns(entries, grains);
+  const auto i = entries.find({"patom1", "i"}), j = entries.find({"patom2", "j"}), fx = entries.find({"fx"}), fy = entries.find({"fy"});
   // Who names the columns may mean by fx, fy the whole force; LAMMPS's own are the normal force, and p1, p2 the tangential one.
-  const auto px = columns.find("p1"), py = columns.find("p2");
-  const bool whole = !hints.columns.empty() && !px && !py;
+  const auto px = entries.find({"p1"}), py = entries.find({"p2"});
+  const bool whole = !given.empty() && !px && !py;
   if (!i || !j || !fx || !fy || (!whole && (!px || !py))) {
-    problems.add(entries->line, missing_columns(columns_of(*entries, "ENTRIES").names));
+    problems.add(entries.header_line, missing_columns(titles));
     return contacts;
   }
-  for_each_row(*entries, columns.names.size(), problems, [&](int line, const auto& cells) {
-    const auto force = [&](std::size_t c) { return number_or_problem(cells[c], columns.names[c], hints.force, line, problems); };
+  for_each_row(entries, problems, [&](int line, const auto& cells) {
+    const auto force = [&](std::size_t c) { return number_or_problem(cells[c], entries.columns[c].name, options.force(), line, problems); };
     RawContact c;
     c.line = line;
     c.i = integer_or_problem(cells[*i], "patom1", line, problems);

@@ -17,7 +17,7 @@ void read_header(const std::vector<std::string_view>& cells, int line, double le
 
 }  // namespace
 
-RawGrains read_mercury_data(std::string_view text, const ReadingHints& hints, Problems& problems) {
+RawGrains read_mercury_data(std::string_view text, const SampleOptions& options, Problems& problems) {
   RawGrains grains;
   Lines lines(text);
   std::string_view line;
@@ -36,7 +36,7 @@ RawGrains read_mercury_data(std::string_view text, const ReadingHints& hints, Pr
       }
       expected = *count;
       header_line = at;
-      read_header(cells, at, hints.length, grains, problems);
+      read_header(cells, at, options.length(), grains, problems);
       continue;
     }
     RawGrain g;
@@ -45,8 +45,8 @@ RawGrains read_mercury_data(std::string_view text, const ReadingHints& hints, Pr
     if (cells.size() != 8) {
       problems.add(at, fmt::format("expected 8 values \"x y vx vy radius angle omega info\", found {}", cells.size()));
     } else {
-      g.centre = {number_or_problem(cells[0], "x", hints.length, at, problems), number_or_problem(cells[1], "y", hints.length, at, problems)};
-      g.radius = number_or_problem(cells[4], "radius", hints.length, at, problems);
+      g.centre = {number_or_problem(cells[0], "x", options.length(), at, problems), number_or_problem(cells[1], "y", options.length(), at, problems)};
+      g.radius = number_or_problem(cells[4], "radius", options.length(), at, problems);
       g.material = cells[7];
     }
     grains.rows.push_back(std::move(g));
@@ -57,7 +57,7 @@ RawGrains read_mercury_data(std::string_view text, const ReadingHints& hints, Pr
   return grains;
 }
 
-RawContacts read_mercury_fstat(std::string_view text, const RawGrains&, const ReadingHints& hints, Problems& problems) {
+RawContacts read_mercury_fstat(std::string_view text, const RawGrains&, const SampleOptions& options, Problems& problems) {
   RawContacts contacts;
   contacts.lists_both_ways = true;
   Lines lines(text);
@@ -83,7 +83,7 @@ RawContacts read_mercury_fstat(std::string_view text, const RawGrains&, const Re
     c.line = at;
     c.i = integer_or_problem(cells[1], "i", at, problems);
     c.j = integer_or_problem(cells[2], "j", at, problems);
-    const double fn = value(8, hints.force), ft = value(9, hints.force);
+    const double fn = value(8, options.force()), ft = value(9, options.force());
     const Vec2 n{value(10, 1), value(11, 1)}, t{value(13, 1), value(14, 1)};
     // n and t belong to the force on grain i; for a wall MercuryDPM turns both round.
     const Vec2 force_on_i = fn * n + ft * t;

@@ -4,7 +4,6 @@
 
 #include "core/mapped.hpp"
 #include "io/disk/file.hpp"
-#include "io/disk/refuse.hpp"
 #include "io/table/table.hpp"
 
 namespace arenite::io {
@@ -32,8 +31,8 @@ struct Format {
   const char* name;
   bool (*is_grains)(std::string_view first);
   bool (*is_contacts)(std::string_view first);
-  RawGrains (*grains)(std::string_view, const ReadingHints&, Problems&);
-  RawContacts (*contacts)(std::string_view, const RawGrains&, const ReadingHints&, Problems&);
+  RawGrains (*grains)(std::string_view, const SampleOptions&, Problems&);
+  RawContacts (*contacts)(std::string_view, const RawGrains&, const SampleOptions&, Problems&);
 };
 
 bool is_lammps(std::string_view first) { return first.starts_with("ITEM:"); }
@@ -96,19 +95,15 @@ std::vector<std::string> sample_formats() { return mapped<std::string>(formats, 
 
 Sample read_sample(const std::filesystem::path& grains_path, const std::filesystem::path& contacts_path, const SampleOptions& options) {
   const std::string grains_text = read_text(grains_path), contacts_text = contacts_path.empty() ? std::string() : read_text(contacts_path);
-  const ReadingHints of_grains{options.grain_columns,           options.length_unit.value_or(1), options.force_unit.value_or(1),
-                               options.length_unit.has_value(), options.force_unit.has_value(),  options.pixel};
-  ReadingHints of_contacts = of_grains;
-  of_contacts.columns = options.contact_columns;
   Problems grain_problems(grains_path.string()), contact_problems(contacts_path.string());
 
   const Format& format = format_of(grains_text, options);
-  RawGrains grains = format.grains(grains_text, of_grains, grain_problems);
+  RawGrains grains = format.grains(grains_text, options, grain_problems);
   if (options.y_down) turn_rows_up(grains);
   if (!grain_problems.any()) apply_box(options, grains, grain_problems);
   const bool own = format.is_contacts(first_line(contacts_text)) || options.format == format.name;
   RawContacts contacts;
-  if (!contacts_path.empty()) contacts = (own ? format : csv).contacts(contacts_text, grains, of_contacts, contact_problems);
+  if (!contacts_path.empty()) contacts = (own ? format : csv).contacts(contacts_text, grains, options, contact_problems);
   if (options.y_down) turn_rows_up(contacts);
 
   Sample sample;

@@ -26,6 +26,9 @@ struct SampleOptions {
   std::optional<std::filesystem::path> materials;  ///< table of material, name, density, stiffness, or of id, material
   bool y_down = false;                             ///< y counts image rows, which point down: it is turned round, fn and ft kept
   bool merge_doubled = false;                      ///< a contact listed twice is taken once, with the mean of its forces
+
+  double length() const { return length_unit.value_or(1); }
+  double force() const { return force_unit.value_or(1); }
 };
 
 /// Grains and contacts from anybody's files.
@@ -45,15 +48,6 @@ Sample read_sample(const std::filesystem::path& grains, const std::filesystem::p
 /// unless the header names a unit. Centres count from the container's lower left corner. Throws InputError with every problem found: unknown material, a
 /// grain outside the container, an id that occurs twice.
 Grains read_placed_grains(const std::filesystem::path& path, const Materials& materials, const Domain& domain);
-
-/// What a file may not say: names of its columns where it has no header, units of columns that name none, as factors to SI, and whether anybody chose
-/// them.
-struct ReadingHints {
-  std::string columns = {};
-  double length = 1, force = 1;
-  bool length_chosen = false, force_chosen = false;
-  double pixel = 0;  ///< m, of columns in "px"; 0: not known
-};
 
 /// A grain as its file gives it, in SI; `line` says where.
 struct RawGrain {
@@ -111,38 +105,38 @@ void assemble(const RawGrains& grains, const RawContacts& contacts, const Sample
 /// columns id and material, for grains whose file has no material.
 void assign_materials(const RawGrains& raw, const std::optional<std::filesystem::path>& file, Packing& packing, Problems& problems);
 
-/// Grains from a table with columns id, x, y, radius (or diameter) and perhaps material and zone. Units in the header win over `units`. What is
+/// Grains from a table with columns id, x, y, radius (or diameter) and perhaps material and zone. Units in the header win over those of `options`. What is
 /// wrong goes to `problems`.
-RawGrains read_grains_csv(std::string_view text, const ReadingHints& hints, Problems& problems);
+RawGrains read_grains_csv(std::string_view text, const SampleOptions& options, Problems& problems);
 
 /// Contacts from a table with columns i, j and fn, ft (or fx, fy: the force on j) and perhaps nx, ny. j may name a wall: left, right, bottom, top.
-RawContacts read_contacts_csv(std::string_view text, const RawGrains&, const ReadingHints& hints, Problems& problems);
+RawContacts read_contacts_csv(std::string_view text, const RawGrains&, const SampleOptions& options, Problems& problems);
 
 /// The last snapshot of a LAMMPS `dump custom` with columns id, type, x, y (or xu, yu; xs, ys) and radius (or diameter), with its box, periodic sides
 /// and tilt.
-RawGrains read_lammps_atoms(std::string_view text, const ReadingHints& hints, Problems& problems);
+RawGrains read_lammps_atoms(std::string_view text, const SampleOptions& options, Problems& problems);
 
 /// The last snapshot of a LAMMPS `dump local` of `property/local patom1 patom2` and `pair/local fx fy [fz] p1 p2 [p3]` of a granular pair style: (fx,
-/// fy) is the normal and (p1, p2) the tangential force, both on atom 1. Columns are known by these names, or by `columns`, or where LAMMPS names them
+/// fy) is the normal and (p1, p2) the tangential force, both on atom 1. Columns are known by these names, or by `contact_columns`, or where LAMMPS names them
 /// c_ID[n], by this order.
-RawContacts read_lammps_pairs(std::string_view text, const RawGrains&, const ReadingHints& hints, Problems& problems);
+RawContacts read_lammps_pairs(std::string_view text, const RawGrains&, const SampleOptions& options, Problems& problems);
 
 /// The last time step of a MercuryDPM .data file of a plane simulation: a line "N time xmin ymin xmax ymax", then N lines "x y vx vy radius angle
 /// omega info"; info is the species. Grains are numbered from 0 in their order.
-RawGrains read_mercury_data(std::string_view text, const ReadingHints& hints, Problems& problems);
+RawGrains read_mercury_data(std::string_view text, const SampleOptions& options, Problems& problems);
 
 /// The last time step of a MercuryDPM .fstat file: lines "time i j x y z overlap tangential_overlap fn ft nx ny nz tx ty tz", n pointing to grain i;
 /// j < 0 is a wall. Contacts of two grains are listed once for each of them.
-RawContacts read_mercury_fstat(std::string_view text, const RawGrains&, const ReadingHints& hints, Problems& problems);
+RawContacts read_mercury_fstat(std::string_view text, const RawGrains&, const SampleOptions& options, Problems& problems);
 
 /// Spheres written by YADE's export.text or export.textExt: "#format x_y_z_r" (or x_y_z_r_matId, x_y_z_r_attrs, id_x_y_z_r_matId), then one sphere a
 /// line. The plane is x-y, or x-z or y-z where y or x is the same for all. Without ids spheres are numbered from 0 in their order.
-RawGrains read_yade_spheres(std::string_view text, const ReadingHints& hints, Problems& problems);
+RawGrains read_yade_spheres(std::string_view text, const SampleOptions& options, Problems& problems);
 
 /// Interactions written by YADE's VTKExporter.exportInteractions with what = {'normalForce': 'i.phys.normalForce', 'shearForce':
 /// 'i.phys.shearForce'}: both centres of every interaction and the force on the second body. The file has no ids, so ends are matched with the
 /// centres of `grains`; an end that is no grain's centre is a wall.
-RawContacts read_yade_interactions(std::string_view text, const RawGrains& grains, const ReadingHints& hints, Problems& problems);
+RawContacts read_yade_interactions(std::string_view text, const RawGrains& grains, const SampleOptions& options, Problems& problems);
 
 /// Places of the columns that a file of contacts needs.
 struct PairColumns {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 
 #include "io/table/table.hpp"
 
@@ -25,11 +26,11 @@ std::array<std::size_t, 2> plane_of(const std::vector<Point>& points) {
 class Centres {
  public:
   explicit Centres(const RawGrains& grains) : grains_(grains) {
-    for (const RawGrain& g : grains.rows) {
-      wrapped_.push_back(wrapped(g.centre));
-      order_.push_back(order_.size());
+    for (std::size_t g = 0; g < grains.rows.size(); ++g) {
+      const Vec2 centre = wrapped(grains.rows[g].centre);
+      by_x_.emplace(centre.x, Centre{centre, g});
+      largest_ = std::max(largest_, grains.rows[g].radius);
     }
-    std::sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) { return wrapped_[a].x < wrapped_[b].x; });
   }
   /// Index of the grain, or -1.
   std::int64_t find(Vec2 p) const {
@@ -42,33 +43,27 @@ class Centres {
   }
 
  private:
+  struct Centre {
+    Vec2 at;
+    std::size_t grain;
+  };
   Vec2 wrapped(Vec2 p) const {
     const Vec2 size = grains_.box_high - grains_.box_low;
-    if (grains_.periodic_y) {
-      const double n = std::floor((p.y - grains_.box_low.y) / size.y);
-      p = p - n * Vec2{grains_.tilt, size.y};
-    }
+    if (grains_.periodic_y) p = p - std::floor((p.y - grains_.box_low.y) / size.y) * Vec2{grains_.tilt, size.y};
     if (grains_.periodic_x) p.x -= std::floor((p.x - grains_.box_low.x) / size.x) * size.x;
     return p;
   }
   std::int64_t near(Vec2 p, double reach) const {
-    const double most = reach + slack * largest_radius();
-    auto it = std::lower_bound(order_.begin(), order_.end(), p.x - most, [&](std::size_t g, double x) { return wrapped_[g].x < x; });
-    for (; it != order_.end() && wrapped_[*it].x <= p.x + most; ++it)
-      if (norm(wrapped_[*it] - p) <= reach + slack * grains_.rows[*it].radius) return static_cast<std::int64_t>(*it);
+    const double most = reach + slack * largest_;
+    for (auto it = by_x_.lower_bound(p.x - most); it != by_x_.end() && it->first <= p.x + most; ++it)
+      if (const auto& [at, grain] = it->second; norm(at - p) <= reach + slack * grains_.rows[grain].radius) return static_cast<std::int64_t>(grain);
     return -1;
-  }
-  double largest_radius() const {
-    if (largest_ < 0)
-      for (const RawGrain& g : grains_.rows) largest_ = std::max(largest_, g.radius);
-    return largest_;
   }
 
   static constexpr double slack = 1e-3;
   const RawGrains& grains_;
-  std::vector<Vec2> wrapped_;
-  std::vector<std::size_t> order_;
-  mutable double largest_ = -1;
+  std::multimap<double, Centre> by_x_;
+  double largest_ = 0;
 };
 
 /// Reads the words of a legacy VTK file one after the other, knowing their lines.
@@ -123,7 +118,7 @@ std::string not_joined(std::size_t count, std::size_t all, const RawGrains& grai
 
 }  // namespace
 
-RawGrains read_yade_spheres(std::string_view text, const ReadingHints& hints, Problems& problems) {
+RawGrains read_yade_spheres(std::string_view text, const SampleOptions& options, Problems& problems) {
   RawGrains grains;
   std::vector<Point> centres;
   Lines lines(text);
@@ -147,8 +142,8 @@ RawGrains read_yade_spheres(std::string_view text, const ReadingHints& hints, Pr
     g.line = at;
     g.id = id_columns ? integer_or_problem(cells[0], "id", at, problems) : static_cast<std::int64_t>(grains.rows.size());
     Point p;
-    for (std::size_t k = 0; k < 3; ++k) p[k] = number_or_problem(cells[id_columns + k], "coordinate", hints.length, at, problems);
-    g.radius = number_or_problem(cells[id_columns + 3], "r", hints.length, at, problems);
+    for (std::size_t k = 0; k < 3; ++k) p[k] = number_or_problem(cells[id_columns + k], "coordinate", options.length(), at, problems);
+    g.radius = number_or_problem(cells[id_columns + 3], "r", options.length(), at, problems);
     if (material > 0) g.material = cells[material];
     centres.push_back(p);
     grains.rows.push_back(std::move(g));
@@ -159,7 +154,7 @@ RawGrains read_yade_spheres(std::string_view text, const ReadingHints& hints, Pr
   return grains;
 }
 
-RawContacts read_yade_interactions(std::string_view text, const RawGrains& grains, const ReadingHints& hints, Problems& problems) {
+RawContacts read_yade_interactions(std::string_view text, const RawGrains& grains, const SampleOptions& options, Problems& problems) {
   RawContacts contacts;
   Words words(text);
   std::vector<Point> ends, normal, shear;
@@ -169,11 +164,11 @@ RawContacts read_yade_interactions(std::string_view text, const RawGrains& grain
       count = static_cast<std::size_t>(std::max<std::int64_t>(0, integer_or_problem(words.next(), "number of points", words.line(), problems))) / 2;
       if (count > text.size()) break;  // more than the file can hold
       words.skip_line();
-      ends = read_points(words, 2 * count, hints.length, problems);
+      ends = read_points(words, 2 * count, options.length(), problems);
     } else if (word == "VECTORS") {
       const auto name = words.next();
       words.skip_line();
-      auto values = read_points(words, count, hints.force, problems);
+      auto values = read_points(words, count, options.force(), problems);
       if (name == "normalForce" || name == "fn") normal = std::move(values);
       if (name == "shearForce" || name == "fs") shear = std::move(values);
     }

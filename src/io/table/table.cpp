@@ -64,6 +64,13 @@ void check_header(const Table& table, int line, Problems& problems) {
 
 }  // namespace
 
+std::string quoted_cell(const std::string& text) {
+  if (text.find_first_of(",;\"\n\r") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+  return quoted + '"';
+}
+
 std::vector<std::string_view> split_blanks(std::string_view line) {
   std::vector<std::string_view> cells;
   std::size_t at = 0;

@@ -34,6 +34,9 @@ struct Table {
 /// is missing or says a column twice go to `problems`.
 Table read_table(std::string_view text, const std::string& columns, Problems& problems);
 
+/// A cell of text as it is written, in quotes where a reader would take it for several.
+std::string quoted_cell(const std::string& text);
+
 /// Cells separated by blanks.
 std::vector<std::string_view> split_blanks(std::string_view line);
 

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <map>
+
 #include "core/error.hpp"
 
 namespace {
@@ -31,10 +33,23 @@ Numbers any_numbers(int depth) {
   return n;
 }
 
-Numbers through_a_file(const Numbers& numbers) {
-  const io::Hdf5Writer file;
-  io::write_numbers(file, "numbers", numbers);
-  return io::read_numbers(io::Hdf5Reader(file.bytes(), "some.h5"), "numbers");
+Numbers numbers_in(const io::Hdf5Group& at, const char* name) {
+  Numbers numbers;
+  io::transfer_numbers(at, name, numbers);
+  return numbers;
+}
+
+Numbers through_a_file(Numbers numbers) {
+  const io::Hdf5Group file;
+  io::transfer_numbers(file, "numbers", numbers);
+  return numbers_in({file.bytes(), "some.h5"}, "numbers");
+}
+
+/// A file with these texts by their names.
+io::Hdf5Group file_of(std::map<std::string, std::string> texts) {
+  const io::Hdf5Group file;
+  for (auto& [name, text] : texts) file.text(name, text);
+  return {file.bytes(), "old.h5"};
 }
 
 RC_GTEST_PROP(NumbersTable, GivesBackEveryNumberInItsOrder, ()) {
@@ -49,38 +64,32 @@ TEST(NumbersTable, KeepsIntegersThatNoRealHolds) {
 }
 
 TEST(NumbersTable, NumbersOfVersion01AreRead) {
-  const io::Hdf5Writer file;
-  file.write_text("texture", R"({"grains": 5, "z": {"value": 3.9, "error": 0.1}})");
-  file.write_text("none", "");
-  const io::Hdf5Reader at(file.bytes(), "old.h5");
-  EXPECT_EQ(io::read_numbers(at, "texture")["z"]["value"], 3.9);
-  EXPECT_FALSE(io::read_numbers(at, "none").is_known());
+  const io::Hdf5Group at = file_of({{"texture", R"({"grains": 5, "z": {"value": 3.9, "error": 0.1}})"}, {"none", ""}});
+  EXPECT_EQ(numbers_in(at, "texture")["z"]["value"], 3.9);
+  EXPECT_FALSE(numbers_in(at, "none").is_known());
 }
 
 TEST(NumbersTable, FormerNamesAreReadUnderThoseOfNow) {
   const Numbers former{{"raster", {{"joints", 5}, {"lost_joints", 1}, {"thinnest_joint_nodes", 3}}}, {"sets", {{{"share_above_own_mean", 0.4}}}}};
   const Numbers now{{"grid", {{"necks", 5}, {"lost_necks", 1}, {"thinnest_neck_nodes", 3}}}, {"sets", {{{"fraction_above_own_mean", 0.4}}}}};
   EXPECT_EQ(through_a_file(former), now);
-  const io::Hdf5Writer file;
-  file.write_text("numbers", to_json(former));
-  EXPECT_EQ(io::read_numbers(io::Hdf5Reader(file.bytes(), "old.h5"), "numbers"), now);
+  EXPECT_EQ(numbers_in(file_of({{"numbers", to_json(former)}}), "numbers"), now);
 }
 
 TEST(NumbersTable, WhatIsDamagedIsTold) {
-  for (const char* json : {R"({"grains": )", "[1, 2]", "5", "{\"grains\": \"\xff\"}"}) {
-    const io::Hdf5Writer file;
-    file.write_text("texture", json);
-    EXPECT_THROW(io::read_numbers(io::Hdf5Reader(file.bytes(), "old.h5"), "texture"), InputError) << json;
-  }
+  for (const char* json : {R"({"grains": )", "[1, 2]", "5", "{\"grains\": \"\xff\"}"})
+    EXPECT_THROW(numbers_in(file_of({{"texture", json}}), "texture"), InputError) << json;
   const auto refused = [](std::vector<std::string> name, std::vector<std::uint8_t> depth, std::vector<std::uint8_t> kind) {
-    const io::Hdf5Writer file;
-    const auto group = file.create_group("n");
-    group.write_texts("name", name);
-    group.write("depth", depth);
-    group.write("kind", kind);
-    group.write("value", std::vector<double>(name.size(), 1.0), "1");
-    group.write_texts("text", std::vector<std::string>(name.size()));
-    EXPECT_THROW(io::read_numbers(io::Hdf5Reader(file.bytes(), "some.h5"), "n"), InputError);
+    std::vector<double> value(name.size(), 1.0);
+    std::vector<std::string> text(name.size());
+    const io::Hdf5Group file;
+    const auto group = file.group("n");
+    group.texts("name", name);
+    group.array("depth", depth);
+    group.array("kind", kind);
+    group.array("value", value);
+    group.texts("text", text);
+    EXPECT_THROW(numbers_in({file.bytes(), "some.h5"}, "n"), InputError);
   };
   refused({"", "a"}, {0, 1}, {7});     // columns of unlike length
   refused({"", "a"}, {0, 2}, {7, 4});  // a child without its parent

@@ -24,7 +24,7 @@ campaign::CollectedTable table() {
                           "done",
                           {gamma, cement, seed},
                           1,
-                          {campaign::Estimate{10 * std::stod(gamma) + std::stod(seed), {}}, campaign::Estimate{std::stod(gamma) / 4, {}}}});
+                          {campaign::Estimate{10 * std::stod(gamma) + std::stod(seed)}, campaign::Estimate{std::stod(gamma) / 4}}});
   return t;
 }
 

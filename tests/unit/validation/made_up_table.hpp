@@ -44,8 +44,7 @@ inline campaign::CollectedTable made_up_table(const std::vector<std::string>& ke
     campaign::CollectedTable::Row row;
     row.status = run.status;
     row.values = run.values;
-    for (std::size_t k = 0; k < names.size(); ++k)
-      row.numbers.push_back(k < run.numbers.size() ? std::optional(campaign::Estimate{run.numbers[k], std::nullopt}) : std::nullopt);
+    for (std::size_t k = 0; k < names.size(); ++k) row.numbers.push_back(k < run.numbers.size() ? campaign::Estimate{run.numbers[k]} : campaign::Estimate());
     table.rows.push_back(std::move(row));
   }
   return table;

@@ -22,7 +22,7 @@ Results results(const std::string& name, double (*number)(double gamma, double t
           const bool is_full = width[0] == '\0';
           const double value = number(std::stod(gamma), std::stod(theta), is_full ? 0 : std::stod(width), seed);
           t.rows.push_back(
-              {std::to_string(t.rows.size()), "done", {gamma, theta, is_full ? "full" : "", width, std::to_string(seed)}, 1, {campaign::Estimate{value, {}}}});
+              {std::to_string(t.rows.size()), "done", {gamma, theta, is_full ? "full" : "", width, std::to_string(seed)}, 1, {campaign::Estimate{value}}});
         }
   Results r;
   r.add("paper", t);
