@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/error.hpp"
 #include "core/mapped.hpp"
 #include "grains/fields/coarse_grained.hpp"
 #include "grains/packing/population.hpp"
+#include "model/shapes.hpp"
 #include "recipe/recipe.hpp"
 
 namespace arenite::report {
@@ -46,6 +48,38 @@ Numbers coarse_fields_of(const Packing& packing, double shear_rate, NumberBlock&
   out["vy"] = block.add_coarse(vy);
   out["kinetic"] = block.add_coarse(kinetic);
   return out;
+}
+
+Numbers shapes_of(Grains grains, NumberBlock& block) {
+  grains.angle.assign(grains.size(), 0.0);
+  std::vector<std::uint32_t> first{0};
+  std::vector<double> x, y;
+  for (std::size_t g = 0; g < grains.size(); ++g) {
+    for (const Vec2& p : outline_of(grains, g, 0.3)) {
+      x.push_back(p.x - grains.x[g]);
+      y.push_back(p.y - grains.y[g]);
+    }
+    first.push_back(static_cast<std::uint32_t>(x.size()));
+  }
+  return {{"first", block.add_indices(first)}, {"x", block.add_reals(x)}, {"y", block.add_reals(y)}};
+}
+
+void add_grain_values(Numbers& out, const Packing& packing, NumberBlock& block) {
+  std::vector<double> pressure, deviator;
+  for (const Tensor2& moment : texture::grain_moments(packing)) {
+    const double r = packing.grains.radius[pressure.size()], volume = std::numbers::pi * r * r * packing.domain.thickness;
+    pressure.push_back(-0.5 * trace(moment) / volume);
+    deviator.push_back(0.5 * std::hypot(moment.xx - moment.yy, moment.xy + moment.yx) / volume);
+  }
+  out["pressure"] = block.add_reals(pressure);
+  out["deviator"] = block.add_coarse(deviator);
+  const Grains& grains = packing.grains;
+  const auto rests = [](double v) { return v == 0; };
+  if (!std::ranges::all_of(grains.vx, rests) || !std::ranges::all_of(grains.vy, rests)) {
+    out["vx"] = block.add_coarse(grains.vx);
+    out["vy"] = block.add_coarse(grains.vy);
+  }
+  if (!std::ranges::all_of(grains.omega, rests)) out["spin"] = block.add_coarse(grains.omega);
 }
 
 Numbers bonds_of(const Packing& packing, NumberBlock& block) {
