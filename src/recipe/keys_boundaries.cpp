@@ -110,7 +110,7 @@ void declare_openings(Visitor& v, Stage& stage, const Recipe& recipe) {
     const bool still = stage.side[side].kind == SideDrive::Kind::fixed && stage.slide[side] == 0 && !slides_later && !stage.rough[side];
     v.require(!stage.open[side] || still, {"open", side_names[side], "slide", "rough"},
               fmt::format("the {} wall cannot be away and move, press or hold grains in one stage", side_names[side]));
-    v.require(!stage.open[side] || !(side < bottom ? recipe.container.periodic_x : recipe.container.periodic_y), {"open"},
+    v.require(!stage.open[side] || !recipe.container.is_periodic(side), {"open"},
               fmt::format("there is no wall at the {}: the container is periodic there", side_names[side]));
   }
   v.list<dem::BoundaryMotion>({"boundaries", "How boundaries move in this stage; those that are not named are there, at rest."}, stage.boundaries,
@@ -124,13 +124,12 @@ namespace {
 /// Boundaries do not change with a periodic cell.
 void require_still_cell(Visitor& v, const Stage& stage, const Recipe& recipe) {
   if (recipe.boundaries.empty()) return;
-  const auto& frame = recipe.container;
-  bool sheared = stage.shear_rate != 0 || (stage.strain_cycles && stage.strain_cycles->of == "shear");
+  bool sheared = stage.shear_rate != 0 || (stage.strain_cycles && stage.strain_cycles->of == dem::StrainCycles::shear);
   for (const auto& p : stage.programmes) sheared = sheared || p.of == dem::Programme::shear_rate;
   v.require(!sheared, {"shear_rate", "strain_cycles", "programmes"}, "a periodic cell with boundaries cannot be sheared; move a boundary or a wall");
   for (std::size_t side = 0; side < 4; ++side) {
-    const bool moves = stage.side[side].kind != SideDrive::Kind::fixed || (stage.strain_cycles && stage.strain_cycles->of == side_names[side]);
-    v.require(!moves || !(side < bottom ? frame.periodic_x : frame.periodic_y), {side_names[side]},
+    const bool moves = stage.side[side].kind != SideDrive::Kind::fixed || (stage.strain_cycles && stage.strain_cycles->of == static_cast<int>(side));
+    v.require(!moves || !recipe.container.is_periodic(side), {side_names[side]},
               "is periodic and cannot move, for boundaries would not fit the cell any more; leave it \"fixed\"");
   }
 }

@@ -84,10 +84,7 @@ void declare(Visitor& v, EquilibriumCriterion& criterion) {
 }
 
 void declare(Visitor& v, Cycles& cycles) {
-  int side = static_cast<int>(std::find(side_names.begin(), side_names.end(), cycles.side) - side_names.begin());
-  if (side == 4) side = bottom;
-  v.choice({"side", "The side that cycles."}, side, {{"left", ""}, {"right", ""}, {"bottom", ""}, {"top", ""}});
-  cycles.side = side_names[static_cast<std::size_t>(side)];
+  v.choice({"side", "The side that cycles."}, cycles.side, {{"left", ""}, {"right", ""}, {"bottom", ""}, {"top", ""}});
   v.number({"min", "Force at the end of each cycle.", true}, cycles.min, "kN", range::not_negative);
   v.number({"max", "Force in the middle of each cycle.", true}, cycles.max, "kN", range::positive);
   v.require(cycles.max > cycles.min, {"max", "min"}, "must be above min");
@@ -126,14 +123,14 @@ void require_usable_sides(Visitor& v, const Stage& stage, const ContainerParamet
   v.require(stage.shear_rate == 0 || (frame.periodic_x && frame.periodic_y), {"shear_rate"},
             "only a cell that is periodic both ways is sheared so; set container.periodic_x and periodic_y, or let a wall slide");
   for (std::size_t side = 0; side < 4; ++side)
-    v.require((stage.slide[side] == 0 && !stage.rough[side]) || !(side < bottom ? frame.periodic_x : frame.periodic_y), {"slide", "rough"},
+    v.require((stage.slide[side] == 0 && !stage.rough[side]) || !frame.is_periodic(side), {"slide", "rough"},
               fmt::format("there is no wall at the {}: the container is periodic there", side_names[side]));
   v.require(!moves || stage.duration, {"duration", "left", "right", "bottom", "top", "boundaries"},
             "a stage with a moving side or boundary never reaches equilibrium; give it a duration, for example duration = \"1 s\"");
-  if (!stage.cycles || stage.cycles->side.empty()) return;  // empty: no section at all, which the reader reports
-  const auto side = std::find(side_names.begin(), side_names.end(), stage.cycles->side) - side_names.begin();
-  v.require(stage.side[static_cast<std::size_t>(side)].kind == Kind::force, {"cycles", side_names[static_cast<std::size_t>(side)]},
-            fmt::format("cycles need a side under force; write {} = {{ force = \"...\" }} in this stage", stage.cycles->side));
+  if (!stage.cycles) return;
+  const auto side = static_cast<std::size_t>(stage.cycles->side);
+  v.require(stage.side[side].kind == Kind::force, {"cycles", side_names[side]},
+            fmt::format("cycles need a side under force; write {} = {{ force = \"...\" }} in this stage", side_names[side]));
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 #include "core/mapped.hpp"
 #include "recipe/keys.hpp"
@@ -30,8 +29,7 @@ void require_place(Visitor& v, const Programme& p, const Stage& stage, const Rec
               fmt::format("the {} side does something else in this stage; leave out \"{}\" there", side_names[p.side()], side_names[p.side()]));
   } else if (p.of < Programme::shear_rate) {
     const int side = p.of - Programme::slide;
-    v.require(!(side < bottom ? frame.periodic_x : frame.periodic_y), {"of"},
-              fmt::format("there is no wall at the {}: the container is periodic there", side_names[side]));
+    v.require(!frame.is_periodic(side), {"of"}, fmt::format("there is no wall at the {}: the container is periodic there", side_names[side]));
   } else if (p.of == Programme::shear_rate) {
     v.require(frame.periodic_x && frame.periodic_y, {"of"}, "only a cell that is periodic both ways is sheared so");
   } else if (!p.drives_boundary()) {
@@ -91,27 +89,24 @@ void declare_strain_cycles(Visitor& v, Stage& stage, const Recipe& recipe) {
   v.optional_section<dem::StrainCycles>(
       {"strain_cycles", "Cycles between two strains, each half at a constant rate; they end the stage. The first half goes from the beginning to `max`."},
       stage.strain_cycles, [&](Visitor& inner, dem::StrainCycles& cycles) {
-        constexpr std::array<const char*, 5> words{"left", "right", "bottom", "top", "shear"};
-        int of = static_cast<int>(std::find(words.begin(), words.end(), cycles.of) - words.begin());
-        if (of == static_cast<int>(words.size())) of = top;
-        inner.choice({"of", "What moves."}, of,
+        inner.choice({"of", "What moves."}, cycles.of,
                      {{"left", ""},
                       {"right", ""},
                       {"bottom", ""},
                       {"top", "this side; strains are those of the sample across, positive inward"},
                       {"shear", "a cell that is periodic both ways, sheared to and fro"}});
-        cycles.of = words[static_cast<std::size_t>(of)];
         inner.number({"min", "Strain at the end of each cycle."}, cycles.min, "", range::between(-0.9, 0.9));
         inner.number({"max", "Strain in the middle of each cycle.", true}, cycles.max, "", range::between(-0.9, 0.9));
         inner.require(cycles.max > cycles.min, {"max", "min"}, "must be above min");
         inner.number({"rate", "Of strain.", true}, cycles.rate, "1/s", range::positive);
         inner.integer({"count", "Number of cycles.", true}, cycles.count, {1, 1'000'000'000});
         declare_store_every(inner, cycles.store_every);
-        inner.require(cycles.of != "shear" || (recipe.container.periodic_x && recipe.container.periodic_y), {"of"},
-                      "only a cell that is periodic both ways is sheared so");
-        for (std::size_t side = 0; side < 4; ++side)
-          inner.require(cycles.of != side_names[side] || stage.side[side].kind == SideDrive::Kind::fixed, {"of"},
-                        fmt::format("the {} side does something else in this stage; leave it \"fixed\"", side_names[side]));
+        const auto of = static_cast<std::size_t>(cycles.of);
+        if (cycles.of == dem::StrainCycles::shear)
+          inner.require(recipe.container.periodic_x && recipe.container.periodic_y, {"of"}, "only a cell that is periodic both ways is sheared so");
+        else
+          inner.require(stage.side[of].kind == SideDrive::Kind::fixed, {"of"},
+                        fmt::format("the {} side does something else in this stage; leave it \"fixed\"", side_names[of]));
       });
   v.require(!stage.strain_cycles || !stage.duration, {"duration", "strain_cycles"}, "cycles of strain end the stage themselves; leave out its duration");
   v.require(!stage.strain_cycles || (!stage.cycles && stage.programmes.empty()), {"strain_cycles", "cycles", "programmes"},

@@ -30,6 +30,7 @@ struct ContainerParameters {
   double height = 0;     ///< m; 0: as packing.solid_fraction asks
   double thickness = 0;  ///< m
   bool periodic_x = false, periodic_y = false;
+  bool is_periodic(std::size_t side) const { return side < bottom ? periodic_x : periodic_y; }
   bool operator==(const ContainerParameters&) const = default;
 };
 
