@@ -25,7 +25,7 @@ template <class R> RecordTable keys_of(R recipe) {
 
 template <class R> RecordTable all_keys() {
   R defaults;
-  return record_of_all_keys([&](ParameterVisitor& visitor) { declare(visitor, defaults); });
+  return record_of([&](ParameterVisitor& visitor) { declare(visitor, defaults); }, true);
 }
 
 template <class R> std::string changed_keys_of(const R& recipe) {
