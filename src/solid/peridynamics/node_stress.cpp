@@ -15,7 +15,7 @@ template <class Visit> void each_exact_bond(const Bonds& bonds, double dx, const
         each_bond(bonds, [&](const Bond& b) {
           const Offset e = b.step();
           const double l = length(e) * dx;
-          const Vec2 now{e.x * dx + u.x[b.j] - u.x[b.i], e.y * dx + u.y[b.j] - u.y[b.i]};
+          const Vec2 now = Vec2{e.x * dx, e.y * dx} + u.at(b.j) - u.at(b.i);
           const double lnow = norm(now);
           visit(b.i, b.j, e, (law.force(lnow - l, bonds.modulus(b.type) * dx) / (l * lnow)) * now);
         });
@@ -89,13 +89,10 @@ StressField node_stress(const Bonds& bonds, double dx, const Field<double>& u, b
 }
 
 void exact_force(const Bonds& bonds, double dx, const Field<double>& u, Field<double>& f) {
-  std::fill_n(f.x.data(), f.x.size(), 0.0);
-  std::fill_n(f.y.data(), f.y.size(), 0.0);
+  set_zero(f);
   each_exact_bond(bonds, dx, u, [&](std::ptrdiff_t i, std::ptrdiff_t j, Offset, Vec2 g) {
-    f.x[i] += g.x;
-    f.y[i] += g.y;
-    f.x[j] -= g.x;
-    f.y[j] -= g.y;
+    f.set(i, f.at(i) + g);
+    f.set(j, f.at(j) - g);
   });
 }
 

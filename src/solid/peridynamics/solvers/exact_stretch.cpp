@@ -14,9 +14,7 @@ void hold_to_bonds(const Grid& grid, const BlockDiagonal<double>& diagonal, cons
     if (rows & y_prescribed) f.y[i] = 0;
     const double xx = diagonal.xx[i], xy = diagonal.xy[i], yy = diagonal.yy[i], trace = xx + yy;
     if (rows || xx * yy - xy * xy > 1e-9 * trace * trace || !(trace > 0)) return;
-    const double fx = f.x[i], fy = f.y[i];
-    f.x[i] = (xx * fx + xy * fy) / trace;
-    f.y[i] = (xy * fx + yy * fy) / trace;
+    f.set(i, Vec2{xx * f.x[i] + xy * f.y[i], xy * f.x[i] + yy * f.y[i]} / trace);
   });
 }
 
@@ -42,10 +40,7 @@ StaticReport solve_exact_stretch(const Bonds& bonds, double dx, const std::vecto
     least = total.residual;
     copy(u, best);
     kernels(bonds.law).force(bonds, prescribed.data(), plane(u), plane(linear));
-    for (std::ptrdiff_t i = grid.row(0), end = grid.row(grid.height); i < end; ++i) {
-      body.x[i] -= linear.x[i];
-      body.y[i] -= linear.y[i];
-    }
+    for (std::ptrdiff_t i = grid.row(0), end = grid.row(grid.height); i < end; ++i) body.set(i, body.at(i) - linear.at(i));
     const StaticReport more = solver.solve(bonds, u, 0.1 * tolerance, max_iterations, later, &body);
     total.iterations += more.iterations;
     total.history.insert(total.history.end(), more.history.begin(), more.history.end());
