@@ -76,14 +76,13 @@ void declare(Visitor& v, BidisperseSection& classes, const Materials& materials)
             "radii would be truncated at less than 5 % of their mean; lower truncation or deviation");
 }
 
-void declare(Visitor& v, CementSection& cement) {
+void declare(Visitor& v, cement::CementParameters& law) {
   using Kind = cement::CementParameters::Kind;
-  auto& law = cement.law;
   v.choice({"kind", "Where the matrix is."}, law.kind, words(law.kind));
   v.number({"gap",
             "Widest surface gap that is bridged, and at which two grains count as neighbours; unless given, 0.075 of the "
             "mean large radius."},
-           cement.gap, "mm", range::not_negative);
+           law.gap, "mm", range::not_negative);
   const bool is_free = law.kind == Kind::bridges || law.kind == Kind::coating || law.kind == Kind::menisci;
   v.when(is_free, "kind = \"bridges\", \"coating\" or \"menisci\"", [&](Visitor& inner) {
     inner.number({"saturation", "S_m, the share of the space between grains that is matrix: width, thickness or volume is then found."}, law.saturation, "",
@@ -158,8 +157,8 @@ void declare_bidisperse(ParameterVisitor& v, Recipe& recipe) {
 }
 
 void declare_field(ParameterVisitor& v, Recipe& recipe) {
-  v.optional_section<CementSection>({"cement", "Binding matrix between the grains, put there when the stages are over."}, recipe.cement,
-                                    [](Visitor& inner, CementSection& cement) { declare(inner, cement); });
+  v.optional_section<cement::CementParameters>({"cement", "Binding matrix between the grains, put there when the stages are over."}, recipe.cement,
+                                               [](Visitor& inner, cement::CementParameters& law) { declare(inner, law); });
   v.optional_section<GridSection>({"grid", "The square of nodes that the cemented packing becomes."}, recipe.grid,
                                   [](Visitor& inner, GridSection& grid) { declare(inner, grid); });
   v.list<Load>({"loads", "Loadings of the cemented sample by peridynamics, each from the unloaded state."}, recipe.loads,

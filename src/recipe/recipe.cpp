@@ -72,11 +72,7 @@ void refuse_simulations(Node& root, Reading& reading) {
 
 }  // namespace
 
-CementSection Recipe::cement_or_none() const {
-  CementSection none;
-  none.law.kind = cement::CementParameters::Kind::none;
-  return cement.value_or(none);
-}
+cement::CementParameters Recipe::cement_or_none() const { return cement.value_or(cement::CementParameters{.kind = cement::CementParameters::Kind::none}); }
 
 Recipe recipe_from(const Node& root, const std::string& file) {
   Reading reading = of_file(file);

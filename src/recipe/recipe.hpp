@@ -62,13 +62,6 @@ struct BidisperseSection {
   bool operator==(const BidisperseSection&) const = default;
 };
 
-/// The binding matrix of the packing at the end of its stages.
-struct CementSection {
-  cement::CementParameters law;  ///< its gap is not used,
-  std::optional<double> gap;     ///< but this one, m; if not given, 0.075 mean large radii (P's 3 dx)
-  bool operator==(const CementSection&) const = default;
-};
-
 /// The nodes that the cemented packing is brought to, and the rules of its pores.
 struct GridSection {
   std::int64_t nodes = 1024;   ///< a side
@@ -132,11 +125,11 @@ struct Recipe {
   std::vector<Boundary> boundaries;  ///< name, points and closed; the rest is the stages' to say
   std::vector<Stage> stages;
   std::optional<BidisperseSection> bidisperse;
-  std::optional<CementSection> cement;
+  std::optional<cement::CementParameters> cement;  ///< the binding matrix of the packing at the end of its stages
   std::optional<GridSection> grid;
   std::vector<Load> loads;
   /// The sections, or what stands for them where they are not given: no cement, and P's grid.
-  CementSection cement_or_none() const;
+  cement::CementParameters cement_or_none() const;
   GridSection grid_or_default() const { return grid.value_or(GridSection{}); }
   bool has_field() const { return cement || grid || !loads.empty(); }  ///< goes on to cement, grid and loads
   bool operator==(const Recipe&) const = default;

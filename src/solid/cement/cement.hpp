@@ -14,13 +14,14 @@ using Window = geometry::Rectangle;
 struct CementParameters {
   enum class Kind { none, bridges, full, coating, menisci };
   Kind kind = Kind::bridges;
-  double gap = 0;           ///< ell: widest surface gap that is bridged, m (bridges, menisci)
+  std::optional<double> gap =
+      {};                   ///< ell: widest surface gap that is bridged, m (bridges, menisci); 0 unless given, in recipes 0.075 mean large radii (P's 3 dx)
   double width = 0.4;       ///< eta: half base of a bridge over the radius of its grain (bridges)
   bool full_width = false;  ///< eta is the whole base over the radius
   double thickness = 0;     ///< of the layer, m (coating)
   double volume = 0;        ///< of one meniscus, m^2 per unit length (menisci)
   /// S_m, the share of the space between grains that is matrix: width, thickness or volume is found so that it is met.
-  std::optional<double> saturation;
+  std::optional<double> saturation = {};
   bool operator==(const CementParameters&) const = default;
 };
 

@@ -80,7 +80,7 @@ void check(const CementParameters& p, const Window& w) {
     problems.unless(value >= 0 && std::isfinite(value), "{} of {:g} is no length; give at least 0", what, value);
   };
   const bool necks = p.kind == Kind::bridges || p.kind == Kind::menisci;
-  if (necks) length("the cement's gap", p.gap);
+  if (necks) length("the cement's gap", p.gap.value_or(0));
   if (p.kind == Kind::bridges && !p.saturation)
     problems.unless(p.width >= 0 && p.width <= widest(p), "a bridge's width of {:g} radii is out of range; give 0 to {:g}, as wide as the grain", p.width,
                     widest(p));
@@ -101,7 +101,7 @@ void check(const CementParameters& p, const Window& w) {
 class Maker {
  public:
   Maker(const Packing& packing, const CementParameters& p, const Window& window) : packing_(packing), p_(p), window_(window) {
-    if (p.kind == Kind::bridges || p.kind == Kind::menisci) pairs_ = pairs_within(packing.grains, packing.domain, p.gap);
+    if (p.kind == Kind::bridges || p.kind == Kind::menisci) pairs_ = pairs_within(packing.grains, packing.domain, p.gap.value_or(0));
   }
 
   Cement operator()(double parameter, CementReport& report) const {
