@@ -14,8 +14,8 @@ using Window = geometry::Rectangle;
 struct CementParameters {
   enum class Kind { none, bridges, full, coating, menisci };
   Kind kind = Kind::bridges;
-  std::optional<double> gap =
-      {};                   ///< ell: widest surface gap that is bridged, m (bridges, menisci); 0 unless given, in recipes 0.075 mean large radii (P's 3 dx)
+  /// ell: widest surface gap that is bridged, m (bridges, menisci); unless given 0, in recipes 0.075 mean large radii (P's 3 dx).
+  std::optional<double> gap = {};
   double width = 0.4;       ///< eta: half base of a bridge over the radius of its grain (bridges)
   bool full_width = false;  ///< eta is the whole base over the radius
   double thickness = 0;     ///< of the layer, m (coating)
