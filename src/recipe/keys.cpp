@@ -51,6 +51,16 @@ void declare(Visitor& v, ContainerParameters& frame, PackingParameters::Method m
   v.flag({"periodic_y", "Bottom and top side are one: no walls there."}, frame.periodic_y);
 }
 
+void declare_fill_area(Visitor& v, std::optional<FillArea>& area) {
+  v.optional_section<FillArea>({"area", "The part of the container that is filled, where boundaries leave grains no other; needs container.height."}, area,
+                               [](Visitor& inner, FillArea& edges) {
+                                 inner.number({"left", "Edge, from the container's left side."}, edges.left, "mm", range::not_negative);
+                                 inner.number({"right", "Edge, from the container's left side."}, edges.right, "mm", range::positive);
+                                 inner.number({"bottom", "Edge, from the container's bottom."}, edges.bottom, "mm", range::not_negative);
+                                 inner.number({"top", "Edge, from the container's bottom."}, edges.top, "mm", range::positive);
+                               });
+}
+
 void declare(Visitor& v, PackingParameters& packing) {
   using Method = PackingParameters::Method;
   v.choice({"method", "How the grains get their first places."}, packing.method,
@@ -106,6 +116,20 @@ void require_grains(Visitor& v, const Recipe& recipe) {
   for (const auto& population : populations) counted += population.count.value_or(0);
   v.require(!shares || recipe.packing.grains > counted, {"packing", "populations"},
             fmt::format("populations with a ratio share packing.grains less the {} counted grains; set it higher", counted));
+}
+
+void require_fill_area(Visitor& v, const Recipe& recipe) {
+  const ContainerParameters& frame = recipe.container;
+  const auto& area = recipe.packing.area;
+  if (!area) return;
+  v.require(frame.height > 0, {"container", "packing"}, "a part of it can be filled only where its height is known; write height = \"... mm\"");
+  v.require((!frame.periodic_x || (!area->left && !area->right)) && (!frame.periodic_y || (!area->bottom && !area->top)), {"packing"},
+            "packing.area cannot end before a periodic side; leave out its edges there");
+  const auto fits = [](std::optional<double> low, std::optional<double> high, double size) {
+    return low.value_or(0) < high.value_or(size) && high.value_or(size) <= size;
+  };
+  v.require(fits(area->left, area->right, frame.width) && fits(area->bottom, area->top, frame.height), {"packing"},
+            "packing.area must lie in the container, left before right and bottom below top");
 }
 
 /// What only disks can be part of.
@@ -192,6 +216,7 @@ void declare(ParameterVisitor& v, Recipe& recipe) {
   v.require(!recipe.glued || recipe.contact.adheres() || recipe.contact.has_bonds(), {"glued", "contact"},
             "there is nothing to glue with; set contact.adhesion and contact.surface_energy, or contact.bonds");
   declare_boundaries(v, recipe);
+  require_fill_area(v, recipe);
   v.list<Stage>({"stages", "Loading, stage after stage; each starts where the one before ended.", true}, recipe.stages,
                 [&](Visitor& inner, Stage& stage) { declare(inner, stage, recipe); });
   declare_field(v, recipe);
