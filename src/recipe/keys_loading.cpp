@@ -76,10 +76,8 @@ void declare(Visitor& v, EquilibriumCriterion& criterion) {
             "Kinetic energy of the grains that carry nothing (fewer than two pressed contacts) over elastic energy below this; a hundred thousand times "
             "`kinetic` unless given, since nothing but rare hits slows them where they do not weigh."},
            criterion.loose_kinetic, "", range::positive);
-  std::optional<double> mobilisation = criterion.mobilisation >= 0 ? std::optional(criterion.mobilisation) : std::nullopt;
-  v.number({"mobilisation", "Mean |F_t|/F_n below this as well, if given: distinguishes creep from equilibrium where friction is viscous."}, mobilisation, "",
-           range::not_negative);
-  criterion.mobilisation = mobilisation.value_or(-1);
+  v.number({"mobilisation", "Mean |F_t|/F_n below this as well, if given: distinguishes creep from equilibrium where friction is viscous."},
+           criterion.mobilisation, "", range::not_negative);
   v.integer({"max_steps", "Steps of one increment, after which the run stops with exit status 3."}, criterion.max_steps, {1, 1'000'000'000'000});
 }
 

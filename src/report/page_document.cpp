@@ -79,7 +79,6 @@ Numbers texture_of(const texture::Texture& texture, NumberBlock& block) {
 
 Numbers frame_of(const Frame& frame, std::size_t stage, const texture::Texture* texture, NumberBlock& block) {
   const Grains& grains = frame.packing.grains;
-  const Equilibrium& now = frame.equilibrium;
   Numbers out{{"stage", stage},
               {"label", frame.label},
               {"time", frame.time},
@@ -89,13 +88,7 @@ Numbers frame_of(const Frame& frame, std::size_t stage, const texture::Texture* 
               {"y", block.add_reals(grains.y)},
               {"angle", block.add_reals(grains.angle)},
               {"contacts", contacts_of(frame.packing, block)},
-              {"equilibrium",
-               {{"unbalanced_ratio", now.unbalanced_ratio},
-                {"kinetic_ratio", now.kinetic_ratio},
-                {"loose_kinetic_ratio", now.loose_kinetic},
-                {"falling", now.falling},
-                {"mobilisation", now.mobilisation},
-                {"wall_speed", now.wall_speed}}}};
+              {"equilibrium", rest_of(frame.equilibrium, "wall_speed")}};
   add_grain_values(out, frame.packing, block);
   if (!frame.packing.bonds.empty()) out["bonds"] = bonds_of(frame.packing, block);
   if (!frame.packing.cohesive.empty()) out["cohesive"] = cohesive_of(frame.packing, block);
@@ -183,6 +176,12 @@ Numbers pairs_of(const Packing& packing, NumberBlock& block) {
   for (std::size_t c = 0; c < contacts.size(); ++c)
     partner[c] = contacts.is_wall(c) ? grains + static_cast<std::uint32_t>(contacts.wall_side(c)) : static_cast<std::uint32_t>(contacts.j[c]);
   return {{"i", block.add_indices(unsigned_copy(contacts.i))}, {"j", block.add_indices(partner)}};
+}
+
+Numbers rest_of(const Equilibrium& now, const char* speed) {
+  return {{"unbalanced_ratio", now.unbalanced_ratio}, {"kinetic_ratio", now.kinetic_ratio},
+          {"loose_kinetic_ratio", now.loose_kinetic}, {"falling", now.falling},
+          {"mobilisation", now.mobilisation},         {speed, now.wall_speed}};
 }
 
 Numbers history_of(const History& history, NumberBlock& block) {

@@ -27,6 +27,8 @@ template <class T> std::vector<std::uint32_t> unsigned_copy(const std::vector<T>
 
 /// Places of the grains of each contact, "i" and "j"; walls are numbered after the grains by their side.
 Numbers pairs_of(const Packing& packing, NumberBlock& block);
+/// How far a state is from rest; `speed` names that of its walls.
+Numbers rest_of(const Equilibrium& now, const char* speed);
 /// Every column with its unit, at most about a thousand rows of it.
 Numbers history_of(const History& history, NumberBlock& block);
 Numbers provenance_of(const Provenance& provenance);

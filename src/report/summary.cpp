@@ -43,20 +43,13 @@ Numbers boundaries(const Domain& domain) {
 }
 
 Numbers state(const Frame& frame) {
-  const Equilibrium& q = frame.equilibrium;
   Numbers energies = Numbers::tree();
   for (const EnergyTerm& term : energy_terms) energies[term.name] = frame.energies.*term.value;
   Numbers j{{"label", frame.label},
             {"time_s", frame.time},
             {"step", frame.step},
             {"walls", walls(frame.packing.domain)},
-            {"equilibrium",
-             {{"unbalanced_ratio", q.unbalanced_ratio},
-              {"kinetic_ratio", q.kinetic_ratio},
-              {"loose_kinetic_ratio", q.loose_kinetic},
-              {"falling", q.falling},
-              {"mobilisation", q.mobilisation},
-              {"wall_speed_m_s", q.wall_speed}}},
+            {"equilibrium", rest_of(frame.equilibrium, "wall_speed_m_s")},
             {"energies_J", energies}};
   if (!frame.packing.domain.boundaries.empty()) j["boundaries"] = boundaries(frame.packing.domain);
   return j;

@@ -21,7 +21,7 @@ std::int64_t steps_of(double duration, double time_step) { return static_cast<st
 bool is_at_rest(const Equilibrium& now, const EquilibriumCriterion& wanted) {
   return now.unbalanced_ratio < wanted.unbalanced && now.kinetic_ratio < wanted.kinetic &&
          now.loose_kinetic < wanted.loose_kinetic.value_or(1e5 * wanted.kinetic) && now.falling <= wanted.falling &&
-         (wanted.mobilisation < 0 || now.mobilisation < wanted.mobilisation);
+         (!wanted.mobilisation || now.mobilisation < *wanted.mobilisation);
 }
 
 namespace {

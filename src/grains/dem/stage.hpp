@@ -19,7 +19,7 @@ struct EquilibriumCriterion {
   double kinetic = 1e-6;                ///< kinetic over elastic energy
   double falling = 1e-3;                ///< share of grains that may still fall
   std::optional<double> loose_kinetic;  ///< kinetic energy of grains that carry nothing over elastic energy; unset: 1e5 kinetic
-  double mobilisation = -1;             ///< mean |F_t|/F_n below this as well; < 0: not asked
+  std::optional<double> mobilisation;   ///< mean |F_t|/F_n below this as well; unset: not asked
   std::int64_t max_steps = 20'000'000;  ///< of one increment; then the stage ends with exit status 3
   bool operator==(const EquilibriumCriterion&) const = default;
 };

@@ -80,7 +80,6 @@ StaticReport StaticSolver::solve(const Bonds& bonds, Field<double>& u, double to
   State& s = *state_;
   const Kernels& k = kernels(bonds.law);
   StaticReport report;
-  report.coarse_unknowns = s.coarse.unknowns();
   report.repairs = s.coarse.repairs();
   report.loose_nodes = s.inverse.loose;
   const double reference = residual_reference(bonds, s.prescribed, u, s.z, s.r);
