@@ -26,27 +26,23 @@ Numbers coarse_fields_of(const Packing& packing, double shear_rate, NumberBlock&
   if (!fields::has_fields(packing)) return {};
   const double spacing = std::max(fields::mean_diameter(packing.grains), std::sqrt(packing.domain.area() / most_cells));
   const auto f = fields::coarse_fields(packing, shear_rate, spacing, spacing);
-  std::vector<double> vx, vy, pressure, deviator, shear, kinetic;
-  for (std::size_t k = 0; k < f.grid.size(); ++k) {
-    const Tensor2 c = f.contact_stress[k], t = f.kinetic_stress[k];
-    vx.push_back(f.velocity[k].x);
-    vy.push_back(f.velocity[k].y);
-    pressure.push_back(-0.5 * (trace(c) + trace(t)));
-    deviator.push_back(0.5 * std::hypot(c.xx + t.xx - c.yy - t.yy, c.xy + c.yx + t.xy + t.yx));
-    shear.push_back(0.5 * (c.xy + c.yx + t.xy + t.yx));
-    kinetic.push_back(-0.5 * trace(t));
-  }
   const auto& b = f.grid.bounds;
   Numbers out{{"bounds", {b.x_min, b.x_max, b.y_min, b.y_max}}, {"columns", f.grid.columns}, {"rows", f.grid.rows}, {"width", spacing}};
   out["solid_fraction"] = block.add_coarse(f.solid_fraction);
   out["density"] = block.add_coarse(f.density);
-  out["pressure"] = block.add_coarse(pressure);
-  out["deviator"] = block.add_coarse(deviator);
-  out["shear"] = block.add_coarse(shear);
-  if (std::ranges::all_of(kinetic, [](double v) { return v == 0; })) return out;
-  out["vx"] = block.add_coarse(vx);
-  out["vy"] = block.add_coarse(vy);
-  out["kinetic"] = block.add_coarse(kinetic);
+  const auto add = [&](const char* name, auto of_stresses) {  // of contacts and kinetic
+    std::vector<double> values;
+    for (std::size_t k = 0; k < f.grid.size(); ++k) values.push_back(of_stresses(f.contact_stress[k], f.kinetic_stress[k]));
+    out[name] = block.add_coarse(values);
+  };
+  using Stress = const Tensor2&;
+  add("pressure", [](Stress c, Stress t) { return -0.5 * (trace(c) + trace(t)); });
+  add("deviator", [](Stress c, Stress t) { return 0.5 * std::hypot(c.xx + t.xx - c.yy - t.yy, c.xy + c.yx + t.xy + t.yx); });
+  add("shear", [](Stress c, Stress t) { return 0.5 * (c.xy + c.yx + t.xy + t.yx); });
+  if (std::ranges::all_of(f.kinetic_stress, [](Stress t) { return trace(t) == 0; })) return out;
+  out["vx"] = block.add_coarse(mapped(f.velocity, &Vec2::x));
+  out["vy"] = block.add_coarse(mapped(f.velocity, &Vec2::y));
+  add("kinetic", [](Stress, Stress t) { return -0.5 * trace(t); });
   return out;
 }
 
