@@ -47,10 +47,6 @@ namespace {
 
 using Visitor = ParameterVisitor;
 
-bool has_material(const Materials& materials, const std::string& name) {
-  return std::any_of(materials.begin(), materials.end(), [&](const Material& m) { return m.name == name; });
-}
-
 void declare(Visitor& v, BidisperseSection& classes, const Materials& materials) {
   auto& law = classes.law;
   v.number({"large_radius", "Mean radius of the large disks.", true}, law.large_radius, "mm", range::positive);
@@ -68,7 +64,7 @@ void declare(Visitor& v, BidisperseSection& classes, const Materials& materials)
   v.text({"large", "Material of the large disks, a section of [materials]."}, classes.large);
   v.text({"small", "Material of the small disks, another section of [materials]."}, classes.small);
   for (const auto& [key, name] : {std::pair{"large", classes.large}, {"small", classes.small}})
-    v.require(materials.empty() || has_material(materials, name), {key},
+    v.require(materials.empty() || std::ranges::count(materials, name, &Material::name) > 0, {key},
               fmt::format("there is no section [materials.{0}]; add it, or say which material the {1} disks have with bidisperse.{1}", name, key));
   v.require(classes.large != classes.small, {"small", "large"},
             fmt::format("both classes are made of \"{}\"; give each a material of its own, with the same numbers if they are alike", classes.small));
@@ -137,9 +133,8 @@ void declare(Visitor& v, stress::StressOptions& statistics) {
 
 void require_own_name(Visitor& v, const Load& load, const Recipe& recipe) {
   v.require(is_plain_name(load.name), {"name"}, "must be made of letters, digits, _ and -");
-  const auto same_load = std::count_if(recipe.loads.begin(), recipe.loads.end(), [&](const Load& other) { return &other != &load && other.name == load.name; });
-  const auto same_stage = std::count_if(recipe.stages.begin(), recipe.stages.end(), [&](const Stage& s) { return s.name == load.name; });
-  v.require(same_load + same_stage == 0, {"name"}, fmt::format("another stage or load is called \"{}\"; names must differ", load.name));
+  const auto same = std::ranges::count(recipe.loads, load.name, &Load::name) + std::ranges::count(recipe.stages, load.name, &Stage::name);
+  v.require(same <= 1, {"name"}, fmt::format("another stage or load is called \"{}\"; names must differ", load.name));
 }
 
 }  // namespace

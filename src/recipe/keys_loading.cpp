@@ -115,9 +115,8 @@ void require_usable_sides(Visitor& v, const Stage& stage, const ContainerParamet
   require_one_pressing_edge(v, stage, left, frame.periodic_x);
   require_one_pressing_edge(v, stage, bottom, frame.periodic_y);
   v.require(!stage.gravity || !frame.periodic_y, {"gravity"}, "grains would fall for ever through periodic sides; set container.periodic_y = false");
-  const bool moves = std::any_of(stage.side.begin(), stage.side.end(), [](const SideDrive& drive) { return drive.kind == Kind::velocity; }) ||
-                     std::any_of(stage.slide.begin(), stage.slide.end(), [](double speed) { return speed != 0; }) || stage.shear_rate != 0 ||
-                     std::any_of(stage.boundaries.begin(), stage.boundaries.end(), [](const auto& b) { return b.velocity != Vec2{} || b.spin != 0; });
+  const bool moves = std::ranges::count(stage.side, Kind::velocity, &SideDrive::kind) > 0 || stage.slide != std::array<double, 4>{} || stage.shear_rate != 0 ||
+                     std::ranges::any_of(stage.boundaries, [](const auto& b) { return b.velocity != Vec2{} || b.spin != 0; });
   v.require(stage.shear_rate == 0 || (frame.periodic_x && frame.periodic_y), {"shear_rate"},
             "only a cell that is periodic both ways is sheared so; set container.periodic_x and periodic_y, or let a wall slide");
   for (std::size_t side = 0; side < 4; ++side)
@@ -136,8 +135,8 @@ void require_usable_sides(Visitor& v, const Stage& stage, const ContainerParamet
 void declare(Visitor& v, Stage& stage, const Recipe& recipe) {
   v.text({"name", "Name of the stage, used for its file: letters, digits, _ and -.", true}, stage.name);
   v.require(is_plain_name(stage.name), {"name"}, "must be made of letters, digits, _ and -");
-  const auto same = std::count_if(recipe.stages.begin(), recipe.stages.end(), [&](const Stage& other) { return &other != &stage && other.name == stage.name; });
-  v.require(same == 0, {"name"}, fmt::format("another stage is called \"{}\"; names must differ", stage.name));
+  v.require(std::ranges::count(recipe.stages, stage.name, &Stage::name) <= 1, {"name"},
+            fmt::format("another stage is called \"{}\"; names must differ", stage.name));
   v.flag({"gravity", "Gravity acts on the grains."}, stage.gravity);
   v.when(stage.gravity, "gravity = true", [&](Visitor& inner) {
     inner.number({"gravity_size", "Acceleration of gravity."}, stage.gravity_size, "m/s^2", range::not_negative);
