@@ -47,9 +47,7 @@ struct CementReport {
 /// reaches the saturation, naming the range that can be reached.
 Cement make_cement(const Packing& packing, const CementParameters& parameters, const Window& window, CementReport& report);
 
-/// Exact areas of grains and matrix in a window; throws InputError for a window without area.
-Areas exact_areas(const Packing& packing, const Cement& cement, const Window& window);
-/// The same of what is placed in it.
+/// Exact areas of the grains and the matrix that are placed in a window.
 Areas exact_areas(const PlacedCement& placed, const Window& window);
 
 }  // namespace arenite::cement

@@ -112,7 +112,7 @@ class Maker {
     if (p_.kind == Kind::bridges && parameter > 0) add_bridges(packing_, pairs_, p_.full_width ? 0.5 * parameter : parameter, cement);
     if (p_.kind == Kind::menisci && parameter > 0) add_menisci(packing_, pairs_, parameter, cement, report);
     report.necks = cement.bridges.size() + cement.menisci.size();
-    report.areas = exact_areas(packing_, cement, window_);
+    report.areas = exact_areas(place(packing_, cement, window_), window_);
     report.saturation = report.areas.saturation();
     return cement;
   }
@@ -161,12 +161,6 @@ class Maker {
 };
 
 }  // namespace
-
-Areas exact_areas(const Packing& packing, const Cement& cement, const Window& window) {
-  if (!(window.width() > 0 && window.height() > 0) || !std::isfinite(window.area()))
-    throw InputError(fmt::format("the window for exact areas is {:g} x {:g} m; give it positive sides", window.width(), window.height()));
-  return exact_areas(place(packing, cement, window), window);
-}
 
 Areas exact_areas(const PlacedCement& placed, const Window& window) {
   auto outlines = grain_outlines(placed);
