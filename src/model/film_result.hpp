@@ -33,11 +33,7 @@ struct ForceFit {
 
 /// What a film of a loaded packing gives: maps in kelvin, rows from the top, and grains. Grains and contacts with their inferred forces are
 /// `packing`; the arrays beside it follow its order. One file in the store.
-struct FilmResult {
-  Provenance provenance;
-  std::string name;
-  bool converged = true;
-  std::string outcome;            ///< one sentence
+struct FilmResult : ResultHead {
   FilmInfo film;                  ///< without time stamps
   double pixel = 0;               ///< m
   Vec2 origin;                    ///< centre of the upper left pixel, m; x right, y up

@@ -87,12 +87,16 @@ struct Provenance {
   std::vector<std::pair<std::string, std::string>> options;
 };
 
-/// The result of one stage: one file in the store.
-struct StageResult {
+/// What the result of every kind of stage begins with.
+struct ResultHead {
   Provenance provenance;
-  std::string name;           ///< stage's name in the recipe
-  bool converged = true;      ///< equilibrium was reached in every increment
-  std::string outcome;        ///< one sentence
+  std::string name;       ///< stage's name in the recipe
+  bool converged = true;  ///< equilibrium was reached (in every increment)
+  std::string outcome;    ///< one sentence
+};
+
+/// The result of one stage: one file in the store.
+struct StageResult : ResultHead {
   std::vector<Frame> frames;  ///< in time order; the last is the state handed on
   History history;
   History cycles;                          ///< of a stage with cycles: a row at the end of each half, as in the history, behind "cycle" and "at_maximum"
@@ -108,13 +112,9 @@ struct Crack {
 };
 
 /// The result of a stage on a grid: a cemented sample, or its stresses under load. One file in the store.
-struct FieldResult {
-  Provenance provenance;
-  std::string name;  ///< stage's name in the recipe
-  bool converged = true;
-  std::string outcome;  ///< one sentence
-  Packing packing;      ///< what was rasterised, in the map's coordinates; no grains if the map came from an image
-  Cement cement;        ///< of that packing
+struct FieldResult : ResultHead {
+  Packing packing;  ///< what was rasterised, in the map's coordinates; no grains if the map came from an image
+  Cement cement;    ///< of that packing
   PhaseMap map;
   StressField field;          ///< empty (size 0) if nothing was loaded; for a pull to failure that at the largest stress
   History convergence;        ///< columns "iteration", "residual"

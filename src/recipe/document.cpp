@@ -114,6 +114,41 @@ std::string reason_in(std::string_view description) {
   return text;
 }
 
+std::size_t item_index(const std::string& word, const Node& array) {
+  const auto index = parse_number<std::size_t>(word);
+  if (!index || *index >= array.items.size()) throw InputError(fmt::format("\"{}\" is not one of the {} items, counted from 0", word, array.items.size()));
+  return *index;
+}
+
+/// The parts of a dotted key.
+std::vector<std::string> words_of(const std::string& key) {
+  std::vector<std::string> words;
+  for (std::size_t begin = 0; begin <= key.size();) {
+    const std::size_t end = std::min(key.find('.', begin), key.size());
+    words.emplace_back(trimmed(std::string_view(key).substr(begin, end - begin)));
+    if (words.back().empty()) throw InputError("a part of the key is empty");
+    if (words.size() > deepest) throw InputError("no key of a recipe is so deep");
+    begin = end + 1;
+  }
+  return words;
+}
+
+/// The value under `word`; made where there is none, and turned into a table where `word` needs one.
+Node& step_into(Node& node, const std::string& word, const Place& place) {
+  if (node.kind == Node::Kind::array) return node.items[item_index(word, node)];
+  if (node.kind != Node::Kind::table) {
+    node = Node{};
+    node.place = place;
+  }
+  for (auto& entry : node.entries) {
+    if (entry.key == word) return entry.value;
+  }
+  Node value;
+  value.place = place;
+  node.entries.push_back({word, place, std::move(value)});
+  return node.entries.back().value;
+}
+
 }  // namespace
 
 const Entry* Node::find(std::string_view key) const {
@@ -121,6 +156,20 @@ const Entry* Node::find(std::string_view key) const {
     if (entry.key == key) return &entry;
   }
   return nullptr;
+}
+
+const char* kind_name(const Node& node) {
+  constexpr const char* names[] = {"true or false", "a number", "a number", "a text", "a list", "a table", "a date"};
+  return names[static_cast<std::size_t>(node.kind)];
+}
+
+void each_place(Node& node, const std::function<void(Place&)>& visit) {
+  visit(node.place);
+  for (Node& item : node.items) each_place(item, visit);
+  for (Entry& entry : node.entries) {
+    visit(entry.place);
+    each_place(entry.value, visit);
+  }
 }
 
 Node read_document(std::string_view text, const std::string& file_name) {
@@ -131,6 +180,38 @@ Node read_document(std::string_view text, const std::string& file_name) {
     const Place place = place_of(error.source());
     throw InputError({Problem{file_name, place.line, place.column, fmt::format("this is not TOML; {}", reason_in(error.description()))}});
   }
+}
+
+Node parse_value(const std::string& text) {
+  try {
+    Node document = read_document("value = " + text, {});
+    if (document.entries.size() == 1) return std::move(document.entries.front().value);
+  } catch (const InputError&) {
+    // Then it is text.
+  }
+  Node node;
+  node.kind = Node::Kind::text;
+  node.text = trimmed(text);
+  return node;
+}
+
+void set_value(Node& root, const std::string& key, Node value) {
+  Place place = value.place;
+  place.wins = true;
+  Node* node = &root;
+  for (const auto& word : words_of(current_key(key, value))) node = &step_into(*node, word, place);
+  each_place(value, [&](Place& each) { each = place; });
+  *node = std::move(value);
+}
+
+void apply_override(Node& root, const std::string& assignment) {
+  const auto equals = assignment.find('=');
+  try {
+    if (equals == std::string::npos || equals == 0) throw InputError("write key=value, for example seed=7 or container.width=\"350 mm\"");
+    Node value = parse_value(assignment.substr(equals + 1));
+    value.place = {0, 0, "--set " + assignment};
+    set_value(root, assignment.substr(0, equals), std::move(value));
+  } catch (const InputError& error) { throw InputError(fmt::format("--set {}: {}", assignment, error.what())); }
 }
 
 }  // namespace arenite::recipe

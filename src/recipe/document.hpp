@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,6 +37,12 @@ struct Entry {
   Place place;  ///< of the key
   Node value;
 };
+
+/// What kind of value was written, for messages: "a number".
+const char* kind_name(const Node& node);
+
+/// Every place in a tree, handed to `visit`.
+void each_place(Node& node, const std::function<void(Place&)>& visit);
 
 /// Reads TOML. Throws InputError with line and column for what is not TOML.
 Node read_document(std::string_view text, const std::string& file_name);

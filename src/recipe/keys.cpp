@@ -51,6 +51,16 @@ void declare(Visitor& v, ContainerParameters& frame, PackingParameters::Method m
   v.flag({"periodic_y", "Bottom and top side are one: no walls there."}, frame.periodic_y);
 }
 
+void declare_fill_area(Visitor& v, std::optional<FillArea>& area) {
+  v.optional_section<FillArea>({"area", "The part of the container that is filled, where boundaries leave grains no other; needs container.height."}, area,
+                               [](Visitor& inner, FillArea& edges) {
+                                 inner.number({"left", "Edge, from the container's left side."}, edges.left, "mm", range::not_negative);
+                                 inner.number({"right", "Edge, from the container's left side."}, edges.right, "mm", range::positive);
+                                 inner.number({"bottom", "Edge, from the container's bottom."}, edges.bottom, "mm", range::not_negative);
+                                 inner.number({"top", "Edge, from the container's bottom."}, edges.top, "mm", range::positive);
+                               });
+}
+
 void declare(Visitor& v, PackingParameters& packing) {
   using Method = PackingParameters::Method;
   v.choice({"method", "How the grains get their first places."}, packing.method,
@@ -108,10 +118,23 @@ void require_grains(Visitor& v, const Recipe& recipe) {
             fmt::format("populations with a ratio share packing.grains less the {} counted grains; set it higher", counted));
 }
 
+void require_fill_area(Visitor& v, const Recipe& recipe) {
+  const ContainerParameters& frame = recipe.container;
+  const auto& area = recipe.packing.area;
+  if (!area) return;
+  v.require(frame.height > 0, {"container", "packing"}, "a part of it can be filled only where its height is known; write height = \"... mm\"");
+  v.require((!frame.periodic_x || (!area->left && !area->right)) && (!frame.periodic_y || (!area->bottom && !area->top)), {"packing"},
+            "packing.area cannot end before a periodic side; leave out its edges there");
+  const auto fits = [](std::optional<double> low, std::optional<double> high, double size) {
+    return low.value_or(0) < high.value_or(size) && high.value_or(size) <= size;
+  };
+  v.require(fits(area->left, area->right, frame.width) && fits(area->bottom, area->top, frame.height), {"packing"},
+            "packing.area must lie in the container, left before right and bottom below top");
+}
+
 /// What only disks can be part of.
 void require_movable_shapes(Visitor& v, const Recipe& recipe) {
-  const bool disks =
-      std::all_of(recipe.populations.begin(), recipe.populations.end(), [](const auto& p) { return std::holds_alternative<packing::DiskShape>(p.shape); });
+  const bool disks = std::ranges::all_of(recipe.populations, [](const auto& p) { return std::holds_alternative<packing::DiskShape>(p.shape); });
   const bool rough = std::any_of(recipe.stages.begin(), recipe.stages.end(), [](const Stage& stage) { return stage.rough != std::array<bool, 4>{}; });
   v.require(disks || !recipe.has_field(), {"populations", "cement"},
             "grains that are no disks cannot be cemented and loaded as a field; leave out [cement], [grid] and [[loads]]");
@@ -192,6 +215,7 @@ void declare(ParameterVisitor& v, Recipe& recipe) {
   v.require(!recipe.glued || recipe.contact.adheres() || recipe.contact.has_bonds(), {"glued", "contact"},
             "there is nothing to glue with; set contact.adhesion and contact.surface_energy, or contact.bonds");
   declare_boundaries(v, recipe);
+  require_fill_area(v, recipe);
   v.list<Stage>({"stages", "Loading, stage after stage; each starts where the one before ended.", true}, recipe.stages,
                 [&](Visitor& inner, Stage& stage) { declare(inner, stage, recipe); });
   declare_field(v, recipe);

@@ -18,7 +18,6 @@ void declare(ParameterVisitor& visitor, Population& population, const Recipe& re
 void declare(ParameterVisitor& visitor, Stage& stage, const Recipe& recipe);
 void declare_bidisperse(ParameterVisitor& visitor, Recipe& recipe);
 void declare(ParameterVisitor& visitor, Load& load, const Recipe& recipe);
-void declare_fill_area(ParameterVisitor& visitor, std::optional<FillArea>& area);
 void declare_boundaries(ParameterVisitor& visitor, Recipe& recipe);
 /// Of a stage, which sides are open, how boundaries move, and what is counted as having passed.
 void declare_openings(ParameterVisitor& visitor, Stage& stage, const Recipe& recipe);

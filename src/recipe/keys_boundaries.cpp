@@ -11,6 +11,7 @@ namespace arenite::recipe {
 namespace {
 
 using Visitor = ParameterVisitor;
+using dem::Programme;
 
 /// Two numbers, along x and y; none stand for none.
 void declare_vector(Visitor& v, const Key& key, std::optional<Vec2>& value, std::string_view unit) {
@@ -21,33 +22,28 @@ void declare_vector(Visitor& v, const Key& key, std::optional<Vec2>& value, std:
   value = parts.size() == 2 ? std::optional(Vec2{parts[0], parts[1]}) : std::nullopt;
 }
 
-bool is_side(const std::string& name) {
-  return std::any_of(side_names.begin(), side_names.end(), [&](const char* side) { return name == side; });
-}
-
 void declare(Visitor& v, Boundary& boundary, const Recipe& recipe) {
   v.text({"name", "Name in stages and results: letters, digits, _ and -.", true}, boundary.name);
-  v.require(is_plain_name(boundary.name) && !is_side(boundary.name), {"name"}, "must be made of letters, digits, _ and -, and not be that of a wall");
-  const auto same = std::count_if(recipe.boundaries.begin(), recipe.boundaries.end(), [&](const Boundary& other) { return other.name == boundary.name; });
-  v.require(same <= 1, {"name"}, fmt::format("another boundary is called \"{}\"; names must differ", boundary.name));
+  const bool is_side = std::ranges::count(side_names, boundary.name) > 0;
+  v.require(is_plain_name(boundary.name) && !is_side, {"name"}, "must be made of letters, digits, _ and -, and not be that of a wall");
+  v.require(std::ranges::count(recipe.boundaries, boundary.name, &Boundary::name) <= 1, {"name"},
+            fmt::format("another boundary is called \"{}\"; names must differ", boundary.name));
   v.points({"points", "Places, from the lower left corner of the container, that straight segments join.", true}, boundary.points, "mm");
   v.flag({"closed", "A segment joins the last point with the first."}, boundary.closed);
   const auto& points = boundary.points;
   v.require(points.size() >= (boundary.closed ? 3u : 2u), {"points"}, boundary.closed ? "must be three or more where closed" : "must be two or more");
-  const bool repeats =
-      std::adjacent_find(points.begin(), points.end()) != points.end() || (boundary.closed && !points.empty() && points.front() == points.back());
+  const bool repeats = std::ranges::adjacent_find(points) != points.end() || (boundary.closed && !points.empty() && points.front() == points.back());
   v.require(!repeats, {"points"}, "each must differ from the one before; a closed boundary does not name its first point again at the end");
 }
 
 void declare(Visitor& v, dem::BoundaryMotion& motion, const Stage& stage, const Recipe& recipe) {
   v.text({"name", "Which boundary.", true}, motion.name);
   const auto names = mapped(recipe.boundaries, &Boundary::name);
-  const bool known = std::find(names.begin(), names.end(), motion.name) != names.end();
-  v.require(known, {"name"},
+  v.require(std::ranges::count(names, motion.name) > 0, {"name"},
             names.empty() ? std::string("there are no [[boundaries]] that could move; add them")
                           : fmt::format("there is no boundary \"{}\"; there are: {}", motion.name, fmt::join(names, ", ")));
-  const auto same = std::count_if(stage.boundaries.begin(), stage.boundaries.end(), [&](const auto& other) { return other.name == motion.name; });
-  v.require(same <= 1, {"name"}, fmt::format("boundary \"{}\" is named twice in this stage", motion.name));
+  v.require(std::ranges::count(stage.boundaries, motion.name, &dem::BoundaryMotion::name) <= 1, {"name"},
+            fmt::format("boundary \"{}\" is named twice in this stage", motion.name));
   std::optional<Vec2> velocity = motion.velocity == Vec2{} ? std::nullopt : std::optional(motion.velocity);
   declare_vector(v, {"velocity", "Along x and y."}, velocity, "mm/s");
   motion.velocity = velocity.value_or(Vec2{});
@@ -65,87 +61,25 @@ void declare(Visitor& v, dem::BoundaryMotion& motion, const Stage& stage, const 
             "boundaries with a mass need integration.integrator = \"velocity_verlet\" or \"leapfrog\"");
 }
 
-}  // namespace
-
-void declare_fill_area(Visitor& v, std::optional<FillArea>& area) {
-  v.optional_section<FillArea>({"area", "The part of the container that is filled, where boundaries leave grains no other; needs container.height."}, area,
-                               [](Visitor& inner, FillArea& edges) {
-                                 inner.number({"left", "Edge, from the container's left side."}, edges.left, "mm", range::not_negative);
-                                 inner.number({"right", "Edge, from the container's left side."}, edges.right, "mm", range::positive);
-                                 inner.number({"bottom", "Edge, from the container's bottom."}, edges.bottom, "mm", range::not_negative);
-                                 inner.number({"top", "Edge, from the container's bottom."}, edges.top, "mm", range::positive);
-                               });
-}
-
-void require_fill_area(Visitor& v, const Recipe& recipe) {
-  const ContainerParameters& frame = recipe.container;
-  const auto& area = recipe.packing.area;
-  if (!area) return;
-  v.require(frame.height > 0, {"container", "packing"}, "a part of it can be filled only where its height is known; write height = \"... mm\"");
-  v.require((!frame.periodic_x || (!area->left && !area->right)) && (!frame.periodic_y || (!area->bottom && !area->top)), {"packing"},
-            "packing.area cannot end before a periodic side; leave out its edges there");
-  const auto fits = [](std::optional<double> low, std::optional<double> high, double size) {
-    return low.value_or(0) < high.value_or(size) && high.value_or(size) <= size;
-  };
-  v.require(fits(area->left, area->right, frame.width) && fits(area->bottom, area->top, frame.height), {"packing"},
-            "packing.area must lie in the container, left before right and bottom below top");
-}
-
-void declare_boundaries(Visitor& v, Recipe& recipe) {
-  v.list<Boundary>(
-      {"boundaries", "Thin rigid boundaries beside the walls: hoppers, gates, drums, obstacles, intruders. Contacts with them are like those with walls."},
-      recipe.boundaries, [&](Visitor& inner, Boundary& boundary) { declare(inner, boundary, recipe); });
-  require_fill_area(v, recipe);
-}
-
-void declare_openings(Visitor& v, Stage& stage, const Recipe& recipe) {
-  bool has_open = std::any_of(stage.open.begin(), stage.open.end(), [](bool open) { return open; });
-  v.section({"open", "Walls that are taken away in this stage; grains may leave there. One comes back only where no grain is left beyond it."}, has_open,
-            [&](Visitor& inner) {
-              for (std::size_t side = 0; side < 4; ++side) inner.flag({side_names[side], "This side is open."}, stage.open[side]);
-            });
-  for (std::size_t side = 0; side < 4; ++side) {
-    const bool slides_later =
-        std::any_of(stage.programmes.begin(), stage.programmes.end(), [&](const auto& p) { return p.of == dem::Programme::slide + static_cast<int>(side); });
-    const bool still = stage.side[side].kind == SideDrive::Kind::fixed && stage.slide[side] == 0 && !slides_later && !stage.rough[side];
-    v.require(!stage.open[side] || still, {"open", side_names[side], "slide", "rough"},
-              fmt::format("the {} wall cannot be away and move, press or hold grains in one stage", side_names[side]));
-    v.require(!stage.open[side] || !(side < bottom ? recipe.container.periodic_x : recipe.container.periodic_y), {"open"},
-              fmt::format("there is no wall at the {}: the container is periodic there", side_names[side]));
-  }
-  v.list<dem::BoundaryMotion>({"boundaries", "How boundaries move in this stage; those that are not named are there, at rest."}, stage.boundaries,
-                              [&](Visitor& inner, dem::BoundaryMotion& motion) { declare(inner, motion, stage, recipe); });
-  v.number({"count_below", "The history gets the columns `passed` and `passed_mass`: number and mass of the grains whose centre is below this height."},
-           stage.count_below, "mm", range::any);
-}
-
-namespace {
-
 /// Boundaries do not change with a periodic cell.
 void require_still_cell(Visitor& v, const Stage& stage, const Recipe& recipe) {
   if (recipe.boundaries.empty()) return;
-  const auto& frame = recipe.container;
-  bool sheared = stage.shear_rate != 0 || (stage.strain_cycles && stage.strain_cycles->of == "shear");
-  for (const auto& p : stage.programmes) sheared = sheared || p.of == dem::Programme::shear_rate;
+  const bool sheared = stage.shear_rate != 0 || (stage.strain_cycles && stage.strain_cycles->of == dem::StrainCycles::shear) ||
+                       std::ranges::count(stage.programmes, Programme::shear_rate, &Programme::of) > 0;
   v.require(!sheared, {"shear_rate", "strain_cycles", "programmes"}, "a periodic cell with boundaries cannot be sheared; move a boundary or a wall");
   for (std::size_t side = 0; side < 4; ++side) {
-    const bool moves = stage.side[side].kind != SideDrive::Kind::fixed || (stage.strain_cycles && stage.strain_cycles->of == side_names[side]);
-    v.require(!moves || !(side < bottom ? frame.periodic_x : frame.periodic_y), {side_names[side]},
+    const bool moves = stage.side[side].kind != SideDrive::Kind::fixed || (stage.strain_cycles && stage.strain_cycles->of == static_cast<int>(side));
+    v.require(!moves || !recipe.container.is_periodic(side), {side_names[side]},
               "is periodic and cannot move, for boundaries would not fit the cell any more; leave it \"fixed\"");
   }
 }
 
-const dem::BoundaryMotion* motion_of(const Stage& stage, const std::string& name) {
-  const auto at = std::find_if(stage.boundaries.begin(), stage.boundaries.end(), [&](const auto& motion) { return motion.name == name; });
-  return at == stage.boundaries.end() ? nullptr : &*at;
-}
-
-void require_boundary(Visitor& v, const dem::Programme& p, const Stage& stage, const Recipe& recipe) {
-  const auto known = std::any_of(recipe.boundaries.begin(), recipe.boundaries.end(), [&](const Boundary& b) { return b.name == p.name; });
-  v.require(known, {"programmes"}, fmt::format("there is no boundary \"{}\"; name one of [[boundaries]]", p.name));
-  const dem::BoundaryMotion* motion = motion_of(stage, p.name);
-  const bool free = motion && motion->mass,
-             jumps = std::adjacent_find(p.table.begin(), p.table.end(), [](const Vec2&a, const Vec2&b) { return a.x == b.x; }) != p.table.end();
+void require_boundary(Visitor& v, const Programme& p, const Stage& stage, const Recipe& recipe) {
+  v.require(std::ranges::count(recipe.boundaries, p.name, &Boundary::name) > 0, {"programmes"},
+            fmt::format("there is no boundary \"{}\"; name one of [[boundaries]]", p.name));
+  const auto at = std::ranges::find(stage.boundaries, p.name, &dem::BoundaryMotion::name);
+  const dem::BoundaryMotion* motion = at == stage.boundaries.end() ? nullptr : &*at;
+  const bool free = motion && motion->mass, jumps = std::ranges::adjacent_find(p.table, {}, &Vec2::x) != p.table.end();
   v.require(p.is_of_force() == free || p.boundary_axis() == 2, {"programmes", "boundaries"},
             free ? fmt::format("boundary \"{}\" has a mass in this stage, so that forces move it; leave its mass out", p.name)
                  : fmt::format("a force moves only a boundary with a mass; write boundaries = [{{ name = \"{}\", mass = \"... kg\" }}] in this stage", p.name));
@@ -156,12 +90,141 @@ void require_boundary(Visitor& v, const dem::Programme& p, const Stage& stage, c
             "a boundary cannot jump: no two rows of one time, and a table that begins anew ends where it began");
 }
 
+/// The first value of a programme is that of the stage itself, so that what looks at a stage knows what it begins with.
+void begin_with(const Programme& p, Stage& stage) {
+  const double value = p.table.front().y;
+  if (p.drives_side()) stage.side[static_cast<std::size_t>(p.side())] = {static_cast<SideDrive::Kind>(1 + p.drive()), value};
+  else if (p.of < Programme::shear_rate) stage.slide[static_cast<std::size_t>(p.of - Programme::slide)] = value;
+  else if (p.of == Programme::shear_rate) stage.shear_rate = value;
+  else if (p.of == Programme::gravity_size) stage.gravity_size = value;
+  else if (p.of == Programme::gravity_angle) stage.gravity_angle = value;
+}
+
+void require_place(Visitor& v, const Programme& p, const Stage& stage, const Recipe& recipe) {
+  const auto& frame = recipe.container;
+  if (p.drives_side()) {
+    const auto kind = stage.side[static_cast<std::size_t>(p.side())].kind;
+    v.require(kind == SideDrive::Kind::fixed || static_cast<int>(kind) == 1 + p.drive(), {"of"},
+              fmt::format("the {} side does something else in this stage; leave out \"{}\" there", side_names[p.side()], side_names[p.side()]));
+  } else if (p.of < Programme::shear_rate) {
+    const int side = p.of - Programme::slide;
+    v.require(!frame.is_periodic(side), {"of"}, fmt::format("there is no wall at the {}: the container is periodic there", side_names[side]));
+  } else if (p.of == Programme::shear_rate) {
+    v.require(frame.periodic_x && frame.periodic_y, {"of"}, "only a cell that is periodic both ways is sheared so");
+  } else if (!p.drives_boundary()) {
+    v.require(stage.gravity, {"of"}, "grains do not weigh in this stage; write gravity = true");
+  }
+}
+
+void declare(Visitor& v, Programme& p, const Stage& stage, const Recipe& recipe) {
+  v.choice({"of",
+            "What it drives: a side's velocity (inward), force or pressure, a wall along itself, the rate of shear, gravity, or a boundary: its place or angle "
+            "from where it is as the stage begins, its velocity or spin, or the force on it.",
+            true},
+           p.of, mapped(dem::programme_targets, [](const auto& target) {
+             return Word{target.word, ""};
+           }));
+  v.when(p.drives_boundary(), "of = \"boundary...\"", [&](Visitor& inner) { inner.text({"boundary", "Which boundary.", true}, p.name); });
+  const auto& target = dem::programme_targets[static_cast<std::size_t>(p.of)];
+  v.series({"table",
+            "Times from the beginning of the stage and values in the target's unit (mm, mm/s, N, kN, kPa, 1/s, m/s^2, deg or deg/s), linear in between, and as "
+            "the first "
+            "and last row say before and after them; two rows of one time are a jump. Or the name of a CSV file of these two columns with their units "
+            "(`time [s],force [kN]`).",
+            true},
+           p.table, target.unit);
+  v.flag({"repeat", "The table starts again after its last time, for cycles."}, p.repeat);
+  const bool in_order = !p.table.empty() && p.table.front().x >= 0 && std::ranges::is_sorted(p.table, {}, &Vec2::x);
+  v.require(in_order, {"table"}, "needs a row or more, with times that begin at 0 s or later and never go back");
+  v.require(!p.repeat || (in_order && p.table.back().x > 0), {"repeat", "table"}, "only a table that takes some time can begin anew");
+  const bool may_be_negative = (p.drives_side() && p.drive() == 0) || (p.of >= Programme::slide && p.of != Programme::gravity_size);
+  v.require(may_be_negative || std::ranges::all_of(
+                                   p.table, [](double y) { return y >= 0; }, &Vec2::y),
+            {"table"}, fmt::format("no value of {} may be below 0", target.word));
+  require_place(v, p, stage, recipe);
+}
+
 }  // namespace
+
+void declare_boundaries(Visitor& v, Recipe& recipe) {
+  v.list<Boundary>(
+      {"boundaries", "Thin rigid boundaries beside the walls: hoppers, gates, drums, obstacles, intruders. Contacts with them are like those with walls."},
+      recipe.boundaries, [&](Visitor& inner, Boundary& boundary) { declare(inner, boundary, recipe); });
+}
+
+void declare_openings(Visitor& v, Stage& stage, const Recipe& recipe) {
+  bool has_open = std::ranges::count(stage.open, true) > 0;
+  v.section({"open", "Walls that are taken away in this stage; grains may leave there. One comes back only where no grain is left beyond it."}, has_open,
+            [&](Visitor& inner) {
+              for (std::size_t side = 0; side < 4; ++side) inner.flag({side_names[side], "This side is open."}, stage.open[side]);
+            });
+  for (std::size_t side = 0; side < 4; ++side) {
+    const bool slides_later = std::ranges::count(stage.programmes, Programme::slide + static_cast<int>(side), &Programme::of) > 0;
+    const bool still = stage.side[side].kind == SideDrive::Kind::fixed && stage.slide[side] == 0 && !slides_later && !stage.rough[side];
+    v.require(!stage.open[side] || still, {"open", side_names[side], "slide", "rough"},
+              fmt::format("the {} wall cannot be away and move, press or hold grains in one stage", side_names[side]));
+    v.require(!stage.open[side] || !recipe.container.is_periodic(side), {"open"},
+              fmt::format("there is no wall at the {}: the container is periodic there", side_names[side]));
+  }
+  v.list<dem::BoundaryMotion>({"boundaries", "How boundaries move in this stage; those that are not named are there, at rest."}, stage.boundaries,
+                              [&](Visitor& inner, dem::BoundaryMotion& motion) { declare(inner, motion, stage, recipe); });
+  v.number({"count_below", "The history gets the columns `passed` and `passed_mass`: number and mass of the grains whose centre is below this height."},
+           stage.count_below, "mm", range::any);
+}
 
 void require_boundary_loads(Visitor& v, const Stage& stage, const Recipe& recipe) {
   require_still_cell(v, stage, recipe);
   for (const auto& p : stage.programmes)
     if (p.drives_boundary()) require_boundary(v, p, stage, recipe);
+}
+
+void declare_store_every(Visitor& v, std::optional<std::int64_t>& every) {
+  v.integer({"store_every", "States are stored once in so many cycles, and for the first and the last; unless given, for all. Curves against cycles hold all."},
+            every, {1, 1'000'000});
+}
+
+void declare_programmes(Visitor& v, Stage& stage, const Recipe& recipe) {
+  v.list<Programme>({"programmes", "Tables in time that drive the stage, which then needs a duration. They are followed step by step."}, stage.programmes,
+                    [&](Visitor& inner, Programme& p) { declare(inner, p, stage, recipe); });
+  for (const Programme& p : stage.programmes) {
+    const auto same = std::count_if(stage.programmes.begin(), stage.programmes.end(), [&](const Programme& other) {
+      if (p.drives_boundary()) return other.drives_boundary() && other.name == p.name && other.boundary_axis() == p.boundary_axis();
+      return other.of == p.of || (p.drives_side() && other.drives_side() && other.side() == p.side());
+    });
+    v.require(same == 1, {"programmes"}, fmt::format("{} is driven by two of them", dem::programme_targets[static_cast<std::size_t>(p.of)].word));
+    if (!p.table.empty() && !p.drives_boundary()) begin_with(p, stage);
+  }
+}
+
+void declare_strain_cycles(Visitor& v, Stage& stage, const Recipe& recipe) {
+  v.optional_section<dem::StrainCycles>(
+      {"strain_cycles", "Cycles between two strains, each half at a constant rate; they end the stage. The first half goes from the beginning to `max`."},
+      stage.strain_cycles, [&](Visitor& inner, dem::StrainCycles& cycles) {
+        inner.choice({"of", "What moves."}, cycles.of,
+                     {{"left", ""},
+                      {"right", ""},
+                      {"bottom", ""},
+                      {"top", "this side; strains are those of the sample across, positive inward"},
+                      {"shear", "a cell that is periodic both ways, sheared to and fro"}});
+        inner.number({"min", "Strain at the end of each cycle."}, cycles.min, "", range::between(-0.9, 0.9));
+        inner.number({"max", "Strain in the middle of each cycle.", true}, cycles.max, "", range::between(-0.9, 0.9));
+        inner.require(cycles.max > cycles.min, {"max", "min"}, "must be above min");
+        inner.number({"rate", "Of strain.", true}, cycles.rate, "1/s", range::positive);
+        inner.integer({"count", "Number of cycles.", true}, cycles.count, {1, 1'000'000'000});
+        declare_store_every(inner, cycles.store_every);
+        const auto of = static_cast<std::size_t>(cycles.of);
+        if (cycles.of == dem::StrainCycles::shear)
+          inner.require(recipe.container.periodic_x && recipe.container.periodic_y, {"of"}, "only a cell that is periodic both ways is sheared so");
+        else
+          inner.require(stage.side[of].kind == SideDrive::Kind::fixed, {"of"},
+                        fmt::format("the {} side does something else in this stage; leave it \"fixed\"", side_names[of]));
+      });
+  v.require(!stage.strain_cycles || !stage.duration, {"duration", "strain_cycles"}, "cycles of strain end the stage themselves; leave out its duration");
+  v.require(!stage.strain_cycles || (!stage.cycles && stage.programmes.empty()), {"strain_cycles", "cycles", "programmes"},
+            "only one of them can drive a stage");
+  v.require(stage.programmes.empty() || stage.duration, {"programmes", "duration"},
+            "a stage with programmes needs its duration, for example duration = \"1 s\"");
+  v.require(stage.programmes.empty() || !stage.cycles, {"programmes", "cycles"}, "only one of them can drive a stage");
 }
 
 }  // namespace arenite::recipe

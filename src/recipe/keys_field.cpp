@@ -47,10 +47,6 @@ namespace {
 
 using Visitor = ParameterVisitor;
 
-bool has_material(const Materials& materials, const std::string& name) {
-  return std::any_of(materials.begin(), materials.end(), [&](const Material& m) { return m.name == name; });
-}
-
 void declare(Visitor& v, BidisperseSection& classes, const Materials& materials) {
   auto& law = classes.law;
   v.number({"large_radius", "Mean radius of the large disks.", true}, law.large_radius, "mm", range::positive);
@@ -68,7 +64,7 @@ void declare(Visitor& v, BidisperseSection& classes, const Materials& materials)
   v.text({"large", "Material of the large disks, a section of [materials]."}, classes.large);
   v.text({"small", "Material of the small disks, another section of [materials]."}, classes.small);
   for (const auto& [key, name] : {std::pair{"large", classes.large}, {"small", classes.small}})
-    v.require(materials.empty() || has_material(materials, name), {key},
+    v.require(materials.empty() || std::ranges::count(materials, name, &Material::name) > 0, {key},
               fmt::format("there is no section [materials.{0}]; add it, or say which material the {1} disks have with bidisperse.{1}", name, key));
   v.require(classes.large != classes.small, {"small", "large"},
             fmt::format("both classes are made of \"{}\"; give each a material of its own, with the same numbers if they are alike", classes.small));
@@ -76,14 +72,13 @@ void declare(Visitor& v, BidisperseSection& classes, const Materials& materials)
             "radii would be truncated at less than 5 % of their mean; lower truncation or deviation");
 }
 
-void declare(Visitor& v, CementSection& cement) {
+void declare(Visitor& v, cement::CementParameters& law) {
   using Kind = cement::CementParameters::Kind;
-  auto& law = cement.law;
   v.choice({"kind", "Where the matrix is."}, law.kind, words(law.kind));
   v.number({"gap",
             "Widest surface gap that is bridged, and at which two grains count as neighbours; unless given, 0.075 of the "
             "mean large radius."},
-           cement.gap, "mm", range::not_negative);
+           law.gap, "mm", range::not_negative);
   const bool is_free = law.kind == Kind::bridges || law.kind == Kind::coating || law.kind == Kind::menisci;
   v.when(is_free, "kind = \"bridges\", \"coating\" or \"menisci\"", [&](Visitor& inner) {
     inner.number({"saturation", "S_m, the share of the space between grains that is matrix: width, thickness or volume is then found."}, law.saturation, "",
@@ -138,9 +133,8 @@ void declare(Visitor& v, stress::StressOptions& statistics) {
 
 void require_own_name(Visitor& v, const Load& load, const Recipe& recipe) {
   v.require(is_plain_name(load.name), {"name"}, "must be made of letters, digits, _ and -");
-  const auto same_load = std::count_if(recipe.loads.begin(), recipe.loads.end(), [&](const Load& other) { return &other != &load && other.name == load.name; });
-  const auto same_stage = std::count_if(recipe.stages.begin(), recipe.stages.end(), [&](const Stage& s) { return s.name == load.name; });
-  v.require(same_load + same_stage == 0, {"name"}, fmt::format("another stage or load is called \"{}\"; names must differ", load.name));
+  const auto same = std::ranges::count(recipe.loads, load.name, &Load::name) + std::ranges::count(recipe.stages, load.name, &Stage::name);
+  v.require(same <= 1, {"name"}, fmt::format("another stage or load is called \"{}\"; names must differ", load.name));
 }
 
 }  // namespace
@@ -158,8 +152,8 @@ void declare_bidisperse(ParameterVisitor& v, Recipe& recipe) {
 }
 
 void declare_field(ParameterVisitor& v, Recipe& recipe) {
-  v.optional_section<CementSection>({"cement", "Binding matrix between the grains, put there when the stages are over."}, recipe.cement,
-                                    [](Visitor& inner, CementSection& cement) { declare(inner, cement); });
+  v.optional_section<cement::CementParameters>({"cement", "Binding matrix between the grains, put there when the stages are over."}, recipe.cement,
+                                               [](Visitor& inner, cement::CementParameters& law) { declare(inner, law); });
   v.optional_section<GridSection>({"grid", "The square of nodes that the cemented packing becomes."}, recipe.grid,
                                   [](Visitor& inner, GridSection& grid) { declare(inner, grid); });
   v.list<Load>({"loads", "Loadings of the cemented sample by peridynamics, each from the unloaded state."}, recipe.loads,

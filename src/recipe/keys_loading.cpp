@@ -76,18 +76,13 @@ void declare(Visitor& v, EquilibriumCriterion& criterion) {
             "Kinetic energy of the grains that carry nothing (fewer than two pressed contacts) over elastic energy below this; a hundred thousand times "
             "`kinetic` unless given, since nothing but rare hits slows them where they do not weigh."},
            criterion.loose_kinetic, "", range::positive);
-  std::optional<double> mobilisation = criterion.mobilisation >= 0 ? std::optional(criterion.mobilisation) : std::nullopt;
-  v.number({"mobilisation", "Mean |F_t|/F_n below this as well, if given: distinguishes creep from equilibrium where friction is viscous."}, mobilisation, "",
-           range::not_negative);
-  criterion.mobilisation = mobilisation.value_or(-1);
+  v.number({"mobilisation", "Mean |F_t|/F_n below this as well, if given: distinguishes creep from equilibrium where friction is viscous."},
+           criterion.mobilisation, "", range::not_negative);
   v.integer({"max_steps", "Steps of one increment, after which the run stops with exit status 3."}, criterion.max_steps, {1, 1'000'000'000'000});
 }
 
 void declare(Visitor& v, Cycles& cycles) {
-  int side = static_cast<int>(std::find(side_names.begin(), side_names.end(), cycles.side) - side_names.begin());
-  if (side == 4) side = bottom;
-  v.choice({"side", "The side that cycles."}, side, {{"left", ""}, {"right", ""}, {"bottom", ""}, {"top", ""}});
-  cycles.side = side_names[static_cast<std::size_t>(side)];
+  v.choice({"side", "The side that cycles."}, cycles.side, {{"left", ""}, {"right", ""}, {"bottom", ""}, {"top", ""}});
   v.number({"min", "Force at the end of each cycle.", true}, cycles.min, "kN", range::not_negative);
   v.number({"max", "Force in the middle of each cycle.", true}, cycles.max, "kN", range::positive);
   v.require(cycles.max > cycles.min, {"max", "min"}, "must be above min");
@@ -120,20 +115,19 @@ void require_usable_sides(Visitor& v, const Stage& stage, const ContainerParamet
   require_one_pressing_edge(v, stage, left, frame.periodic_x);
   require_one_pressing_edge(v, stage, bottom, frame.periodic_y);
   v.require(!stage.gravity || !frame.periodic_y, {"gravity"}, "grains would fall for ever through periodic sides; set container.periodic_y = false");
-  const bool moves = std::any_of(stage.side.begin(), stage.side.end(), [](const SideDrive& drive) { return drive.kind == Kind::velocity; }) ||
-                     std::any_of(stage.slide.begin(), stage.slide.end(), [](double speed) { return speed != 0; }) || stage.shear_rate != 0 ||
-                     std::any_of(stage.boundaries.begin(), stage.boundaries.end(), [](const auto& b) { return b.velocity != Vec2{} || b.spin != 0; });
+  const bool moves = std::ranges::count(stage.side, Kind::velocity, &SideDrive::kind) > 0 || stage.slide != std::array<double, 4>{} || stage.shear_rate != 0 ||
+                     std::ranges::any_of(stage.boundaries, [](const auto& b) { return b.velocity != Vec2{} || b.spin != 0; });
   v.require(stage.shear_rate == 0 || (frame.periodic_x && frame.periodic_y), {"shear_rate"},
             "only a cell that is periodic both ways is sheared so; set container.periodic_x and periodic_y, or let a wall slide");
   for (std::size_t side = 0; side < 4; ++side)
-    v.require((stage.slide[side] == 0 && !stage.rough[side]) || !(side < bottom ? frame.periodic_x : frame.periodic_y), {"slide", "rough"},
+    v.require((stage.slide[side] == 0 && !stage.rough[side]) || !frame.is_periodic(side), {"slide", "rough"},
               fmt::format("there is no wall at the {}: the container is periodic there", side_names[side]));
   v.require(!moves || stage.duration, {"duration", "left", "right", "bottom", "top", "boundaries"},
             "a stage with a moving side or boundary never reaches equilibrium; give it a duration, for example duration = \"1 s\"");
-  if (!stage.cycles || stage.cycles->side.empty()) return;  // empty: no section at all, which the reader reports
-  const auto side = std::find(side_names.begin(), side_names.end(), stage.cycles->side) - side_names.begin();
-  v.require(stage.side[static_cast<std::size_t>(side)].kind == Kind::force, {"cycles", side_names[static_cast<std::size_t>(side)]},
-            fmt::format("cycles need a side under force; write {} = {{ force = \"...\" }} in this stage", stage.cycles->side));
+  if (!stage.cycles) return;
+  const auto side = static_cast<std::size_t>(stage.cycles->side);
+  v.require(stage.side[side].kind == Kind::force, {"cycles", side_names[side]},
+            fmt::format("cycles need a side under force; write {} = {{ force = \"...\" }} in this stage", side_names[side]));
 }
 
 }  // namespace
@@ -141,8 +135,8 @@ void require_usable_sides(Visitor& v, const Stage& stage, const ContainerParamet
 void declare(Visitor& v, Stage& stage, const Recipe& recipe) {
   v.text({"name", "Name of the stage, used for its file: letters, digits, _ and -.", true}, stage.name);
   v.require(is_plain_name(stage.name), {"name"}, "must be made of letters, digits, _ and -");
-  const auto same = std::count_if(recipe.stages.begin(), recipe.stages.end(), [&](const Stage& other) { return &other != &stage && other.name == stage.name; });
-  v.require(same == 0, {"name"}, fmt::format("another stage is called \"{}\"; names must differ", stage.name));
+  v.require(std::ranges::count(recipe.stages, stage.name, &Stage::name) <= 1, {"name"},
+            fmt::format("another stage is called \"{}\"; names must differ", stage.name));
   v.flag({"gravity", "Gravity acts on the grains."}, stage.gravity);
   v.when(stage.gravity, "gravity = true", [&](Visitor& inner) {
     inner.number({"gravity_size", "Acceleration of gravity."}, stage.gravity_size, "m/s^2", range::not_negative);

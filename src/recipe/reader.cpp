@@ -4,11 +4,16 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "core/problems.hpp"
 #include "core/text.hpp"
+#include "io/disk/file.hpp"
 
 namespace arenite::recipe {
+
+namespace fs = std::filesystem;
+
 namespace {
 
 /// A sentence as a part of another.
@@ -19,20 +24,38 @@ std::string as_phrase(std::string_view sentence) {
   return phrase;
 }
 
-}  // namespace
-
-const char* kind_name(const Node& node) {
-  switch (node.kind) {
-    case Node::Kind::flag: return "true or false";
-    case Node::Kind::integer:
-    case Node::Kind::real: return "a number";
-    case Node::Kind::text: return "a text";
-    case Node::Kind::array: return "a list";
-    case Node::Kind::table: return "a table";
-    case Node::Kind::date: return "a date";
-  }
-  return "something else";
+std::optional<Entry> take(Node& table, std::string_view key) {
+  const auto at = std::find_if(table.entries.begin(), table.entries.end(), [&](const Entry& entry) { return entry.key == key; });
+  if (at == table.entries.end()) return std::nullopt;
+  Entry entry = std::move(*at);
+  table.entries.erase(at);
+  return entry;
 }
+
+void lay_under(Node& own, Node&& base) {
+  for (Entry& entry : base.entries) {
+    const auto at = std::find_if(own.entries.begin(), own.entries.end(), [&](const Entry& e) { return e.key == entry.key; });
+    if (at == own.entries.end()) own.entries.push_back(std::move(entry));
+    else if (at->value.kind == Node::Kind::table && entry.value.kind == Node::Kind::table) lay_under(at->value, std::move(entry.value));
+  }
+}
+
+bool is_same(const fs::path& a, const fs::path& b) {
+  std::error_code ignored;
+  return fs::equivalent(a, b, ignored);
+}
+
+/// What is wrong with a base; empty if it can be read.
+std::string refusal(const Entry& base, const fs::path& path, const Reading& reading) {
+  if (base.value.kind != Node::Kind::text || base.value.text.empty()) return "must be the name of another recipe, for example \"../paper/recipe.toml\"";
+  if (!reading.look_for_files) return "a recipe that does not come from a file can have no base; write out what it takes from there";
+  if (!fs::is_regular_file(path)) return fmt::format("there is no file {}; a base is looked for beside the recipe that names it", path.string());
+  const bool again =
+      is_same(path, reading.file_name) || std::any_of(reading.bases.begin(), reading.bases.end(), [&](const std::string& file) { return is_same(path, file); });
+  return again ? fmt::format("{} leads back to itself; a recipe cannot be its own base", path.string()) : "";
+}
+
+}  // namespace
 
 std::string list_of(const std::vector<std::string>& words) { return fmt::format("{}", fmt::join(words, ", ")); }
 
@@ -44,38 +67,47 @@ void RecipeReader::problem(const Place& place, const std::string& path, const st
   reading_.problems.push_back({file_of(place, reading_), place.line, place.column, path.empty() ? message : fmt::format("{}: {}", path, message)});
 }
 
-void RecipeReader::refuse(const Key& key, const Node& value, const std::string& message) {
+void RecipeReader::refuse(const Key& key, const Place& place, const std::string& message) {
   failed_.emplace(key.name);
-  problem(value.place, path_of(key.name), message);
+  problem(place, path_of(key.name), message);
 }
 
 /// The value of a key, or nothing; a required one that is not there is a problem.
 const Node* RecipeReader::take(const Key& key, const std::string& example) {
   known_.emplace(key.name);
   if (const Entry* entry = table_.find(key.name)) return &entry->value;
-  if (key.required) {
-    failed_.emplace(key.name);
-    problem(table_.place, path_of(key.name), fmt::format("is missing; write for example {}", example));
-  }
+  if (key.required) refuse(key, table_.place, fmt::format("is missing; write for example {} = {}", key.name, example));
   return nullptr;
+}
+
+/// The same of one kind; another one is a problem, too.
+const Node* RecipeReader::take(const Key& key, const std::string& example, Node::Kind kind, const std::string& wanted) {
+  const Node* node = take(key, example);
+  if (!node || node->kind == kind) return node;
+  refuse(key, node->place, fmt::format("is {}, but must be {}", kind_name(*node), wanted));
+  return nullptr;
+}
+
+/// All keys of a sub-table.
+void RecipeReader::read_table(const Node& table, const std::string& path, const Visit& inside) {
+  RecipeReader reader(table, path, reading_);
+  inside(reader);
+  reader.refuse_unknown_keys();
 }
 
 void RecipeReader::section(const Key& key, bool& present, const Visit& inside) {
   known_.emplace(key.name);
+  const std::string path = path_of(key.name);
   const Entry* entry = table_.find(key.name);
-  if (!entry && key.required) {
-    failed_.emplace(key.name);
-    problem(table_.place, path_of(key.name), fmt::format("is missing; add the section [{}] ({})", path_of(key.name), as_phrase(key.sentence)));
-  }
   present = entry != nullptr;
-  if (!entry) return;
-  if (entry->value.kind != Node::Kind::table) {
-    return refuse(key, entry->value, fmt::format("is {}, but must be a section [{}]", kind_name(entry->value), path_of(key.name)));
+  if (!entry) {
+    if (key.required) refuse(key, table_.place, fmt::format("is missing; add the section [{}] ({})", path, as_phrase(key.sentence)));
+    return;
   }
+  if (entry->value.kind != Node::Kind::table)
+    return refuse(key, entry->value.place, fmt::format("is {}, but must be a section [{}]", kind_name(entry->value), path));
   const std::size_t problems_before = reading_.problems.size();
-  RecipeReader reader(entry->value, path_of(key.name), reading_);
-  inside(reader);
-  reader.refuse_unknown_keys();
+  read_table(entry->value, path, inside);
   if (reading_.problems.size() > problems_before) failed_.emplace(key.name);
 }
 
@@ -86,13 +118,10 @@ void RecipeReader::sections(const Key& key, const Elements& elements) {
   const std::string heading = named ? fmt::format("[{}.NAME]", path) : fmt::format("[[{}]]", path);
   const Entry* entry = table_.find(key.name);
   const std::size_t count = !entry ? 0 : named ? entry->value.entries.size() : entry->value.items.size();
-  if (entry && entry->value.kind != (named ? Node::Kind::table : Node::Kind::array)) {
-    return refuse(key, entry->value, fmt::format("is {}, but must be sections {}", kind_name(entry->value), heading));
-  }
-  if (count == 0 && key.required) {
-    failed_.emplace(key.name);
-    problem(entry ? entry->value.place : table_.place, path, fmt::format("is missing; add a section {} ({})", heading, as_phrase(key.sentence)));
-  }
+  if (entry && entry->value.kind != (named ? Node::Kind::table : Node::Kind::array))
+    return refuse(key, entry->value.place, fmt::format("is {}, but must be sections {}", kind_name(entry->value), heading));
+  if (count == 0 && key.required)
+    refuse(key, entry ? entry->value.place : table_.place, fmt::format("is missing; add a section {} ({})", heading, as_phrase(key.sentence)));
   std::vector<std::pair<std::string, const Node*>> nodes;
   for (std::size_t i = 0; i < count; ++i) {
     if (named) nodes.emplace_back(entry->value.entries[i].key, &entry->value.entries[i].value);
@@ -109,9 +138,7 @@ void RecipeReader::sections(const Key& key, const Elements& elements) {
       problem(nodes[i].second->place, place, fmt::format("is {}, but must be a section {}", kind_name(*nodes[i].second), heading));
       continue;
     }
-    RecipeReader reader(*nodes[i].second, place, reading_);
-    elements.visit(reader, i);
-    reader.refuse_unknown_keys();
+    read_table(*nodes[i].second, place, [&](ParameterVisitor& reader) { elements.visit(reader, i); });
   }
   if (reading_.problems.size() > problems_before) failed_.emplace(key.name);
 }
@@ -164,6 +191,23 @@ void add_problem(Reading& reading, const Place& place, const std::string& path, 
   Problem problem{file_of(place, reading), place.line, place.column, fmt::format("{}: {}", path, message)};
   const auto same = [&](const Problem& p) { return p.message == problem.message && p.line == problem.line && p.file == problem.file; };
   if (std::none_of(reading.problems.begin(), reading.problems.end(), same)) reading.problems.push_back(std::move(problem));
+}
+
+void lay_base_under(Node& root, Reading& reading) {
+  fs::path folder = reading.folder;
+  for (auto base = take(root, "base"); base;) {
+    const fs::path path = (folder / base->value.text).lexically_normal();
+    if (const std::string why = refusal(*base, path, reading); !why.empty())
+      throw InputError({Problem{file_of(base->value.place, reading), base->value.place.line, base->value.place.column, "base: " + why}});
+    reading.bases.push_back(path.string());
+    Node under = read_document(io::read_file(path.string()), path.string());
+    each_place(under, [&](Place& place) { place.file = path.string(); });
+    rename_former_keys(under, reading.notices);
+    take(under, "sweep");
+    base = take(under, "base");
+    lay_under(root, std::move(under));
+    folder = path.parent_path();
+  }
 }
 
 Node read_tree(std::string_view text, Reading& reading, const std::vector<std::string>& overrides, std::string_view start_from) {

@@ -12,8 +12,6 @@
 
 namespace arenite::recipe {
 
-/// What kind of value was written, for messages: "a number".
-const char* kind_name(const Node& node);
 /// "a, b, c".
 std::string list_of(const std::vector<std::string>& words);
 
@@ -63,9 +61,11 @@ class RecipeReader : public ParameterVisitor {
 
  private:
   const Node* take(const Key& key, const std::string& example);
+  const Node* take(const Key& key, const std::string& example, Node::Kind kind, const std::string& wanted);
   std::string path_of(std::string_view name) const;
   void problem(const Place& place, const std::string& path, const std::string& message);
-  void refuse(const Key& key, const Node& value, const std::string& message);
+  void refuse(const Key& key, const Place& place, const std::string& message);
+  void read_table(const Node& table, const std::string& path, const Visit& inside);
   std::optional<double> read_number(const Node& node, const std::string& path, std::string_view unit, const Range& range);
   void read_rows(const Key& key, const Node& list, std::vector<Vec2>& values, std::array<std::string_view, 2> unit, const std::string& wanted);
   void read_series(const Key& key, const Node& file, std::vector<Vec2>& values, std::string_view unit);

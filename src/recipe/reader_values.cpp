@@ -72,7 +72,7 @@ std::optional<double> RecipeReader::read_number(const Node& node, const std::str
 }
 
 void RecipeReader::number(const Key& key, std::optional<double>& value, std::string_view unit, const Range& range) {
-  const Node* node = take(key, unit.empty() ? fmt::format("{} = 1", key.name) : fmt::format("{} = \"1 {}\"", key.name, unit));
+  const Node* node = take(key, unit.empty() ? "1" : fmt::format("\"1 {}\"", unit));
   if (!node) return;
   const auto read = read_number(*node, path_of(key.name), unit, range);
   if (read) value = read;
@@ -80,31 +80,25 @@ void RecipeReader::number(const Key& key, std::optional<double>& value, std::str
 }
 
 void RecipeReader::integer(const Key& key, std::optional<std::int64_t>& value, const IntegerRange& range) {
-  const Node* node = take(key, fmt::format("{} = 1", key.name));
+  const Node* node = take(key, "1");
   if (!node) return;
   const bool is_whole = node->kind == Node::Kind::real && std::floor(node->real) == node->real && std::abs(node->real) < 1e15;
   if (node->kind != Node::Kind::integer && !is_whole) {
     return refuse(
-        key, *node,
+        key, node->place,
         is_number(*node) ? fmt::format("{} is not a whole number", as_written(*node)) : fmt::format("is {}, but must be a whole number", kind_name(*node)));
   }
   const std::int64_t read = is_whole ? static_cast<std::int64_t>(node->real) : node->integer;
-  if (read < range.min || read > range.max) return refuse(key, *node, fmt::format("{} is out of range; it must be {}", read, to_string(range)));
+  if (read < range.min || read > range.max) return refuse(key, node->place, fmt::format("{} is out of range; it must be {}", read, to_string(range)));
   value = read;
 }
 
 void RecipeReader::flag(const Key& key, bool& value) {
-  const Node* node = take(key, fmt::format("{} = true", key.name));
-  if (!node) return;
-  if (node->kind != Node::Kind::flag) { return refuse(key, *node, fmt::format("is {}, but must be true or false (without quotes)", kind_name(*node))); }
-  value = node->flag;
+  if (const Node* node = take(key, "true", Node::Kind::flag, "true or false (without quotes)")) value = node->flag;
 }
 
 void RecipeReader::text(const Key& key, std::string& value) {
-  const Node* node = take(key, fmt::format("{} = \"...\"", key.name));
-  if (!node) return;
-  if (node->kind != Node::Kind::text) return refuse(key, *node, fmt::format("is {}, but must be a text in quotes", kind_name(*node)));
-  value = node->text;
+  if (const Node* node = take(key, "\"...\"", Node::Kind::text, "a text in quotes")) value = node->text;
 }
 
 void RecipeReader::file(const Key& key, std::string& value) {
@@ -114,14 +108,13 @@ void RecipeReader::file(const Key& key, std::string& value) {
   std::error_code error;
   const auto place = std::filesystem::path(reading_.folder) / value;
   if (!std::filesystem::is_regular_file(place, error)) {
-    refuse(key, entry->value, fmt::format("there is no file \"{}\"; its place counts from the recipe's folder", value));
+    refuse(key, entry->value.place, fmt::format("there is no file \"{}\"; its place counts from the recipe's folder", value));
   }
 }
 
 void RecipeReader::numbers(const Key& key, std::vector<double>& values, std::string_view unit, const Range& range) {
-  const Node* node = take(key, unit.empty() ? fmt::format("{} = [1, 2]", key.name) : fmt::format("{0} = [\"1 {1}\", \"2 {1}\"]", key.name, unit));
+  const Node* node = take(key, unit.empty() ? "[1, 2]" : fmt::format("[\"1 {0}\", \"2 {0}\"]", unit), Node::Kind::array, "a list");
   if (!node) return;
-  if (node->kind != Node::Kind::array) return refuse(key, *node, fmt::format("is {}, but must be a list", kind_name(*node)));
   values.clear();
   for (std::size_t i = 0; i < node->items.size(); ++i) {
     const auto read = read_number(node->items[i], fmt::format("{}.{}", path_of(key.name), i), unit, range);
@@ -131,15 +124,14 @@ void RecipeReader::numbers(const Key& key, std::vector<double>& values, std::str
 }
 
 void RecipeReader::pairs(const Key& key, std::vector<std::pair<std::int32_t, std::int32_t>>& values) {
-  const Node* node = take(key, fmt::format("{} = [[0, 1], [1, 2]]", key.name));
+  const Node* node = take(key, "[[0, 1], [1, 2]]", Node::Kind::array, "a list of pairs");
   if (!node) return;
-  if (node->kind != Node::Kind::array) return refuse(key, *node, fmt::format("is {}, but must be a list of pairs", kind_name(*node)));
   values.clear();
   for (const auto& item : node->items) {
     const auto is_index = [](const Node& n) { return n.kind == Node::Kind::integer && n.integer >= 0 && n.integer <= INT32_MAX; };
     if (item.kind != Node::Kind::array || item.items.size() != 2 || !is_index(item.items[0]) || !is_index(item.items[1]) ||
         item.items[0].integer == item.items[1].integer) {
-      refuse(key, item, "each pair must be two different grain indices from 0, such as [0, 1]");
+      refuse(key, item.place, "each pair must be two different grain indices from 0, such as [0, 1]");
       continue;
     }
     values.emplace_back(static_cast<std::int32_t>(item.items[0].integer), static_cast<std::int32_t>(item.items[1].integer));
@@ -151,7 +143,7 @@ void RecipeReader::read_rows(const Key& key, const Node& list, std::vector<Vec2>
     const Node& item = list.items[i];
     const std::string path = fmt::format("{}.{}", path_of(key.name), i);
     if (item.kind != Node::Kind::array || item.items.size() != 2) {
-      refuse(key, item, wanted);
+      refuse(key, item.place, wanted);
       continue;
     }
     const auto x = read_number(item.items[0], path + ".0", unit[0], range::any), y = read_number(item.items[1], path + ".1", unit[1], range::any);
@@ -162,21 +154,20 @@ void RecipeReader::read_rows(const Key& key, const Node& list, std::vector<Vec2>
 
 void RecipeReader::points(const Key& key, std::vector<Vec2>& values, std::string_view unit) {
   const std::string example = fmt::format("[[\"0 {0}\", \"0 {0}\"], [\"1 {0}\", \"2 {0}\"]]", unit);
-  const Node* node = take(key, fmt::format("{} = {}", key.name, example));
+  const Node* node = take(key, example, Node::Kind::array, "a list of points");
   if (!node) return;
-  if (node->kind != Node::Kind::array) return refuse(key, *node, fmt::format("is {}, but must be a list of points", kind_name(*node)));
   values.clear();
   read_rows(key, *node, values, {unit, unit}, fmt::format("each point must be two numbers, x and y, such as {}", example));
 }
 
 void RecipeReader::series(const Key& key, std::vector<Vec2>& values, std::string_view unit) {
   const std::string value = unit.empty() ? "1" : fmt::format("\"1 {}\"", unit), example = fmt::format("[[\"0 s\", {0}], [\"1 s\", {0}]]", value);
-  const Node* node = take(key, fmt::format("{} = {}", key.name, example));
+  const Node* node = take(key, example);
   if (!node) return;
   values.clear();
   if (node->kind == Node::Kind::text) return read_series(key, *node, values, unit);
   if (node->kind != Node::Kind::array)
-    return refuse(key, *node, fmt::format("is {}, but must be a list such as {} or the name of a CSV file", kind_name(*node), example));
+    return refuse(key, node->place, fmt::format("is {}, but must be a list such as {} or the name of a CSV file", kind_name(*node), example));
   read_rows(key, *node, values, {"s", unit}, fmt::format("each row must be a time and a value, such as {}", example));
 }
 
@@ -189,18 +180,17 @@ void RecipeReader::read_series(const Key& key, const Node& file, std::vector<Vec
     const auto x = table.values(0, {{"time"}, dimension::time, "s"}), y = table.values(1, {{table.title(1)}, dimension, unit});
     for (std::size_t row = 0; row < x.size(); ++row) values.push_back({x[row], y[row]});
     for (const std::string& note : table.notes()) reading_.notices.push_back(fmt::format("{}: {}", place, note));
-  } catch (const InputError& error) { refuse(key, file, error.what()); }
+  } catch (const InputError& error) { refuse(key, file.place, error.what()); }
 }
 
 void RecipeReader::choice(const Key& key, int& index, const std::vector<Word>& words) {
   const auto names = mapped<std::string>(words, &Word::word);
-  const Node* node = take(key, fmt::format("{} = \"{}\"", key.name, names.front()));
+  const Node* node = take(key, "\"" + names.front() + "\"", Node::Kind::text, "one of: " + list_of(names));
   if (!node) return;
-  if (node->kind != Node::Kind::text) { return refuse(key, *node, fmt::format("is {}, but must be one of: {}", kind_name(*node), list_of(names))); }
   const auto found = std::find(names.begin(), names.end(), node->text);
   if (found == names.end()) {
     const std::string near = nearest(node->text, names);
-    return refuse(key, *node,
+    return refuse(key, node->place,
                   fmt::format("unknown word \"{}\"; {}it must be one of: {}", node->text, near.empty() ? "" : fmt::format("did you mean \"{}\"? ", near),
                               list_of(names)));
   }
@@ -213,7 +203,7 @@ void RecipeReader::tagged(const Key& key, int& form, double& value, const std::v
     (each.unit.empty() ? bare : with_quantity).emplace_back(each.word);
     ways.push_back(each.unit.empty() ? fmt::format("\"{}\"", each.word) : fmt::format("{{ {} = \"1 {}\" }}", each.word, each.unit));
   }
-  const Node* node = take(key, fmt::format("{} = {}", key.name, ways.front()));
+  const Node* node = take(key, ways.front());
   if (!node) return;
   if (node->kind == Node::Kind::text) {
     for (std::size_t i = 0; i < forms.size(); ++i) {
@@ -223,13 +213,13 @@ void RecipeReader::tagged(const Key& key, int& form, double& value, const std::v
       return;
     }
     const std::string near = nearest(node->text, bare), tag = tag_of_quantity(node->text, forms);
-    return refuse(key, *node,
+    return refuse(key, node->place,
                   !tag.empty()   ? fmt::format("write {{ {} = \"{}\" }}", tag, node->text)
                   : near.empty() ? fmt::format("unknown word \"{}\"; write one of: {}", node->text, list_of(ways))
                                  : fmt::format("unknown word \"{}\"; did you mean \"{}\"?", node->text, near));
   }
   const Entry* only = node->kind == Node::Kind::table ? only_entry(*node) : nullptr;
-  if (!only) return refuse(key, *node, "must be one of: " + list_of(ways));
+  if (!only) return refuse(key, node->place, "must be one of: " + list_of(ways));
   const Entry& entry = *only;
   for (std::size_t i = 0; i < forms.size(); ++i) {
     if (forms[i].unit.empty() || entry.key != forms[i].word) continue;

@@ -25,7 +25,7 @@ template <class R> RecordTable keys_of(R recipe) {
 
 template <class R> RecordTable all_keys() {
   R defaults;
-  return record_of_all_keys([&](ParameterVisitor& visitor) { declare(visitor, defaults); });
+  return record_of([&](ParameterVisitor& visitor) { declare(visitor, defaults); }, true);
 }
 
 template <class R> std::string changed_keys_of(const R& recipe) {
@@ -72,11 +72,7 @@ void refuse_simulations(Node& root, Reading& reading) {
 
 }  // namespace
 
-CementSection Recipe::cement_or_none() const {
-  CementSection none;
-  none.law.kind = cement::CementParameters::Kind::none;
-  return cement.value_or(none);
-}
+cement::CementParameters Recipe::cement_or_none() const { return cement.value_or(cement::CementParameters{.kind = cement::CementParameters::Kind::none}); }
 
 Recipe recipe_from(const Node& root, const std::string& file) {
   Reading reading = of_file(file);

@@ -30,6 +30,7 @@ struct ContainerParameters {
   double height = 0;     ///< m; 0: as packing.solid_fraction asks
   double thickness = 0;  ///< m
   bool periodic_x = false, periodic_y = false;
+  bool is_periodic(std::size_t side) const { return side < bottom ? periodic_x : periodic_y; }
   bool operator==(const ContainerParameters&) const = default;
 };
 
@@ -59,13 +60,6 @@ struct BidisperseSection {
   packing::BidisperseParameters law;
   std::string large = "large", small = "small";
   bool operator==(const BidisperseSection&) const = default;
-};
-
-/// The binding matrix of the packing at the end of its stages.
-struct CementSection {
-  cement::CementParameters law;  ///< its gap is not used,
-  std::optional<double> gap;     ///< but this one, m; if not given, 0.075 mean large radii (P's 3 dx)
-  bool operator==(const CementSection&) const = default;
 };
 
 /// The nodes that the cemented packing is brought to, and the rules of its pores.
@@ -131,11 +125,11 @@ struct Recipe {
   std::vector<Boundary> boundaries;  ///< name, points and closed; the rest is the stages' to say
   std::vector<Stage> stages;
   std::optional<BidisperseSection> bidisperse;
-  std::optional<CementSection> cement;
+  std::optional<cement::CementParameters> cement;  ///< the binding matrix of the packing at the end of its stages
   std::optional<GridSection> grid;
   std::vector<Load> loads;
   /// The sections, or what stands for them where they are not given: no cement, and P's grid.
-  CementSection cement_or_none() const;
+  cement::CementParameters cement_or_none() const;
   GridSection grid_or_default() const { return grid.value_or(GridSection{}); }
   bool has_field() const { return cement || grid || !loads.empty(); }  ///< goes on to cement, grid and loads
   bool operator==(const Recipe&) const = default;

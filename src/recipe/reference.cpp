@@ -9,14 +9,17 @@
 namespace arenite::recipe {
 namespace {
 
-/// { a = 1, b = 2 } of the keys that are set.
-std::string inline_table(const RecordTable& table) {
+std::optional<std::string> value_of(const Record& record);
+
+/// a = 1, b = 2: the keys that are set.
+std::vector<std::string> assignments(const RecordTable& table) {
   std::vector<std::string> items;
-  for (const auto& record : table) {
-    if (record.literal) items.push_back(fmt::format("{} = {}", record.name, *record.literal));
-  }
-  return fmt::format("{{ {} }}", fmt::join(items, ", "));
+  for (const auto& record : table)
+    if (const auto value = value_of(record)) items.push_back(fmt::format("{} = {}", record.name, *value));
+  return items;
 }
+
+std::string inline_table(const RecordTable& table) { return fmt::format("{{ {} }}", fmt::join(assignments(table), ", ")); }
 
 /// { a = 1, b = "... mm" } with a form to fill in for each required key, and for every key where none has a value of its own.
 std::string inline_form(const RecordTable& table) {
@@ -32,21 +35,18 @@ std::string inline_form(const RecordTable& table) {
   return fmt::format("{{ {} }}", fmt::join(items, ", "));
 }
 
-/// [{ a = 1 }, { a = 2 }] of a list within a section; empty for a list without elements.
-std::string inline_list(const std::vector<RecordTable>& tables) {
-  return tables.empty() ? std::string() : fmt::format("[{}]", fmt::join(mapped(tables, inline_table), ", "));
+/// [{ a = 1 }, { a = 2 }]
+std::string inline_list(const std::vector<RecordTable>& tables) { return fmt::format("[{}]", fmt::join(mapped(tables, inline_table), ", ")); }
+
+/// On one line; nothing if it is not set.
+std::optional<std::string> value_of(const Record& record) {
+  if (record.kind == Record::Kind::value) return record.literal;
+  if (!record.present || record.tables.empty()) return std::nullopt;
+  return record.kind == Record::Kind::section ? inline_table(record.tables.front()) : inline_list(record.tables);
 }
 
 void write_table(std::string& text, const RecordTable& table) {
-  for (const auto& record : table) {
-    if (record.kind == Record::Kind::sections) {
-      if (!record.tables.empty()) text += fmt::format("{} = {}\n", record.name, inline_list(record.tables));
-    } else if (record.kind == Record::Kind::section) {
-      if (record.present) text += fmt::format("{} = {}\n", record.name, inline_table(record.tables.front()));
-    } else if (record.literal) {
-      text += fmt::format("{} = {}\n", record.name, *record.literal);
-    }
-  }
+  for (const auto& line : assignments(table)) text += line + "\n";
 }
 
 std::string heading(const Record& record, std::size_t i) {
@@ -89,24 +89,20 @@ void write_line(std::string& text, bool active, const std::string& assignment, c
 void write_commented_table(std::string& text, const RecordTable& table, const RecordTable& defaults, bool explain, bool active) {
   for (const auto& record : table) {
     const Record& standard = record_named(defaults, record.name);
-    const std::string comment = explain ? explanation(record) : "";
+    const auto differences = mapped(record.tables, [&](const RecordTable& inner) { return changed(inner, standard.tables.front()); });
+    bool set = active;
+    std::string value;
     if (record.kind == Record::Kind::section) {
-      const RecordTable differences = changed(record.tables.front(), standard.tables.front());
-      const bool set = active && record.present && !differences.empty();
-      const std::string value = set ? inline_table(differences) : inline_form(record.tables.front());
-      if (set || explain) write_line(text, set, fmt::format("{} = {}", record.name, value), comment);
-      continue;
+      set = set && record.present && !differences.front().empty();
+      value = set ? inline_table(differences.front()) : inline_form(record.tables.front());
+    } else if (record.kind == Record::Kind::sections) {
+      set = set && !differences.empty();
+      value = set ? inline_list(differences) : fmt::format("[{}]", inline_form(standard.tables.front()));
+    } else {
+      set = set && record.literal && (record.required || record.literal != standard.literal);
+      value = record.literal && !(record.required && !active) ? *record.literal : record.form;
     }
-    if (record.kind == Record::Kind::sections) {
-      const auto differences = mapped(record.tables, [&](const RecordTable& inner) { return changed(inner, standard.tables.front()); });
-      const bool set = active && !differences.empty();
-      const std::string value = set ? inline_list(differences) : fmt::format("[{}]", inline_form(standard.tables.front()));
-      if (set || explain) write_line(text, set, fmt::format("{} = {}", record.name, value), comment);
-      continue;
-    }
-    const bool set = active && record.literal && (record.required || record.literal != standard.literal);
-    const std::string value = record.literal && !(record.required && !active) ? *record.literal : record.form;
-    if (set || explain) write_line(text, set, fmt::format("{} = {}", record.name, value), comment);
+    if (set || explain) write_line(text, set, fmt::format("{} = {}", record.name, value), explain ? explanation(record) : "");
   }
 }
 
@@ -143,7 +139,7 @@ std::string in_code(const std::string& text) { return "`" + cell(text) + "`"; }
 
 std::string default_of(const Record& record) {
   if (record.required) return "*required*";
-  return record.literal && record.words.empty() ? in_code(*record.literal) : record.literal ? in_code(*record.literal) : "-";
+  return record.literal ? in_code(*record.literal) : "-";
 }
 
 std::string meaning_of(const Record& record) {
@@ -162,10 +158,10 @@ void write_rows(std::string& text, const RecordTable& table) {
       text += fmt::format("| `{}` | `{{ ... }}` | {} | {} See below. |\n", record.name, record.present ? "its keys' defaults" : "-", cell(record.sentence));
       continue;
     }
-    const std::string form = record.words.empty() ? (record.literal && !record.required ? *record.literal
-                                                     : record.form == "..."             ? std::string("1")
-                                                                                        : record.form)
-                                                  : record.words.front().first;
+    const std::string form = !record.words.empty()                ? record.words.front().first
+                             : record.literal && !record.required ? *record.literal
+                             : record.form == "..."               ? std::string("1")
+                                                                  : record.form;
     text += fmt::format("| `{}` | {} | {} | {} |\n", record.name, in_code(form), default_of(record), meaning_of(record));
   }
 }
@@ -185,11 +181,8 @@ void write_section(std::string& text, const Record& record, const std::string& p
 
 std::string write_toml(const RecordTable& root) {
   std::string text;
+  write_table(text, values_in(root));
   for (const auto& record : root) {
-    if (record.kind == Record::Kind::value) {
-      if (record.literal) text += fmt::format("{} = {}\n", record.name, *record.literal);
-      continue;
-    }
     for (std::size_t i = 0; record.present && i < record.tables.size(); ++i) {
       text += "\n" + heading(record, i) + "\n";
       write_table(text, record.tables[i]);

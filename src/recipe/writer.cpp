@@ -92,10 +92,7 @@ class Recorder : public ParameterVisitor {
     Record& record = add(key, "{ ... }");
     record.kind = Record::Kind::section;
     record.present = present;
-    RecordTable inner;
-    Recorder recorder(inner, every_key_);
-    inside(recorder);
-    record.tables.push_back(std::move(inner));
+    record.tables.push_back(record_of(inside, every_key_));
   }
   void sections(const Key& key, const Elements& elements) override {
     Record& record = add(key, "...");
@@ -103,10 +100,7 @@ class Recorder : public ParameterVisitor {
     record.named = static_cast<bool>(elements.name);
     if (every_key_) elements.resize(1);
     for (std::size_t i = 0; i < elements.size(); ++i) {
-      RecordTable inner;
-      Recorder recorder(inner, every_key_);
-      elements.visit(recorder, i);
-      record.tables.push_back(std::move(inner));
+      record.tables.push_back(record_of([&](ParameterVisitor& recorder) { elements.visit(recorder, i); }, every_key_));
       if (record.named) record.table_names.push_back(every_key_ ? "NAME" : elements.name(i));
     }
   }
@@ -150,16 +144,9 @@ std::string real_literal(double value) {
 
 }  // namespace
 
-RecordTable record_of(const Visit& declare) {
+RecordTable record_of(const Visit& declare, bool every_key) {
   RecordTable table;
-  Recorder recorder(table, false);
-  declare(recorder);
-  return table;
-}
-
-RecordTable record_of_all_keys(const Visit& declare) {
-  RecordTable table;
-  Recorder recorder(table, true);
+  Recorder recorder(table, every_key);
   declare(recorder);
   return table;
 }

@@ -29,11 +29,8 @@ struct Record {
   bool named = false;
 };
 
-/// The keys that a declaration visits, as they are set.
-RecordTable record_of(const Visit& declare);
-
-/// Every key there is in it, one table for each list.
-RecordTable record_of_all_keys(const Visit& declare);
+/// The keys that a declaration visits, as they are set; or every key there is in it, one table for each list.
+RecordTable record_of(const Visit& declare, bool every_key = false);
 
 /// The keys that are set, as TOML.
 std::string write_toml(const RecordTable& root);

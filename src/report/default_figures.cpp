@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/mapped.hpp"
+#include "core/text.hpp"
 
 namespace arenite::report {
 namespace {
@@ -41,13 +42,10 @@ const std::vector<MainNumber>& known_numbers() {
   return numbers;
 }
 
-std::optional<double> number_of(const std::string& text) {
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  return !text.empty() && end && *end == '\0' ? std::optional(value) : std::nullopt;
-}
+std::string label_of(const campaign::CollectedTable::Key& key) { return key.unit.empty() ? key.name : key.name + ", " + key.unit; }
 
 struct Swept {
+  std::size_t place = 0;  ///< among the table's keys
   std::string label, name;
   std::size_t values = 0;
   bool numeric = false;
@@ -60,24 +58,21 @@ std::vector<Swept> swept_keys(const campaign::CollectedTable& table) {
     if (table.keys[k].name == "seed") continue;
     std::set<std::string> values;
     for (const auto& row : table.rows) values.insert(row.values[k]);
-    const bool numeric = std::ranges::all_of(values, [](const std::string& v) { return number_of(v).has_value(); });
-    const auto& [name, unit] = table.keys[k];
-    keys.push_back({unit.empty() ? name : name + ", " + unit, name, values.size(), numeric});
+    const bool numeric = std::ranges::all_of(values, [](const std::string& v) { return parse_number<double>(v).has_value(); });
+    keys.push_back({k, label_of(table.keys[k]), table.keys[k].name, values.size(), numeric});
   }
   std::ranges::stable_sort(keys, [](const Swept& a, const Swept& b) { return a.numeric != b.numeric ? a.numeric : a.values > b.values; });
   return keys;
 }
 
 /// Over two decades and without zero.
-bool is_wide(const campaign::CollectedTable& table, const std::string& key) {
+bool is_wide(const campaign::CollectedTable& table, const Swept& key) {
   double low = 0, high = 0;
-  for (std::size_t k = 0; k < table.keys.size(); ++k)
-    if (table.keys[k].name == key)
-      for (const auto& row : table.rows) {
-        const double v = number_of(row.values[k]).value_or(0);
-        low = low == 0 ? v : std::min(low, v);
-        high = std::max(high, v);
-      }
+  for (const auto& row : table.rows) {
+    const double v = parse_number<double>(row.values[key.place]).value_or(0);
+    low = low == 0 ? v : std::min(low, v);
+    high = std::max(high, v);
+  }
   return low > 0 && high >= 30 * low;
 }
 
@@ -103,7 +98,7 @@ std::vector<Figure> default_figures(const campaign::CollectedTable& table) {
     figure.title = number.label.substr(0, number.label.find(','));
     figure.title.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(figure.title.front())));
     figure.x = keys.front().name;
-    figure.x_axis = {keys.front().label, is_wide(table, keys.front().name), {}, {}};
+    figure.x_axis = {keys.front().label, is_wide(table, keys.front()), {}, {}};
     figure.y = {number.name};
     figure.y_axis.label = number.label;
     if (keys.size() > 1 && keys[1].values > 1 && keys[1].values <= most_curves) figure.by = keys[1].name, figure.by_label = keys[1].label;
@@ -124,8 +119,7 @@ Numbers runs_table(const campaign::CollectedTable& table, const std::function<st
     return Numbers{
         {"run", row.run}, {"status", row.status}, {"link", link ? link(row.run) : ""}, {"values", row.values}, {"numbers", mapped(columns, number_in)}};
   };
-  const auto keys = mapped(table.keys, [](const auto& key) { return key.unit.empty() ? key.name : key.name + ", " + key.unit; });
-  return {{"keys", keys}, {"names", mapped(numbers, &MainNumber::label)}, {"rows", mapped(table.rows, row_of)}};
+  return {{"keys", mapped(table.keys, label_of)}, {"names", mapped(numbers, &MainNumber::label)}, {"rows", mapped(table.rows, row_of)}};
 }
 
 }  // namespace arenite::report

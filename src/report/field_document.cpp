@@ -7,6 +7,7 @@
 #include "core/mapped.hpp"
 #include "report/page_document.hpp"
 #include "solid/grid/cavities.hpp"
+#include "solid/stress/stress.hpp"
 
 namespace arenite::report {
 namespace {
@@ -134,20 +135,31 @@ Numbers cracks_of(const std::vector<Crack>& cracks, NumberBlock& block) {
   return {{"count", cracks.size()}, {"x", x}, {"y", y}, {"type", type}, {"strain", reals(&Crack::strain)}};
 }
 
-/// The densities that the page draws; empty where there is nothing to measure.
-Numbers statistics_of(const FieldPageData& data) {
-  if (data.result->field.size() == 0) return Numbers::tree();
-  stress::StressOptions options = data.statistics;
+/// Those that the stored statistics of stress were measured with, for all components.
+stress::StressOptions options_of(const FieldResult& field) {
+  stress::StressOptions options;
   options.components = {stress::Component::yy, stress::Component::xx, stress::Component::xy, stress::Component::hydrostatic};
+  const Numbers* said = field.numbers.at_path("/stress/options");
+  if (!said) return options;
+  options.clamp_rows = said->value("clamp_rows", options.clamp_rows);
+  options.leave_out_surface = said->value("leave_out_surface", options.leave_out_surface);
+  options.leave_out_unloaded = said->value("leave_out_unloaded", options.leave_out_unloaded);
+  options.mean_over_area = said->value("sample_mean_over", std::string()) == "area";
+  options.blocks = said->value("blocks", options.blocks);
+  return options;
+}
+
+/// The densities that the page draws; empty where there is nothing to measure.
+Numbers statistics_of(const FieldResult& result) {
+  if (result.field.size() == 0) return Numbers::tree();
   try {
-    return shortened(stress::numbers(stress::measure(data.result->map, data.result->field, options), true));
+    return shortened(stress::numbers(stress::measure(result.map, result.field, options_of(result)), true));
   } catch (const InputError& error) {
     return {{"notes", {error.what()}}};  // a sample without any stress has a page too
   }
 }
 
-Numbers field_of(const FieldPageData& data, std::size_t map, const Thinning& kept, NumberBlock& block) {
-  const FieldResult& r = *data.result;
+Numbers field_of(const FieldResult& r, std::size_t map, const Thinning& kept, NumberBlock& block) {
   Numbers out{{"name", r.name},
               {"converged", r.converged},
               {"outcome", r.outcome},
@@ -158,7 +170,7 @@ Numbers field_of(const FieldPageData& data, std::size_t map, const Thinning& kep
               {"convergence", history_of(r.convergence, block)},
               {"curve", history_of(r.curve, block)},
               {"numbers", shortened(r.numbers)},
-              {"statistics", statistics_of(data)}};
+              {"statistics", statistics_of(r)}};
   out["statistics"].erase("grains");
   if (!r.cracks.empty()) out["cracks"] = cracks_of(r.cracks, block);
   return out;
@@ -176,19 +188,19 @@ Thinning::Thinning(const PhaseMap& map, std::size_t most) {
     for (int x = 0; x < width; ++x) node.push_back(map.index(std::min(map.width - 1, first + x * stride), std::min(map.height - 1, first + y * stride)));
 }
 
-void add_fields(Numbers& document, const std::vector<FieldPageData>& fields, NumberBlock& block) {
+void add_fields(Numbers& document, std::span<const FieldResult> fields, NumberBlock& block) {
   std::vector<const PhaseMap*> known;
   Numbers maps = Numbers::list(), list = Numbers::list();
-  for (const FieldPageData& data : fields) {
-    const PhaseMap& map = data.result->map;
+  for (const FieldResult& result : fields) {
+    const PhaseMap& map = result.map;
     const Thinning kept(map);
     const auto at = std::find_if(known.begin(), known.end(), [&](const PhaseMap* other) { return same_map(*other, map); });
     const auto place = static_cast<std::size_t>(at - known.begin());
     if (at == known.end()) {
       known.push_back(&map);
-      maps.push_back(map_of(map, shortened(data.result->numbers), kept, block));
+      maps.push_back(map_of(map, shortened(result.numbers), kept, block));
     }
-    list.push_back(field_of(data, place, kept, block));
+    list.push_back(field_of(result, place, kept, block));
   }
   document["maps"] = std::move(maps);
   document["fields"] = std::move(list);

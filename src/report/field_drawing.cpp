@@ -5,6 +5,8 @@
 #include <numbers>
 #include <vector>
 
+#include "core/mapped.hpp"
+
 namespace arenite::report {
 namespace {
 
@@ -147,13 +149,10 @@ Numbers cracks_drawing(const FieldResult& pull) {
   const View view = whole(pull.map);
   const double node = pull.map.dx * view.step;
   const auto rounded = [](double v) { return std::round(10 * v) / 10; };
-  Numbers j = phases_of(pull.map, view), x = Numbers::list(), y = Numbers::list(), type = Numbers::list();
-  for (const Crack& crack : pull.cracks) {
-    x.push_back(rounded(static_cast<double>(crack.x) / node));
-    y.push_back(rounded(view.height - static_cast<double>(crack.y) / node));
-    type.push_back(crack.type);
-  }
-  j["cracks"] = {{"x", std::move(x)}, {"y", std::move(y)}, {"type", std::move(type)}};
+  Numbers j = phases_of(pull.map, view);
+  j["cracks"] = {{"x", mapped(pull.cracks, [&](const Crack& c) { return rounded(static_cast<double>(c.x) / node); })},
+                 {"y", mapped(pull.cracks, [&](const Crack& c) { return rounded(view.height - static_cast<double>(c.y) / node); })},
+                 {"type", mapped(pull.cracks, &Crack::type)}};
   return j;
 }
 

@@ -162,9 +162,8 @@ Numbers agreement_of(const Packing& packing, const workflow::FilmStresses& stres
   return shortened(std::move(all));
 }
 
-Numbers one_film(const FilmPageData& data, NumberBlock& block) {
-  const FilmResult& r = *data.result;
-  const workflow::FilmStresses stresses = workflow::film_stresses(r, data.options);
+Numbers one_film(const FilmResult& r, NumberBlock& block) {
+  const workflow::FilmStresses stresses = workflow::film_stresses(r, {});
   std::vector<std::uint32_t> bad;
   for (std::size_t k = 0; k < r.bad.size(); ++k)
     if (r.bad[k]) bad.push_back(static_cast<std::uint32_t>(k));
@@ -188,9 +187,9 @@ Numbers one_film(const FilmPageData& data, NumberBlock& block) {
 
 }  // namespace
 
-void add_films(Numbers& document, const std::vector<FilmPageData>& films, NumberBlock& block) {
+void add_films(Numbers& document, std::span<const FilmResult> films, NumberBlock& block) {
   Numbers list = Numbers::list();
-  for (const FilmPageData& data : films) list.push_back(one_film(data, block));
+  for (const FilmResult& film : films) list.push_back(one_film(film, block));
   document["films"] = std::move(list);
 }
 

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/error.hpp"
 #include "core/mapped.hpp"
 #include "grains/fields/coarse_grained.hpp"
 #include "grains/packing/population.hpp"
+#include "model/shapes.hpp"
 #include "recipe/recipe.hpp"
 
 namespace arenite::report {
@@ -24,28 +26,56 @@ Numbers coarse_fields_of(const Packing& packing, double shear_rate, NumberBlock&
   if (!fields::has_fields(packing)) return {};
   const double spacing = std::max(fields::mean_diameter(packing.grains), std::sqrt(packing.domain.area() / most_cells));
   const auto f = fields::coarse_fields(packing, shear_rate, spacing, spacing);
-  std::vector<double> vx, vy, pressure, deviator, shear, kinetic;
-  for (std::size_t k = 0; k < f.grid.size(); ++k) {
-    const Tensor2 c = f.contact_stress[k], t = f.kinetic_stress[k];
-    vx.push_back(f.velocity[k].x);
-    vy.push_back(f.velocity[k].y);
-    pressure.push_back(-0.5 * (trace(c) + trace(t)));
-    deviator.push_back(0.5 * std::hypot(c.xx + t.xx - c.yy - t.yy, c.xy + c.yx + t.xy + t.yx));
-    shear.push_back(0.5 * (c.xy + c.yx + t.xy + t.yx));
-    kinetic.push_back(-0.5 * trace(t));
-  }
   const auto& b = f.grid.bounds;
   Numbers out{{"bounds", {b.x_min, b.x_max, b.y_min, b.y_max}}, {"columns", f.grid.columns}, {"rows", f.grid.rows}, {"width", spacing}};
   out["solid_fraction"] = block.add_coarse(f.solid_fraction);
   out["density"] = block.add_coarse(f.density);
-  out["pressure"] = block.add_coarse(pressure);
-  out["deviator"] = block.add_coarse(deviator);
-  out["shear"] = block.add_coarse(shear);
-  if (std::ranges::all_of(kinetic, [](double v) { return v == 0; })) return out;
-  out["vx"] = block.add_coarse(vx);
-  out["vy"] = block.add_coarse(vy);
-  out["kinetic"] = block.add_coarse(kinetic);
+  const auto add = [&](const char* name, auto of_stresses) {  // of contacts and kinetic
+    std::vector<double> values;
+    for (std::size_t k = 0; k < f.grid.size(); ++k) values.push_back(of_stresses(f.contact_stress[k], f.kinetic_stress[k]));
+    out[name] = block.add_coarse(values);
+  };
+  using Stress = const Tensor2&;
+  add("pressure", [](Stress c, Stress t) { return -0.5 * (trace(c) + trace(t)); });
+  add("deviator", [](Stress c, Stress t) { return 0.5 * std::hypot(c.xx + t.xx - c.yy - t.yy, c.xy + c.yx + t.xy + t.yx); });
+  add("shear", [](Stress c, Stress t) { return 0.5 * (c.xy + c.yx + t.xy + t.yx); });
+  if (std::ranges::all_of(f.kinetic_stress, [](Stress t) { return trace(t) == 0; })) return out;
+  out["vx"] = block.add_coarse(mapped(f.velocity, &Vec2::x));
+  out["vy"] = block.add_coarse(mapped(f.velocity, &Vec2::y));
+  add("kinetic", [](Stress, Stress t) { return -0.5 * trace(t); });
   return out;
+}
+
+Numbers shapes_of(Grains grains, NumberBlock& block) {
+  grains.angle.assign(grains.size(), 0.0);
+  std::vector<std::uint32_t> first{0};
+  std::vector<double> x, y;
+  for (std::size_t g = 0; g < grains.size(); ++g) {
+    for (const Vec2& p : outline_of(grains, g, 0.3)) {
+      x.push_back(p.x - grains.x[g]);
+      y.push_back(p.y - grains.y[g]);
+    }
+    first.push_back(static_cast<std::uint32_t>(x.size()));
+  }
+  return {{"first", block.add_indices(first)}, {"x", block.add_reals(x)}, {"y", block.add_reals(y)}};
+}
+
+void add_grain_values(Numbers& out, const Packing& packing, NumberBlock& block) {
+  std::vector<double> pressure, deviator;
+  for (const Tensor2& moment : texture::grain_moments(packing)) {
+    const double r = packing.grains.radius[pressure.size()], volume = std::numbers::pi * r * r * packing.domain.thickness;
+    pressure.push_back(-0.5 * trace(moment) / volume);
+    deviator.push_back(0.5 * std::hypot(moment.xx - moment.yy, moment.xy + moment.yx) / volume);
+  }
+  out["pressure"] = block.add_reals(pressure);
+  out["deviator"] = block.add_coarse(deviator);
+  const Grains& grains = packing.grains;
+  const auto rests = [](double v) { return v == 0; };
+  if (!std::ranges::all_of(grains.vx, rests) || !std::ranges::all_of(grains.vy, rests)) {
+    out["vx"] = block.add_coarse(grains.vx);
+    out["vy"] = block.add_coarse(grains.vy);
+  }
+  if (!std::ranges::all_of(grains.omega, rests)) out["spin"] = block.add_coarse(grains.omega);
 }
 
 Numbers bonds_of(const Packing& packing, NumberBlock& block) {

@@ -3,14 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
-#include <numbers>
+#include <deque>
 #include <utility>
 
 #include "grains/fields/coarse_grained.hpp"
-#include "model/shapes.hpp"
 #include "report/test_curves.hpp"
+#include "workflow/run.hpp"
+#include "workflow/run_film.hpp"
 
 namespace arenite::report {
 namespace {
@@ -36,21 +36,6 @@ Numbers materials_of(const Materials& materials) {
   return mapped(materials, [](const Material& m) { return Numbers{{"name", m.name}, {"density", m.density}, {"stiffness", m.stiffness}}; });
 }
 
-/// Rims of grains that are no disks, from their centres where their angles are 0: those of grain g are points first[g] to first[g + 1] - 1.
-Numbers shapes_of(Grains grains, NumberBlock& block) {
-  grains.angle.assign(grains.size(), 0.0);
-  std::vector<std::uint32_t> first{0};
-  std::vector<double> x, y;
-  for (std::size_t g = 0; g < grains.size(); ++g) {
-    for (const Vec2& p : outline_of(grains, g, 0.3)) {
-      x.push_back(p.x - grains.x[g]);
-      y.push_back(p.y - grains.y[g]);
-    }
-    first.push_back(static_cast<std::uint32_t>(x.size()));
-  }
-  return {{"first", block.add_indices(first)}, {"x", block.add_reals(x)}, {"y", block.add_reals(y)}};
-}
-
 Numbers grains_of(const Grains& grains, NumberBlock& block) {
   const std::vector<std::int32_t> ids(grains.id.begin(), grains.id.end());
   Numbers out = {{"count", grains.size()},
@@ -60,26 +45,6 @@ Numbers grains_of(const Grains& grains, NumberBlock& block) {
                  {"zone", block.add_indices(unsigned_copy(grains.zone))}};
   if (!grains.shapes.empty()) out["shapes"] = shapes_of(grains, block);
   return out;
-}
-
-/// What the page knows of every grain in a state: pressure p = -sigma_hyd and deviator q of its stress, Pa (half the sum and half the difference
-/// of the principal ones), its velocity and its spin. Of a state at rest the last two are left out.
-void add_grain_values(Numbers& out, const Packing& packing, NumberBlock& block) {
-  std::vector<double> pressure, deviator;
-  for (const Tensor2& moment : texture::grain_moments(packing)) {
-    const double r = packing.grains.radius[pressure.size()], volume = std::numbers::pi * r * r * packing.domain.thickness;
-    pressure.push_back(-0.5 * trace(moment) / volume);
-    deviator.push_back(0.5 * std::hypot(moment.xx - moment.yy, moment.xy + moment.yx) / volume);
-  }
-  out["pressure"] = block.add_reals(pressure);
-  out["deviator"] = block.add_coarse(deviator);
-  const Grains& grains = packing.grains;
-  const auto rests = [](double v) { return v == 0; };
-  if (!std::ranges::all_of(grains.vx, rests) || !std::ranges::all_of(grains.vy, rests)) {
-    out["vx"] = block.add_coarse(grains.vx);
-    out["vy"] = block.add_coarse(grains.vy);
-  }
-  if (!std::ranges::all_of(grains.omega, rests)) out["spin"] = block.add_coarse(grains.omega);
 }
 
 Numbers contacts_of(const Packing& packing, NumberBlock& block) {
@@ -114,7 +79,6 @@ Numbers texture_of(const texture::Texture& texture, NumberBlock& block) {
 
 Numbers frame_of(const Frame& frame, std::size_t stage, const texture::Texture* texture, NumberBlock& block) {
   const Grains& grains = frame.packing.grains;
-  const Equilibrium& now = frame.equilibrium;
   Numbers out{{"stage", stage},
               {"label", frame.label},
               {"time", frame.time},
@@ -124,13 +88,7 @@ Numbers frame_of(const Frame& frame, std::size_t stage, const texture::Texture* 
               {"y", block.add_reals(grains.y)},
               {"angle", block.add_reals(grains.angle)},
               {"contacts", contacts_of(frame.packing, block)},
-              {"equilibrium",
-               {{"unbalanced_ratio", now.unbalanced_ratio},
-                {"kinetic_ratio", now.kinetic_ratio},
-                {"loose_kinetic_ratio", now.loose_kinetic},
-                {"falling", now.falling},
-                {"mobilisation", now.mobilisation},
-                {"wall_speed", now.wall_speed}}}};
+              {"equilibrium", rest_of(frame.equilibrium, "wall_speed")}};
   add_grain_values(out, frame.packing, block);
   if (!frame.packing.bonds.empty()) out["bonds"] = bonds_of(frame.packing, block);
   if (!frame.packing.cohesive.empty()) out["cohesive"] = cohesive_of(frame.packing, block);
@@ -156,25 +114,57 @@ Numbers stage_of(const StageResult& stage, NumberBlock& block) {
   return out;
 }
 
-const Frame* last_frame(const PageData& data) {
-  for (auto stage = data.stages.rbegin(); stage != data.stages.rend(); ++stage)
-    if (!(*stage)->frames.empty()) return &(*stage)->frames.back();
+/// A stage, how the texture of its states is measured, and that of its last state where it is known already.
+struct ShownStage {
+  const StageResult* result;
+  texture::Options options;
+  const texture::Texture* last = nullptr;
+};
+
+/// Films with grains as stages, which are put into `measured`, and then the stages.
+std::vector<ShownStage> stages_of(const PageData& data, std::deque<StageResult>& measured) {
+  std::vector<ShownStage> shown;
+  for (const FilmResult& film : data.films)
+    if (film.packing.grains.size() > 0)
+      shown.push_back({&measured.emplace_back(workflow::measured_stage(film)), {.grain_sigma_hyd = film.peak_to_peak.sigma_hyd}});
+  for (std::size_t s = 0; s < data.stages.size(); ++s) {
+    const bool is_known = s < data.measured.size() && data.measured[s];
+    shown.push_back({&data.stages[s], workflow::texture_options(data.stages[s].provenance), is_known ? &*data.measured[s] : nullptr});
+  }
+  return shown;
+}
+
+const Frame* last_frame(const std::vector<ShownStage>& stages) {
+  for (auto stage = stages.rbegin(); stage != stages.rend(); ++stage)
+    if (!stage->result->frames.empty()) return &stage->result->frames.back();
   return nullptr;
 }
 
 /// Fields of every so many states, so that they are no more than the page can carry.
-std::size_t states_per_fields(const PageData& data) {
+std::size_t states_per_fields(const std::vector<ShownStage>& stages) {
   constexpr std::size_t most = 60'000;  // cells
   std::size_t cells = 0;
-  for (const StageResult* stage : data.stages)
-    for (const Frame& frame : stage->frames) cells += std::min<std::size_t>(frame.packing.grains.size(), 2500);
+  for (const ShownStage& stage : stages)
+    for (const Frame& frame : stage.result->frames) cells += std::min<std::size_t>(frame.packing.grains.size(), 2500);
   return 1 + cells / most;
 }
 
-const texture::Texture* find_texture(const PageData& data, std::size_t stage, std::size_t frame) {
-  for (const FrameTexture& t : data.textures)
-    if (t.stage == stage && t.frame == frame) return &t.texture;
-  return nullptr;
+/// The states of one stage that have as many grains as the last one of all, with the textures of all in a small sample, and fields of some.
+void add_states(Numbers& frames, const ShownStage& stage, std::size_t s, std::size_t grains, std::size_t every, NumberBlock& block) {
+  constexpr std::size_t small = 10'000;
+  const auto& states = stage.result->frames;
+  for (std::size_t f = 0; f < states.size(); ++f) {
+    const Packing& packing = states[f].packing;
+    if (packing.grains.size() != grains) continue;
+    const bool is_last = f + 1 == states.size();
+    std::optional<texture::Texture> now;
+    const texture::Texture* texture = is_last ? stage.last : nullptr;
+    if (!texture && (is_last || grains <= small)) texture = &now.emplace(texture::measure(packing, stage.options));
+    frames.push_back(frame_of(states[f], s, texture, block));
+    if (!is_last && f % every != 0) continue;
+    const double rate = fields::shear_rate_at(stage.result->history, states[f].time);
+    if (Numbers fields = coarse_fields_of(packing, rate, block); fields.is_known()) frames.back()["fields"] = std::move(fields);
+  }
 }
 
 }  // namespace
@@ -186,6 +176,12 @@ Numbers pairs_of(const Packing& packing, NumberBlock& block) {
   for (std::size_t c = 0; c < contacts.size(); ++c)
     partner[c] = contacts.is_wall(c) ? grains + static_cast<std::uint32_t>(contacts.wall_side(c)) : static_cast<std::uint32_t>(contacts.j[c]);
   return {{"i", block.add_indices(unsigned_copy(contacts.i))}, {"j", block.add_indices(partner)}};
+}
+
+Numbers rest_of(const Equilibrium& now, const char* speed) {
+  return {{"unbalanced_ratio", now.unbalanced_ratio}, {"kinetic_ratio", now.kinetic_ratio},
+          {"loose_kinetic_ratio", now.loose_kinetic}, {"falling", now.falling},
+          {"mobilisation", now.mobilisation},         {speed, now.wall_speed}};
 }
 
 Numbers history_of(const History& history, NumberBlock& block) {
@@ -212,25 +208,20 @@ PageDocument page_document(const PageData& data) {
   NumberBlock block;
   Numbers document{{"title", data.title}};
   Numbers stages = Numbers::list(), frames = Numbers::list();
-  const Frame* last = last_frame(data);
+  std::deque<StageResult> measured;  // stays in place while the stages point at it
+  const auto shown = stages_of(data, measured);
+  const Frame* last = last_frame(shown);
   if (last) {
     document["materials"] = materials_of(last->packing.materials);
     document["grains"] = grains_of(last->packing.grains, block);
   }
-  const std::size_t every = states_per_fields(data);
-  for (std::size_t s = 0; s < data.stages.size(); ++s) {
-    stages.push_back(stage_of(*data.stages[s], block));
-    const auto& states = data.stages[s]->frames;
-    for (std::size_t f = 0; f < states.size(); ++f) {
-      if (states[f].packing.grains.size() != last->packing.grains.size()) continue;
-      frames.push_back(frame_of(states[f], s, find_texture(data, s, f), block));
-      if (f + 1 == states.size() || f % every == 0)
-        if (Numbers fields = coarse_fields_of(states[f].packing, fields::shear_rate_at(data.stages[s]->history, states[f].time), block); fields.is_known())
-          frames.back()["fields"] = std::move(fields);
-    }
+  const std::size_t every = states_per_fields(shown);
+  for (std::size_t s = 0; s < shown.size(); ++s) {
+    stages.push_back(stage_of(*shown[s].result, block));
+    if (last) add_states(frames, shown[s], s, last->packing.grains.size(), every, block);
   }
   if (last)
-    if (Numbers sizes = size_curves_of(last->packing, data.stages.back()->provenance.recipe, block); sizes.is_known()) document["sizes"] = std::move(sizes);
+    if (Numbers sizes = size_curves_of(last->packing, shown.back().result->provenance.recipe, block); sizes.is_known()) document["sizes"] = std::move(sizes);
   document["stages"] = std::move(stages);
   document["frames"] = std::move(frames);
   if (!data.fields.empty()) add_fields(document, data.fields, block);

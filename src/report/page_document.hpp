@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,8 @@ template <class T> std::vector<std::uint32_t> unsigned_copy(const std::vector<T>
 
 /// Places of the grains of each contact, "i" and "j"; walls are numbered after the grains by their side.
 Numbers pairs_of(const Packing& packing, NumberBlock& block);
+/// How far a state is from rest; `speed` names that of its walls.
+Numbers rest_of(const Equilibrium& now, const char* speed);
 /// Every column with its unit, at most about a thousand rows of it.
 Numbers history_of(const History& history, NumberBlock& block);
 Numbers provenance_of(const Provenance& provenance);
@@ -47,12 +50,13 @@ struct Thinning {
   }
 };
 
-/// Adds "maps" (every phase map once) and "fields" (one a result) to the page's document.
-void add_fields(Numbers& document, const std::vector<FieldPageData>& fields, NumberBlock& block);
+/// Adds "maps" (every phase map once) and "fields" (one a result) to the page's document. Densities of stresses are measured as those in the result's
+/// numbers were; all components are shown, whichever these name.
+void add_fields(Numbers& document, std::span<const FieldResult> fields, NumberBlock& block);
 
 /// Adds "films" (one a result) to the page's document: maps, grains in pixels, contacts and, where there are any, the
 /// statistics of grain stresses and what relates them to the companion simulation's.
-void add_films(Numbers& document, const std::vector<FilmPageData>& films, NumberBlock& block);
+void add_films(Numbers& document, std::span<const FilmResult> films, NumberBlock& block);
 
 // What the page shows of a packing beside its grains and contacts.
 
@@ -60,6 +64,13 @@ void add_films(Numbers& document, const std::vector<FilmPageData>& films, Number
 /// density, velocity, pressure and deviator of the whole stress, its shear and the kinetic pressure. The kernel is as wide as the mean grain,
 /// or as a cell where the sample has many. `shear_rate`, 1/s: of a cell that is sheared. Not known without grains or box.
 Numbers coarse_fields_of(const Packing& packing, double shear_rate, NumberBlock& block);
+
+/// Rims of grains that are no disks, from their centres where their angles are 0: those of grain g are points first[g] to first[g + 1] - 1.
+Numbers shapes_of(Grains grains, NumberBlock& block);
+
+/// What the page knows of every grain in a state: pressure p = -sigma_hyd and deviator q of its stress, Pa (half the sum and half the difference
+/// of the principal ones), its velocity and its spin. Of a state at rest the last two are left out.
+void add_grain_values(Numbers& out, const Packing& packing, NumberBlock& block);
 
 /// Bonds that hold, and how the others broke.
 Numbers bonds_of(const Packing& packing, NumberBlock& block);

@@ -49,16 +49,15 @@ Numbers disks_json(const Disks& disks) {
     bottom = std::min(bottom, disks.y[g] - disks.radius[g]);
     top = std::max(top, disks.y[g] + disks.radius[g]);
   }
-  Numbers j{{"size", {in_mm(right - left), in_mm(top - bottom)}}};
-  for (const char* name : {"x", "y", "r", "material", "glued"}) j[name] = Numbers::list();
-  for (std::size_t g = 0; g < disks.x.size(); ++g) {
-    j["x"].push_back(in_mm(disks.x[g] - left));
-    j["y"].push_back(in_mm(disks.y[g] - bottom));
-    j["r"].push_back(in_mm(disks.radius[g]));
-    j["material"].push_back(disks.material[g]);
-    j["glued"].push_back(g < disks.zone.size() && disks.zone[g] != 0 ? 1 : 0);
-  }
-  return j;
+  const auto from = [](double origin) { return [origin](double at) { return in_mm(at - origin); }; };
+  std::vector<std::uint8_t> zone = disks.zone;
+  zone.resize(disks.x.size(), 0);
+  return {{"size", {in_mm(right - left), in_mm(top - bottom)}},
+          {"x", mapped(disks.x, from(left))},
+          {"y", mapped(disks.y, from(bottom))},
+          {"r", mapped(disks.radius, in_mm)},
+          {"material", disks.material},
+          {"glued", mapped(zone, [](std::uint8_t z) { return z != 0 ? 1 : 0; })}};
 }
 
 Numbers stress_json(const std::vector<double>& sigma_norm) { return mapped(sigma_norm, hundredth); }

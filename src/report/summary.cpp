@@ -43,20 +43,13 @@ Numbers boundaries(const Domain& domain) {
 }
 
 Numbers state(const Frame& frame) {
-  const Equilibrium& q = frame.equilibrium;
   Numbers energies = Numbers::tree();
   for (const EnergyTerm& term : energy_terms) energies[term.name] = frame.energies.*term.value;
   Numbers j{{"label", frame.label},
             {"time_s", frame.time},
             {"step", frame.step},
             {"walls", walls(frame.packing.domain)},
-            {"equilibrium",
-             {{"unbalanced_ratio", q.unbalanced_ratio},
-              {"kinetic_ratio", q.kinetic_ratio},
-              {"loose_kinetic_ratio", q.loose_kinetic},
-              {"falling", q.falling},
-              {"mobilisation", q.mobilisation},
-              {"wall_speed_m_s", q.wall_speed}}},
+            {"equilibrium", rest_of(frame.equilibrium, "wall_speed_m_s")},
             {"energies_J", energies}};
   if (!frame.packing.domain.boundaries.empty()) j["boundaries"] = boundaries(frame.packing.domain);
   return j;
@@ -81,6 +74,11 @@ void describe_state(TextLines& lines, const Frame& frame) {
     if (const double value = frame.energies.*term.value; value != 0) lines.add(term.phrase, fmt::format("{:.5g} J", value));
 }
 
+/// What the list of stages says of every kind of result.
+Numbers entry(const ResultHead& head, const std::string& file) {
+  return {{"name", head.name}, {"file", file}, {"input_hash", head.provenance.input_hash}, {"converged", head.converged}, {"outcome", head.outcome}};
+}
+
 /// As stored, or measured now.
 Numbers last_texture(const StageResult& last) {
   if (!last.texture.empty()) return last.texture;
@@ -97,19 +95,11 @@ texture::Texture texture_without_rev(const StageResult& last) {
 
 }  // namespace
 
-Summary::Field::Field(const std::filesystem::path& path, const FieldResult& field)
-    : file(path.filename().string()),
-      name(field.name),
-      outcome(field.outcome),
-      numbers(field.numbers),
-      converged(field.converged),
-      provenance(field.provenance) {}
-
 Summary::Summary(const std::filesystem::path& result) {
   for (const auto& file : io::stage_files(result)) {
     auto any = io::read_result(file);
     if (const auto* field = std::get_if<FieldResult>(&any)) {
-      fields_.emplace_back(file, *field);
+      fields_.push_back({file.filename().string(), *field, field->numbers});
     } else if (auto* film = std::get_if<FilmResult>(&any)) {
       films_.push_back(std::move(*film));
     } else {
@@ -124,35 +114,33 @@ Summary::Summary(const std::filesystem::path& result) {
 Summary::Summary(const workflow::RunOutcome& outcome) {
   auto file = outcome.files.begin();
   for (const StageResult& s : outcome.stages) {
-    StageResult stage{s.provenance, s.name, s.converged, s.outcome, {}, s.history, {}, s.texture, {}};
+    StageResult stage{s, {}, s.history, {}, s.texture, {}};
     if (!s.frames.empty()) stage.frames.push_back(s.frames.back());
     stages_.push_back({(file++)->filename().string(), std::move(stage), s.frames.size()});
   }
-  for (const FieldResult& field : outcome.fields) fields_.emplace_back(*file++, field);
+  for (const FieldResult& field : outcome.fields) fields_.push_back({(file++)->filename().string(), field, field.numbers});
 }
+
+const ResultHead& Summary::last() const { return fields_.empty() ? stages_.back().result : fields_.back().head; }
 
 Numbers Summary::numbers() const {
   if (!films_.empty()) return film_numbers(films_.back());
   const Numbers texture = stages_.empty() ? Numbers::tree() : last_texture(stages_.back().result);
   Numbers j = fields_.empty() ? texture : fields_.back().numbers;
   if (!fields_.empty() && !stages_.empty()) j["texture"] = texture;
-  j["provenance"] = provenance(fields_.empty() ? stages_.back().result.provenance : fields_.back().provenance);
+  j["provenance"] = provenance(last().provenance);
   for (const Stage& stage : stages_) {
-    Numbers one{
-        {"name", stage.result.name},       {"file", stage.file},    {"input_hash", stage.result.provenance.input_hash}, {"converged", stage.result.converged},
-        {"outcome", stage.result.outcome}, {"states", stage.states}};
+    Numbers one = entry(stage.result, stage.file);
+    one["states"] = stage.states;
     if (!stage.result.frames.empty()) one["last_state"] = state(stage.result.frames.back());
     if (const auto curves = test_curves(stage.result))
       if (const auto critical = critical_state(*curves)) one["critical_state"] = j["critical_state"] = numbers_of(*curves, *critical);
     j["stages"].push_back(one);
   }
-  for (const Field& field : fields_)
-    j["stages"].push_back({{"name", field.name},
-                           {"file", field.file},
-                           {"input_hash", field.provenance.input_hash},
-                           {"converged", field.converged},
-                           {"outcome", field.outcome},
-                           {"numbers", field.numbers}});
+  for (const Field& field : fields_) {
+    j["stages"].push_back(entry(field.head, field.file));
+    j["stages"].back()["numbers"] = field.numbers;
+  }
   return j;
 }
 
@@ -164,10 +152,10 @@ std::string Summary::how_stages_ended() const {
     lines.add("", fmt::format("{} {} in {}", stage.states, stage.states == 1 ? "state" : "states", stage.file));
   }
   for (const Field& field : fields_) {
-    lines.add(field.name, (field.converged ? "" : "NOT SOLVED: ") + field.outcome);
+    lines.add(field.head.name, (field.head.converged ? "" : "NOT SOLVED: ") + field.head.outcome);
     lines.add("", field.file);
   }
-  return made_by(fields_.empty() ? stages_.back().result.provenance : fields_.back().provenance) + std::move(lines).text();
+  return made_by(last().provenance) + std::move(lines).text();
 }
 
 std::string Summary::text() const {

@@ -33,12 +33,11 @@ class Summary {
     std::size_t states = 0;
   };
   struct Field {
-    Field(const std::filesystem::path& path, const FieldResult& field);
-    std::string file, name, outcome;
+    std::string file;
+    ResultHead head;
     Numbers numbers;
-    bool converged = true;
-    Provenance provenance;
   };
+  const ResultHead& last() const;
   std::vector<Stage> stages_;
   std::vector<Field> fields_;  ///< after the stages
   std::vector<FilmResult> films_;

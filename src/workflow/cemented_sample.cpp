@@ -161,21 +161,18 @@ FieldResult make_cemented_sample(const recipe::Recipe& recipe, const Packing& pa
   const auto materials = class_materials(recipe, packing);
   const double radius = reference_radius(recipe, packing);
   SampleReports reports;
-  reports.section = recipe.cement_or_none();
-  reports.gap = reports.section.gap.value_or(gap_over_radius * radius);
-  auto law = reports.section.law;
-  law.gap = reports.gap;
-
+  reports.law = recipe.cement_or_none();
+  if (!reports.law.gap) reports.law.gap = gap_over_radius * radius;
   const double side = crop_side(recipe, section, packing, radius);
   const auto window = grid::crop_window(packing, side);
-  const Cement cement = cement::make_cement(packing, law, window, reports.cement);
+  const Cement cement = cement::make_cement(packing, reports.law, window, reports.cement);
   FieldResult result;
   result.name = "cement";
   result.map = grid::rasterise(packing, cement, {section.nodes, side}, classes(packing, materials), reports.grid);
   auto cropped = crop(packing, cement, reports.grid.grain_of_label, {window.x_min, window.y_min});
   result.packing = std::move(cropped.packing);
   result.cement = std::move(cropped.cement);
-  if (materials) reports.coordination = texture::gap_coordination(packing, reports.gap, materials->large, materials->small, window);
+  if (materials) reports.coordination = texture::gap_coordination(packing, *reports.law.gap, materials->large, materials->small, window);
   result.outcome = sentence(reports, result.map, section);
   result.numbers = map_numbers(result.map, section.cavities, radius);
   add_reports(result.numbers, reports);

@@ -112,13 +112,13 @@ Numbers map_numbers(const PhaseMap& map, const grid::CavityRules& rules, double 
 void add_reports(Numbers& j, const SampleReports& reports) {
   const auto& c = reports.cement;
   const auto& r = reports.grid;
-  const auto kind = static_cast<std::size_t>(reports.section.law.kind);
+  const auto kind = static_cast<std::size_t>(reports.law.kind);
   j["area_error"] = {{"particle", r.particle_area_error}, {"matrix", r.matrix_area_error}};
   j["exact"] = {{"solid_fraction", c.areas.particle / c.areas.window}, {"S_m", c.saturation}};
-  Numbers cement{{"kind", recipe::word_of(reports.section.law.kind)}, {"gap_m", reports.gap}, {"necks", c.necks}};
+  Numbers cement{{"kind", recipe::word_of(reports.law.kind)}, {"gap_m", *reports.law.gap}, {"necks", c.necks}};
   if (parameter_names[kind][0] != '\0') cement[parameter_names[kind]] = c.parameter;
-  if (reports.section.law.saturation) cement["saturation_error"] = c.saturation_error;
-  if (reports.section.law.kind == cement::CementParameters::Kind::menisci) cement.update({{"ruptured", c.ruptured}, {"capped", c.capped}});
+  if (reports.law.saturation) cement["saturation_error"] = c.saturation_error;
+  if (reports.law.kind == cement::CementParameters::Kind::menisci) cement.update({{"ruptured", c.ruptured}, {"capped", c.capped}});
   j["cement"] = cement;
   j["grid"] = {{"corner_m", {r.window.x_min, r.window.y_min}},
                {"side_m", r.window.width()},
@@ -127,7 +127,7 @@ void add_reports(Numbers& j, const SampleReports& reports) {
                {"lost_area_m2", r.lost_area},
                {"thinnest_neck_nodes", r.thinnest_neck},
                {"smallest_grain_nodes", r.smallest_grain}};
-  if (reports.coordination) j["coordination"] = coordination(*reports.coordination, reports.gap);
+  if (reports.coordination) j["coordination"] = coordination(*reports.coordination, *reports.law.gap);
 }
 
 void add_load(Numbers& j, const recipe::Load& load, const peridynamics::LoadReport& report, const std::optional<peridynamics::EffectiveModuli>& moduli) {

@@ -75,10 +75,9 @@ void sign(FieldResult& result, const std::filesystem::path& source, const std::s
 
 /// What is known of a cemented packing beyond its map.
 struct SampleReports {
-  recipe::CementSection section;
+  cement::CementParameters law;  ///< with the gap at which grains are neighbours
   cement::CementReport cement;
   grid::GridReport grid;
-  double gap = 0;                                        ///< at which grains are neighbours, m
   std::optional<texture::GapCoordination> coordination;  ///< where there are two classes
 };
 

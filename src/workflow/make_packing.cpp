@@ -25,7 +25,7 @@ Domain frame_of(const recipe::Recipe& recipe) {
   domain.thickness = frame.thickness;
   domain.periodic_x = frame.periodic_x;
   domain.periodic_y = frame.periodic_y;
-  for (int side = 0; side < 4; ++side) domain.wall[side].present = !(side < 2 ? frame.periodic_x : frame.periodic_y);
+  for (int side = 0; side < 4; ++side) domain.wall[side].present = !frame.is_periodic(side);
   domain.wall[right].position = frame.width;
   domain.wall[top].position = frame.height;
   domain.boundaries = recipe.boundaries;

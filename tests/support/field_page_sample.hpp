@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <string>
 #include <utility>
 
@@ -13,7 +14,8 @@ namespace arenite::test {
 
 /// A cemented sample, its stresses under tension, and its pull to failure, as they might come from the store.
 struct FieldPageSample {
-  FieldResult cement, load, pull;
+  std::array<FieldResult, 3> results;
+  FieldResult &cement = results[0], &load = results[1], &pull = results[2];
   report::PageData data;
 
   explicit FieldPageSample(const CementedSample& sample = {192, 2.5, 1.6, 0.5, 0.075, 0.86, 3}, int events = 40) {
@@ -26,7 +28,7 @@ struct FieldPageSample {
     stretch();
     break_apart(events);
     data.title = "Cemented <packing> in tension";
-    for (const FieldResult* result : {&cement, &load, &pull}) data.fields.push_back({result, {}});
+    data.fields = results;
   }
 
   FieldPageSample(const FieldPageSample&) = delete;

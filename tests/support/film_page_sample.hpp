@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -17,7 +18,8 @@ namespace arenite::test {
 /// forces and grain stresses are the true ones with errors as large as they say. Some contacts are not there; two
 /// pixels are bad. Beside it the maps alone, as of a film without grains, and the grains' stresses alone.
 struct FilmPageSample {
-  FilmResult film, maps_only, stresses_only;
+  std::array<FilmResult, 3> results;
+  FilmResult &maps_only = results[0], &stresses_only = results[1], &film = results[2];
   report::PageData data;
 
   explicit FilmPageSample(std::size_t grains = 260, double pixel = 1.6e-3) {
@@ -47,7 +49,7 @@ struct FilmPageSample {
     stresses_only.packing = film.packing;
     stresses_only.packing.contacts = {};
     stresses_only.peak_to_peak = film.peak_to_peak;
-    data.films = {{&maps_only, {}}, {&stresses_only, {}}, {&film, {}}};
+    data.films = results;
   }
 
   FilmPageSample(const FilmPageSample&) = delete;

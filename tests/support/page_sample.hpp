@@ -37,8 +37,7 @@ inline void load_walls(Packing& packing) {
     if (packing.contacts.is_wall(c)) packing.domain.wall[static_cast<std::size_t>(packing.contacts.wall_side(c))].force += packing.contacts.fn[c];
 }
 
-/// A run of five states as it might come from the store, with the texture of each; the first contact of the last
-/// state pulls.
+/// A run of five states as it might come from the store; the first contact of the last state pulls.
 struct PageSample {
   static constexpr const char* recipe = R"(title = "<two> materials & a frame"
 [materials.POM]
@@ -113,8 +112,7 @@ bottom = { pressure = "1 kPa" }
     stage.history = history;
     stage.provenance = {"0.1.0", "load", "0123456789abcdef", recipe, 7, "portable", {}};
     data.title = "Two materials <in> a frame";
-    data.stages = {&stage};
-    for (std::size_t f = 0; f < stage.frames.size(); ++f) data.textures.push_back({0, f, texture::measure(stage.frames[f].packing)});
+    data.stages = {&stage, 1};
   }
 
   PageSample(const PageSample&) = delete;

@@ -21,7 +21,7 @@ std::int64_t steps_of(double duration, double time_step) { return static_cast<st
 bool is_at_rest(const Equilibrium& now, const EquilibriumCriterion& wanted) {
   return now.unbalanced_ratio < wanted.unbalanced && now.kinetic_ratio < wanted.kinetic &&
          now.loose_kinetic < wanted.loose_kinetic.value_or(1e5 * wanted.kinetic) && now.falling <= wanted.falling &&
-         (wanted.mobilisation < 0 || now.mobilisation < wanted.mobilisation);
+         (!wanted.mobilisation || now.mobilisation < *wanted.mobilisation);
 }
 
 namespace {
@@ -45,7 +45,7 @@ void append(History& history, const char* name, const char* unit, double value) 
 }
 
 bool shears_cell(const Stage& stage) {
-  return stage.shear_rate != 0 || (stage.strain_cycles && stage.strain_cycles->of == "shear") ||
+  return stage.shear_rate != 0 || (stage.strain_cycles && stage.strain_cycles->of == StrainCycles::shear) ||
          std::any_of(stage.programmes.begin(), stage.programmes.end(), [](const Programme& p) { return p.of == Programme::shear_rate; });
 }
 
@@ -162,9 +162,8 @@ void drive_strain(Engine& engine, const Stage& stage, const StageRun& run, const
   const StrainCycles& cycles = *stage.strain_cycles;
   const double rate = (half.to - half.from) / (static_cast<double>(half.steps) * engine.time_step());
   Increment increment = on_the_ramp(stage, run.force_at_start, 1);
-  if (cycles.of == "shear") engine.set_shear_rate(rate);
-  for (std::size_t side = 0; side < 4; ++side)
-    if (cycles.of == side_names[side]) increment.side[side] = {SideDrive::Kind::velocity, rate * run.size_at_start[side / 2]};
+  if (cycles.of == StrainCycles::shear) engine.set_shear_rate(rate);
+  else increment.side[cycles.of] = {SideDrive::Kind::velocity, rate * run.size_at_start[cycles.of / 2]};
   engine.set_drives(drives_for(increment, engine.domain()));
 }
 

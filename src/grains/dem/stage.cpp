@@ -12,12 +12,6 @@ namespace {
 
 bool is_ramped(const SideDrive& drive) { return drive.kind == SideDrive::Kind::force; }
 
-int side_index(const std::string& name) {
-  for (int side = 0; side < 4; ++side)
-    if (name == side_names[side]) return side;
-  return bottom;
-}
-
 /// Length of sample that a side's pressure acts on, m.
 double loaded_length(const Domain& domain, int side) { return side < 2 ? domain.height() : domain.width(); }
 
@@ -34,7 +28,7 @@ Increment cycle_increment(const Stage& stage, double start, std::int64_t k) {
   const double share = static_cast<double>(step) / static_cast<double>(cycles.increments);
   const std::string label = fmt::format("cycle {} {}", half / 2 + 1, up ? "maximum" : "minimum");
   Increment increment{stage.side, stage.slide, step == cycles.increments ? label : fmt::format("{}, {} of {}", label, step, cycles.increments)};
-  increment.side[side_index(cycles.side)] = {SideDrive::Kind::force, from + share * (to - from)};
+  increment.side[cycles.side] = {SideDrive::Kind::force, from + share * (to - from)};
   return increment;
 }
 
@@ -59,7 +53,7 @@ Increment increment_at(const Stage& stage, const std::array<double, 4>& force_at
   if (k < n)
     return on_the_ramp(stage, force_at_start, static_cast<double>(k + 1) / static_cast<double>(n),
                        n == 1 ? std::string("rest") : fmt::format("increment {} of {}", k + 1, n));
-  const int side = side_index(stage.cycles->side);
+  const int side = stage.cycles->side;
   return cycle_increment(stage, is_ramped(stage.side[side]) ? stage.side[side].value : force_at_start[side], k - n);
 }
 

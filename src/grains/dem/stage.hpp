@@ -19,7 +19,7 @@ struct EquilibriumCriterion {
   double kinetic = 1e-6;                ///< kinetic over elastic energy
   double falling = 1e-3;                ///< share of grains that may still fall
   std::optional<double> loose_kinetic;  ///< kinetic energy of grains that carry nothing over elastic energy; unset: 1e5 kinetic
-  double mobilisation = -1;             ///< mean |F_t|/F_n below this as well; < 0: not asked
+  std::optional<double> mobilisation;   ///< mean |F_t|/F_n below this as well; unset: not asked
   std::int64_t max_steps = 20'000'000;  ///< of one increment; then the stage ends with exit status 3
   bool operator==(const EquilibriumCriterion&) const = default;
 };
@@ -34,7 +34,7 @@ struct SideDrive {
 
 /// Force cycles on one side after the ramp, e.g. 6-60 kN (T 3.2.1); each half cycle is a ramp to rest.
 struct Cycles {
-  std::string side;         ///< "left", "right", "bottom", "top"
+  int side = bottom;        ///< model/packing.hpp
   double min = 0, max = 0;  ///< N
   std::int64_t count = 0;
   std::int64_t increments = 5;              ///< a half cycle
@@ -45,7 +45,8 @@ struct Cycles {
 /// Cycles of strain at a given rate: one side goes in and out, or a periodic cell is sheared to and fro, between two strains of the sample as the
 /// stage begins. The first half cycle goes from there to `max`.
 struct StrainCycles {
-  std::string of;  ///< "left", "right", "bottom", "top": shortening, positive inward; "shear"
+  static constexpr int shear = 4;
+  int of = top;  ///< a side (model/packing.hpp): shortening, positive inward; or `shear`
   double min = 0, max = 0;
   double rate = 0;  ///< 1/s, of the strain
   std::int64_t count = 0;

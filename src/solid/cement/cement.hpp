@@ -14,13 +14,14 @@ using Window = geometry::Rectangle;
 struct CementParameters {
   enum class Kind { none, bridges, full, coating, menisci };
   Kind kind = Kind::bridges;
-  double gap = 0;           ///< ell: widest surface gap that is bridged, m (bridges, menisci)
+  /// ell: widest surface gap that is bridged, m (bridges, menisci); unless given 0, in recipes 0.075 mean large radii (P's 3 dx).
+  std::optional<double> gap = {};
   double width = 0.4;       ///< eta: half base of a bridge over the radius of its grain (bridges)
   bool full_width = false;  ///< eta is the whole base over the radius
   double thickness = 0;     ///< of the layer, m (coating)
   double volume = 0;        ///< of one meniscus, m^2 per unit length (menisci)
   /// S_m, the share of the space between grains that is matrix: width, thickness or volume is found so that it is met.
-  std::optional<double> saturation;
+  std::optional<double> saturation = {};
   bool operator==(const CementParameters&) const = default;
 };
 
@@ -46,9 +47,7 @@ struct CementReport {
 /// reaches the saturation, naming the range that can be reached.
 Cement make_cement(const Packing& packing, const CementParameters& parameters, const Window& window, CementReport& report);
 
-/// Exact areas of grains and matrix in a window; throws InputError for a window without area.
-Areas exact_areas(const Packing& packing, const Cement& cement, const Window& window);
-/// The same of what is placed in it.
+/// Exact areas of the grains and the matrix that are placed in a window.
 Areas exact_areas(const PlacedCement& placed, const Window& window);
 
 }  // namespace arenite::cement

@@ -80,7 +80,7 @@ void check(const CementParameters& p, const Window& w) {
     problems.unless(value >= 0 && std::isfinite(value), "{} of {:g} is no length; give at least 0", what, value);
   };
   const bool necks = p.kind == Kind::bridges || p.kind == Kind::menisci;
-  if (necks) length("the cement's gap", p.gap);
+  if (necks) length("the cement's gap", p.gap.value_or(0));
   if (p.kind == Kind::bridges && !p.saturation)
     problems.unless(p.width >= 0 && p.width <= widest(p), "a bridge's width of {:g} radii is out of range; give 0 to {:g}, as wide as the grain", p.width,
                     widest(p));
@@ -101,7 +101,7 @@ void check(const CementParameters& p, const Window& w) {
 class Maker {
  public:
   Maker(const Packing& packing, const CementParameters& p, const Window& window) : packing_(packing), p_(p), window_(window) {
-    if (p.kind == Kind::bridges || p.kind == Kind::menisci) pairs_ = pairs_within(packing.grains, packing.domain, p.gap);
+    if (p.kind == Kind::bridges || p.kind == Kind::menisci) pairs_ = pairs_within(packing.grains, packing.domain, p.gap.value_or(0));
   }
 
   Cement operator()(double parameter, CementReport& report) const {
@@ -112,7 +112,7 @@ class Maker {
     if (p_.kind == Kind::bridges && parameter > 0) add_bridges(packing_, pairs_, p_.full_width ? 0.5 * parameter : parameter, cement);
     if (p_.kind == Kind::menisci && parameter > 0) add_menisci(packing_, pairs_, parameter, cement, report);
     report.necks = cement.bridges.size() + cement.menisci.size();
-    report.areas = exact_areas(packing_, cement, window_);
+    report.areas = exact_areas(place(packing_, cement, window_), window_);
     report.saturation = report.areas.saturation();
     return cement;
   }
@@ -161,12 +161,6 @@ class Maker {
 };
 
 }  // namespace
-
-Areas exact_areas(const Packing& packing, const Cement& cement, const Window& window) {
-  if (!(window.width() > 0 && window.height() > 0) || !std::isfinite(window.area()))
-    throw InputError(fmt::format("the window for exact areas is {:g} x {:g} m; give it positive sides", window.width(), window.height()));
-  return exact_areas(place(packing, cement, window), window);
-}
 
 Areas exact_areas(const PlacedCement& placed, const Window& window) {
   auto outlines = grain_outlines(placed);

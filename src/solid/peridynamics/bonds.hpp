@@ -85,6 +85,8 @@ template <class T> struct Field {
   Buffer<T> x, y;
   Field() = default;
   explicit Field(std::size_t padded_size) : x(padded_size), y(padded_size) {}
+  Vec2 at(std::ptrdiff_t i) const { return {static_cast<double>(x[i]), static_cast<double>(y[i])}; }
+  void set(std::ptrdiff_t i, Vec2 v) { x[i] = static_cast<T>(v.x), y[i] = static_cast<T>(v.y); }
 };
 
 template <class T> void copy(const Field<T>& from, Field<T>& to) {

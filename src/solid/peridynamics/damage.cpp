@@ -84,9 +84,7 @@ bool Pull::prepare() {
 void Pull::uniform_strain() {
   auto phase = map_.phase.begin();
   bonds_.grid.each([&](std::ptrdiff_t i, int y) {
-    if (*phase++ == Phase::empty) return;
-    u_.x[i] = y * map_.dx * way_.x;
-    u_.y[i] = y * map_.dx * way_.y;
+    if (*phase++ != Phase::empty) u_.set(i, y * map_.dx * way_);
   });
 }
 
@@ -120,7 +118,7 @@ bool Pull::equilibrate() {
   }
   unit_energy_ = -linear_force(bonds_, u_, f_) / 2;
   unit_force_ = 0;
-  for (std::ptrdiff_t i = bonds_.grid.row(map_.height - 1), end = i + map_.width; i < end; ++i) unit_force_ -= f_.x[i] * way_.x + f_.y[i] * way_.y;
+  for (std::ptrdiff_t i = bonds_.grid.row(map_.height - 1), end = i + map_.width; i < end; ++i) unit_force_ -= dot(f_.at(i), way_);
   return report.converged;
 }
 

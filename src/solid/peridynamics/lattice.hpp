@@ -30,9 +30,19 @@ struct LatticeModuli {
   double young_axis, poisson_axis;  ///< along x or y
   double young_diagonal, poisson_diagonal;
 };
-LatticeModuli lattice_moduli(double micromodulus = nominal_micromodulus);
+inline LatticeModuli lattice_moduli(double micromodulus = nominal_micromodulus) {
+  double c11 = 0, c12 = 0;
+  for (const auto e : half_bonds) {
+    const double l3 = std::pow(length(e), 3), xx = e.x * e.x, yy = e.y * e.y;
+    c11 += micromodulus * (xx * xx + yy * yy) / 2 / l3;  // both axes, so that a half of the bonds stands for all
+    c12 += micromodulus * xx * yy / l3;
+  }
+  const double c66 = c12;
+  const double d11 = (c11 + c12 + 2 * c66) / 2, d12 = (c11 + c12 - 2 * c66) / 2;
+  return {c11, c12, c11 - c12 * c12 / c11, c12 / c11, d11 - d12 * d12 / d11, d12 / d11};
+}
 
 /// Factor on the micromodulus that makes the lattice's Young modulus along its axes the one asked for (0.9394877).
-double calibration_factor();
+inline double calibration_factor() { return 1 / lattice_moduli().young_axis; }
 
 }  // namespace arenite::peridynamics

@@ -40,8 +40,7 @@ struct Specimen {
       if (*phase++ == Phase::empty) return;
       double share = static_cast<double>(y) / (grid.height - 1);
       if (!prescribed[static_cast<std::size_t>(y)] && tie[i] != Tie::both) share = tie[i] == Tie::above ? 1 : 0;
-      u.x[i] = share * top_displacement.x;
-      u.y[i] = share * top_displacement.y;
+      u.set(i, share * top_displacement);
     });
     return u;
   }
@@ -72,7 +71,7 @@ StaticReport find_equilibrium(Specimen& s, Field<double>& u) {
 
 Vec2 row_sum(const Grid& grid, const Field<double>& f, int y) {
   Vec2 sum;
-  for (std::ptrdiff_t i = grid.row(y), end = i + grid.width; i < end; ++i) sum += Vec2{f.x[i], f.y[i]};
+  for (std::ptrdiff_t i = grid.row(y), end = i + grid.width; i < end; ++i) sum += f.at(i);
   return sum;
 }
 

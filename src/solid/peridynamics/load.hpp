@@ -41,7 +41,6 @@ struct StaticReport {
   int iterations = 0;
   double residual = 0;          ///< relative, of the field that is handed back, worked out anew
   std::vector<double> history;  ///< relative residual after each iteration, the start first
-  std::int32_t coarse_unknowns = 0;
   int repairs = 0;              ///< CoarseSpace::repairs
   std::size_t loose_nodes = 0;  ///< that no bond holds in some direction
 };

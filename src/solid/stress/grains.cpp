@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/mapped.hpp"
 #include "solid/stress/stress.hpp"
 #include "statistics/correlation.hpp"
 #include "statistics/jackknife.hpp"
@@ -108,15 +108,10 @@ GrainComparison compare(const PhaseMap& map, const GrainStresses& grains, const 
   };
   GrainComparison result;
   for (const auto& [name, items] : grains_by_class(map, known)) {
-    std::array<std::vector<double>, 4> v;
-    for (const std::size_t g : items) {
-      v[0].push_back(grains.stress[g].yy);
-      v[1].push_back(contact_stress[g].yy);
-      v[2].push_back(0.5 * trace(grains.stress[g]));
-      v[3].push_back(0.5 * trace(contact_stress[g]));
-    }
-    result.yy.emplace_back(name, agreement(v[0], v[1]));
-    result.hydrostatic.emplace_back(name, agreement(v[2], v[3]));
+    const auto values = [&items = items](const std::vector<Tensor2>& stress, auto of) { return mapped(items, [&](std::size_t g) { return of(stress[g]); }); };
+    const auto compared = [&](auto of) { return agreement(values(grains.stress, of), values(contact_stress, of)); };
+    result.yy.emplace_back(name, compared([](const Tensor2& t) { return t.yy; }));
+    result.hydrostatic.emplace_back(name, compared([](const Tensor2& t) { return 0.5 * trace(t); }));
   }
   return result;
 }

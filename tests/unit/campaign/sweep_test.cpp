@@ -62,7 +62,7 @@ TEST(Sweep, GridAndReplicatesAreAllCombinationsTheLastVaryingFastest) {
                    "container.width = \"0.12 m\", cement.width = 0.25, seed = 3", "container.width = \"0.12 m\", cement.width = 0.25, seed = 4"}));
   const recipe::Recipe recipe = recipe_of(study, study.runs[7]);
   EXPECT_EQ(recipe.container.width, 0.12);
-  EXPECT_EQ(recipe.cement->law.width, 0.25);
+  EXPECT_EQ(recipe.cement->width, 0.25);
   EXPECT_EQ(recipe.seed, 4u);
   EXPECT_EQ(study.keys, (Lines{"container.width", "cement.width", "seed"}));
 }

@@ -159,7 +159,7 @@ friction = 0
   const Stage& load = recipe.stages.at(1);
   EXPECT_EQ(load.side[top], (SideDrive{SideDrive::Kind::pressure, 10e3}));
   ASSERT_TRUE(load.cycles);
-  EXPECT_EQ(*load.cycles, (Cycles{"bottom", 6e3, 60e3, 3, 5, {}}));
+  EXPECT_EQ(*load.cycles, (Cycles{bottom, 6e3, 60e3, 3, 5, {}}));
   EXPECT_EQ(load.equilibrium.mobilisation, 0.01);
   EXPECT_EQ(load.equilibrium.max_steps, 1'000'000);
   EXPECT_EQ(load.friction, 0.0);

@@ -44,23 +44,23 @@ Stage any_stage(int index, bool has_adhesion) {
   stage.mass_scaling = stage.gravity ? dem::MassScaling::none : any_of<dem::MassScaling>(2);
   stage.inertial_number = any_number(1e-2);
   stage.glue = has_adhesion && *rc::gen::arbitrary<bool>();
-  if (stage.side[bottom].kind == SideDrive::Kind::force) stage.cycles = maybe(Cycles{"bottom", any_number(1), any_number(10), 3, 7, {}});
+  if (stage.side[bottom].kind == SideDrive::Kind::force) stage.cycles = maybe(Cycles{bottom, any_number(1), any_number(10), 3, 7, {}});
   stage.equilibrium = {any_number(1e-5), any_number(1e-7), any_number(1e-3), maybe(any_number(1e-2)), maybe(any_number(1e-2)).value_or(-1), 1'000'000};
   return stage;
 }
 
-CementSection any_cement() {
+cement::CementParameters any_cement() {
   using Kind = cement::CementParameters::Kind;
-  CementSection cement;
+  cement::CementParameters cement;
   cement.gap = maybe(any_number(1e-4));
-  cement.law.kind = any_of<Kind>(5);
-  const bool is_free = cement.law.kind != Kind::none && cement.law.kind != Kind::full;
-  if (is_free) cement.law.saturation = maybe(any_number(0.3));
-  if (cement.law.kind == Kind::bridges) cement.law.full_width = *rc::gen::arbitrary<bool>();
-  if (cement.law.saturation) return cement;
-  if (cement.law.kind == Kind::bridges) cement.law.width = any_number(0.2);
-  if (cement.law.kind == Kind::coating) cement.law.thickness = any_number(1e-4);
-  if (cement.law.kind == Kind::menisci) cement.law.volume = any_number(1e-8);
+  cement.kind = any_of<Kind>(5);
+  const bool is_free = cement.kind != Kind::none && cement.kind != Kind::full;
+  if (is_free) cement.saturation = maybe(any_number(0.3));
+  if (cement.kind == Kind::bridges) cement.full_width = *rc::gen::arbitrary<bool>();
+  if (cement.saturation) return cement;
+  if (cement.kind == Kind::bridges) cement.width = any_number(0.2);
+  if (cement.kind == Kind::coating) cement.thickness = any_number(1e-4);
+  if (cement.kind == Kind::menisci) cement.volume = any_number(1e-8);
   return cement;
 }
 

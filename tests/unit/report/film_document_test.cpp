@@ -18,7 +18,7 @@ const test::FilmPageSample& film_sample() {
   return made;
 }
 
-Json document_of(const FilmResult& film) { return Json::parse(report::page_document({"film", {}, {}, {}, {{&film, {}}}}).json)["films"][0]; }
+Json document_of(const FilmResult& film) { return Json::parse(report::page_document({.title = "film", .films = {&film, 1}}).json)["films"][0]; }
 
 }  // namespace
 
@@ -94,5 +94,5 @@ TEST(FilmDocument, StaysSmallForALargeCamera) {
   for (auto* map :
        {&large.maps.amplitude, &large.maps.phase, &large.maps.in_phase, &large.maps.second_harmonic, &large.maps.standard_error, &large.maps.residual})
     *map = noise(0);
-  EXPECT_LT(report::page_document({"film", {}, {}, {}, {{&large, {}}}}).numbers.size(), 4'000'000u);
+  EXPECT_LT(report::page_document({.title = "film", .films = {&large, 1}}).numbers.size(), 4'000'000u);
 }

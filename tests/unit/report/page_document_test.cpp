@@ -59,4 +59,4 @@ TEST(PageDocument, KeepsAboutAThousandRowsOfALongHistoryAndItsLast) {
   EXPECT_GE(document["stages"][0]["history"][0]["values"]["n"], 500);
 }
 
-TEST(PageDocument, OfAnEmptyRunHasNoFrames) { EXPECT_TRUE(Json::parse(report::page_document({"nothing", {}, {}}).json)["frames"].empty()); }
+TEST(PageDocument, OfAnEmptyRunHasNoFrames) { EXPECT_TRUE(Json::parse(report::page_document({.title = "nothing"}).json)["frames"].empty()); }

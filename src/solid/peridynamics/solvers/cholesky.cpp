@@ -114,8 +114,6 @@ Cholesky& Cholesky::operator=(Cholesky&&) noexcept = default;
 
 bool Cholesky::positive() const { return state_->positive; }
 
-std::size_t Cholesky::factor_bytes() const { return state_->factor->xsize * sizeof(double) + state_->factor->ssize * sizeof(int); }
-
 void Cholesky::solve(std::vector<double>& b) {
   cholmod_dense right{};
   right.nrow = right.d = right.nzmax = b.size();

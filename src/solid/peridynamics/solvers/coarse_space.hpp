@@ -27,7 +27,6 @@ class Cholesky {
 
   /// False where a pivot was not positive; then solve() must not be called.
   bool positive() const;
-  std::size_t factor_bytes() const;
   /// b becomes the solution.
   void solve(std::vector<double>& b);
 
@@ -62,8 +61,6 @@ class CoarseSpace {
   /// z += P (P^T A P)^-1 P^T r.
   void correct(Plane<const float> r, Plane<float> z);
 
-  std::int32_t unknowns() const { return 2 * nodes_; }
-  std::size_t factor_bytes() const { return factor_->factor_bytes(); }
   /// How often the matrix had to be stiffened on its diagonal until all pivots were positive; 0 in a sound sample.
   int repairs() const { return repairs_; }
 

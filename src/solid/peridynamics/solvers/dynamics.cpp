@@ -28,14 +28,12 @@ void form_force(const Dynamics& s, const Field<double>& u, Field<double>& f) {
 /// older := u + a (u - older) + b M f, M a 2 x 2 block a node, or the unit matrix where `inverse` is null.
 void plain_step(const Grid& grid, const Field<double>& u, Field<double>& older, const Field<double>& f, const BlockPlane* inverse, double a, double b) {
   for (std::ptrdiff_t i = grid.row(0), end = grid.row(grid.height); i < end; ++i) {
-    double fx = f.x[i], fy = f.y[i];
+    Vec2 force = f.at(i);
     if (inverse) {
       const double xx = inverse->xx[i], xy = inverse->xy[i], yy = inverse->yy[i];
-      fx = xx * f.x[i] + xy * f.y[i];
-      fy = xy * f.x[i] + yy * f.y[i];
+      force = {xx * force.x + xy * force.y, xy * force.x + yy * force.y};
     }
-    older.x[i] = u.x[i] + a * (u.x[i] - older.x[i]) + b * fx;
-    older.y[i] = u.y[i] + a * (u.y[i] - older.y[i]) + b * fy;
+    older.set(i, u.at(i) + a * (u.at(i) - older.at(i)) + b * force);
   }
 }
 
@@ -113,9 +111,9 @@ StaticReport adaptive_relaxation(const Dynamics& s, Field<double>& u) {
   const auto look = [&](const Field<double>& now, const Field<double>& older, Field<double>& f) {
     double kinetic = 0;
     for (std::ptrdiff_t i = grid.row(0), end = grid.row(grid.height); i < end; ++i) {
-      velocity.x[i] = now.x[i] - older.x[i];
-      velocity.y[i] = now.y[i] - older.y[i];
-      kinetic += velocity.x[i] * (diagonal.xx[i] * velocity.x[i] + 2 * diagonal.xy[i] * velocity.y[i]) + diagonal.yy[i] * velocity.y[i] * velocity.y[i];
+      const Vec2 v = now.at(i) - older.at(i);
+      velocity.set(i, v);
+      kinetic += v.x * (diagonal.xx[i] * v.x + 2 * diagonal.xy[i] * v.y) + diagonal.yy[i] * v.y * v.y;
     }
     const double elastic = -kernels(s.bonds.law).force(s.bonds, s.prescribed.data(), plane(velocity), plane(f));
     const double frequency = kinetic > 0 ? std::sqrt(std::max(0.0, elastic / kinetic)) : 0;

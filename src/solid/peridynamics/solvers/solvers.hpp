@@ -63,10 +63,7 @@ inline double linear_force(const Bonds& bonds, const Field<double>& u, Field<dou
 /// sum a . a over the nodes of the sample.
 template <class T> double square_norm(const Grid& grid, const Field<T>& a) {
   double sum = 0;
-  grid.each([&](std::ptrdiff_t i, int) {
-    const double ax = a.x[i], ay = a.y[i];
-    sum += ax * ax + ay * ay;
-  });
+  grid.each([&](std::ptrdiff_t i, int) { sum += dot(a.at(i), a.at(i)); });
   return sum;
 }
 

@@ -97,7 +97,7 @@ TEST(Programmes, AreRefusedWhereTheyMakeNoSense) {
 TEST(StrainCycles, AreReadAndRefused) {
   const std::string cycles = "strain_cycles = { of = \"top\", max = 0.01, rate = \"0.1 1/s\", count = 2000, store_every = 100 }\n";
   const Recipe recipe = parse_recipe(start + cycles, "r.toml");
-  EXPECT_EQ(*recipe.stages[0].strain_cycles, (dem::StrainCycles{"top", 0, 0.01, 0.1, 2000, 100}));
+  EXPECT_EQ(*recipe.stages[0].strain_cycles, (dem::StrainCycles{top, 0, 0.01, 0.1, 2000, 100}));
   EXPECT_EQ(parse_recipe(to_toml(recipe), "r.toml"), recipe);
   EXPECT_NE(refused_programme(start + cycles + "duration = \"1 s\"\n").find("leave out its duration"), std::string::npos);
   EXPECT_NE(refused_programme(start + cycles + "top = { force = \"1 kN\" }\n").find("does something else"), std::string::npos);
