@@ -70,7 +70,7 @@ namespace {
 /// 1/(n (n + 1)) at n: products, which cost less than quotients.
 constexpr std::array<double, 17> inverse_of_product = [] {
   std::array<double, 17> inverse{};
-  for (int n = 1; n < 17; ++n) inverse[static_cast<std::size_t>(n)] = 1.0 / (n * (n + 1));
+  for (int n = 1; n < 17; ++n) inverse[n] = 1.0 / (n * (n + 1));
   return inverse;
 }();
 

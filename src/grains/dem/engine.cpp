@@ -49,6 +49,7 @@ Engine& Engine::operator=(Engine&&) noexcept = default;
 void synchronise(Sample& s) {
   s.balance.open = false;
   if (s.lag == 0 && !s.settled) return;
+  // All is read before anything is set, for rates of walls hang on the places and velocities of disks.
   std::array<double, 4> rate, place;
   for (std::size_t side = 0; side < 4; ++side) {
     rate[side] = wall_rate(s, side);
@@ -60,19 +61,13 @@ void synchronise(Sample& s) {
   for (const Body& b : s.body) moved.push_back(motion_of(s, b));
   for (std::size_t k = 0; k < s.count; ++k) {
     if (is_part(s, k)) continue;
-    const Motion v = motion_of(s, k);
-    const Vec2 x = place_of(s, k);
-    s.vx[k] = v.vx;
-    s.vy[k] = v.vy;
-    s.omega[k] = v.omega;
-    s.record[k].x = x.x;
-    s.record[k].y = x.y;
+    const Motion own = motion_of(s, k);
+    s.record[k].place = place_of(s, k);
+    s.vx[k] = own.velocity.x;
+    s.vy[k] = own.velocity.y;
+    s.omega[k] = own.omega;
   }
-  for (std::size_t b = 0; b < s.body.size(); ++b) {
-    s.body[b].vx = moved[b].vx;
-    s.body[b].vy = moved[b].vy;
-    s.body[b].omega = moved[b].omega;
-  }
+  for (std::size_t b = 0; b < s.body.size(); ++b) s.body[b].own = moved[b];
   for (std::size_t b = 0; b < s.boundary.size(); ++b) s.boundary[b].rate = s.domain.boundaries[b].velocity = driven[b];
   for (std::size_t side = 0; side < 4; ++side) {
     s.wall[side].rate = rate[side];

@@ -33,14 +33,14 @@ void change_shear_rate(Sample& s, double rate) {
   const bool tracked = s.integration.track_energy;
   const double before = tracked ? energies_of(s).kinetic : 0, middle = 0.5 * (s.domain.wall[bottom].position + s.domain.wall[top].position);
   for (std::size_t k = 0; k < s.count; ++k) {
-    const double faster = (rate - s.shear_rate) * (s.record[k].y - middle);
+    const double faster = (rate - s.shear_rate) * (s.record[k].place.y - middle);
     s.vx[k] += faster;
-    s.record[k].vx += faster;
+    s.record[k].velocity.x += faster;
   }
   for (Body& b : s.body) {
-    const double faster = (rate - s.shear_rate) * (b.y - middle);
-    b.vx += faster;
-    b.seen_x += faster;
+    const double faster = (rate - s.shear_rate) * (b.place.y - middle);
+    b.own.velocity.x += faster;
+    b.seen.velocity.x += faster;
   }
   s.shear_rate = rate;
   place_parts(s);
@@ -70,7 +70,7 @@ void follow_velocities(Sample& s) {
   for (const Programme& p : s.programmes.list) {
     if (p.drives_boundary()) drive_boundary(s, p, time);
     if (p.of == Programme::shear_rate) change_shear_rate(s, p.at(time));
-    if (p.of >= Programme::slide && p.of < Programme::shear_rate) s.wall[static_cast<std::size_t>(p.of - Programme::slide)].drive.slide = p.at(time);
+    if (p.of >= Programme::slide && p.of < Programme::shear_rate) s.wall[p.of - Programme::slide].drive.slide = p.at(time);
     if (!p.drives_side() || p.drive() != 0) continue;
     const auto side = static_cast<std::size_t>(p.side());
     const Vec2 inward = inward_normal(p.side());
@@ -92,7 +92,7 @@ double load_of(const Sample& s, const Programme& p, double time) {
 void follow_loads(Sample& s) {
   const double time = time_of(s) - s.programmes.begin;
   for (const Programme& p : s.programmes.list) {
-    if (p.drives_side() && p.drive() != 0) s.wall[static_cast<std::size_t>(p.side())].drive.value = load_of(s, p, time);
+    if (p.drives_side() && p.drive() != 0) s.wall[p.side()].drive.value = load_of(s, p, time);
     if (!p.is_of_force()) continue;
     Vec2& force = s.boundary[place_of_boundary(s, p.name)].force;
     (p.boundary_axis() == 0 ? force.x : force.y) = p.at(time);

@@ -107,7 +107,7 @@ std::vector<BoundaryDrive> boundary_drives_for(const Stage& stage, const Domain&
   for (const BoundaryMotion& motion : stage.boundaries) {
     const auto at = std::find_if(domain.boundaries.begin(), domain.boundaries.end(), [&](const Boundary& b) { return b.name == motion.name; });
     if (at == domain.boundaries.end()) throw InputError(fmt::format("stage \"{}\" moves boundary \"{}\", which there is not", stage.name, motion.name));
-    BoundaryDrive& drive = drives[static_cast<std::size_t>(at - domain.boundaries.begin())];
+    BoundaryDrive& drive = drives[at - domain.boundaries.begin()];
     drive = {motion.velocity, motion.spin, motion.centre.value_or(drive.centre), !motion.absent, motion.mass.value_or(0), motion.force};
   }
   return drives;

@@ -19,7 +19,7 @@ void tune_servo(Sample& s) {
   for (std::size_t k = 0; k < s.count; ++k) {
     const auto& d = s.record[k];
     if (!is_part(s, k)) mass += d.mass;
-    stiffness += s.coefficients.pair_stiffness(d.material, d.material, d.radius, d.radius) / static_cast<double>(s.count);
+    stiffness += stiffness_of(s, d) / static_cast<double>(s.count);
   }
   for (const Body& b : s.body) mass += b.mass;
   const double layers = std::sqrt(static_cast<double>(std::max<std::size_t>(grain_count(s), 1)));

@@ -41,7 +41,7 @@ statistics::Curve density_of(const FrictionState& state, const statistics::Items
   for (const std::size_t c : known) ++count[static_cast<std::size_t>(std::min<double>(bins - 1, state.mobilisation[c] * bins))];
   statistics::Curve curve;
   for (int k = 0; k < bins && !known.empty(); ++k) {
-    const double scale = bins / static_cast<double>(known.size()), n = count[static_cast<std::size_t>(k)];
+    const double scale = bins / static_cast<double>(known.size()), n = count[k];
     curve.x.push_back((k + 0.5) / bins);
     curve.y.push_back(n * scale);
     curve.error.push_back(std::sqrt(n) * scale);

@@ -140,7 +140,7 @@ SizeCurve measured_size_curve(const Grains& grains, const Materials& materials, 
   std::vector<std::size_t> order(grains.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::sort(order, {}, [&](std::size_t g) { return grains.radius[g]; });
-  const auto mass = [&](std::size_t g) { return materials[static_cast<std::size_t>(grains.material[g])].density * grains.radius[g] * grains.radius[g]; };
+  const auto mass = [&](std::size_t g) { return materials[grains.material[g]].density * grains.radius[g] * grains.radius[g]; };
   double total = 0;
   for (const std::size_t g : order) total += mass(g);
   SizeCurve curve;

@@ -17,7 +17,7 @@ std::vector<std::array<int, 2>> count_neighbours(const Packing& packing, const P
   const auto add = [&](std::size_t image, std::size_t neighbour) {
     if (image >= count.size()) return;  // an image's own neighbours are counted with its grain
     for (std::size_t k = 0; k < 2; ++k)
-      if (material[static_cast<std::size_t>(images.of[neighbour])] == classes[k]) ++count[image][k];
+      if (material[images.of[neighbour]] == classes[k]) ++count[image][k];
   };
   for (const auto [i, j] : images.close_pairs(gap)) {
     add(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
@@ -25,8 +25,6 @@ std::vector<std::array<int, 2>> count_neighbours(const Packing& packing, const P
   }
   return count;
 }
-
-bool holds(const geometry::Rectangle& window, Vec2 p) { return p.x >= window.x_min && p.x <= window.x_max && p.y >= window.y_min && p.y <= window.y_max; }
 
 std::vector<int> blocks_of(const PeriodicImages& images, std::size_t grains, std::size_t counted, const geometry::Rectangle& window) {
   const BlockGrid blocks{window, blocks_per_side(counted)};
@@ -55,7 +53,7 @@ GapCoordination gap_coordination(const Packing& packing, double gap, int large, 
   GapCoordination z;
   Items counted;
   for (std::size_t g = 0; g < neighbours.size(); ++g) {
-    if (window && !holds(*window, {images.x[g], images.y[g]})) continue;
+    if (window && !window->holds({images.x[g], images.y[g]})) continue;
     z.large += material[g] == large;
     z.small += material[g] == small;
     if (material[g] == large || material[g] == small) counted.push_back(g);

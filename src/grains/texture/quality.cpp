@@ -15,25 +15,25 @@ double median_resultant(const View& view) {
   std::vector<int> count(sum.size(), 0);
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const Vec2 f = contacts.force_on_i(c);
-    sum[static_cast<std::size_t>(contacts.i[c])] += f;
-    ++count[static_cast<std::size_t>(contacts.i[c])];
+    sum[contacts.i[c]] += f;
+    ++count[contacts.i[c]];
     if (contacts.is_wall(c)) continue;
-    sum[static_cast<std::size_t>(contacts.j[c])] -= f;
-    ++count[static_cast<std::size_t>(contacts.j[c])];
+    sum[contacts.j[c]] -= f;
+    ++count[contacts.j[c]];
   }
   for (const Bond& bond : view.packing.bonds) {
     if (bond.broken != BondBreak::none) continue;
     const Vec2 f = force_on_i(view.packing, bond);
-    sum[static_cast<std::size_t>(bond.i)] += f;
-    sum[static_cast<std::size_t>(bond.j)] -= f;
-    for (const std::int32_t g : {bond.i, bond.j}) ++count[static_cast<std::size_t>(g)];
+    sum[bond.i] += f;
+    sum[bond.j] -= f;
+    for (const std::int32_t g : {bond.i, bond.j}) ++count[g];
   }
   for (const CohesivePair& pair : view.packing.cohesive) {
     if (!acts_across_gap(pair)) continue;
     const Vec2 f = force_on_i(view.packing, pair);
-    sum[static_cast<std::size_t>(pair.i)] += f;
-    sum[static_cast<std::size_t>(pair.j)] -= f;
-    for (const std::int32_t g : {pair.i, pair.j}) ++count[static_cast<std::size_t>(g)];
+    sum[pair.i] += f;
+    sum[pair.j] -= f;
+    for (const std::int32_t g : {pair.i, pair.j}) ++count[g];
   }
   const Vec2 gravity = view.options.gravity;
   if (gravity.x != 0 || gravity.y != 0)

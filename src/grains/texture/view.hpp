@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -77,6 +78,10 @@ ByName<Items> contacts_by_type(const View& view);
 
 /// Named sets of considered grains: "all", by material, by zone ("dry", "glued") where there are zones.
 ByName<Items> grains_by_type(const View& view);
+
+/// Grains that carry nothing, 1 each: those with fewer than `least` of the contacts that count, found by taking them away again and again, since a grain
+/// that leans on one of them alone is one too.
+std::vector<std::uint8_t> loose_grains(const Packing& packing, int least, const std::function<bool(std::size_t)>& counts);
 
 /// The items whose value is known, and the mean over these; NaN if there are none.
 Items known(const Items& items, const std::vector<double>& values);

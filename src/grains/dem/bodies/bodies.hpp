@@ -47,12 +47,8 @@ bool move_bodies(Sample& sample, const SweepTask& task, const Team& team);
 /// Puts the disks of all bodies where these are, with their velocity.
 void place_parts(Sample& sample);
 
-/// Force on a body by its disks' contacts, N, and their torque about its centre, N m.
-struct BodyLoad {
-  Vec2 force;
-  double torque = 0;
-};
-BodyLoad load_on(const Sample& sample, const Body& body);
+/// On a body by its disks' contacts.
+Load load_on(const Sample& sample, const Body& body);
 
 /// Velocity now, without the affine motion; see motion_of.
 Motion motion_of(const Sample& sample, const Body& body);
@@ -104,8 +100,8 @@ Crowd crowd_around(const Sample& sample, const Body& body);
 /// The least mass that a contact of a body feels, its rotation included, kg.
 double lightest_mass(const Sample& sample, const Body& body);
 
-/// Place, angle and velocity of a body's grain; the affine motion is that of the cell now.
-void put_body(const Sample& sample, const Body& body, const AffineMotion& along_x, const AffineMotion& along_y, Grains& grains);
+/// Gives a grain this place, angle and motion.
+void put_grain(Grains& grains, std::size_t grain, Vec2 place, double angle, const Motion& motion);
 
 /// Where the arms begin of the contact that was added last, which is the slot's, perhaps with i and j swapped.
 void add_levers(const Sample& sample, std::size_t slot, bool swapped, Contacts& contacts);

@@ -7,16 +7,12 @@
 namespace arenite::dem {
 namespace {
 
-Vec2 offset(const Sample& s, std::int32_t d) {
-  const BodyDisk& part = s.part[static_cast<std::size_t>(d)];
-  return {part.x, part.y};
-}
-double radius_of(const Sample& s, std::int32_t d) { return s.start.grains.radius[static_cast<std::size_t>(d)]; }
+double radius_of(const Sample& s, std::int32_t d) { return s.start.grains.radius[d]; }
 
 /// Whether a point, from the body's centre at angle 0, lies within a disk of it other than `own`.
 bool is_within(const Sample& s, const Body& b, std::int32_t own, Vec2 point) {
   for (std::int32_t d = b.first; d < b.first + b.count; ++d)
-    if (d != own && norm(point - offset(s, d)) < (1 - 1e-9) * radius_of(s, d)) return true;
+    if (d != own && norm(point - s.part[d].place) < (1 - 1e-9) * radius_of(s, d)) return true;
   return false;
 }
 
@@ -38,7 +34,7 @@ std::vector<Mover> movers_of(const Sample& s) {
 }
 
 std::size_t moving(const Sample& s, std::int32_t k) {
-  const std::int32_t body = body_of(s, s.record[static_cast<std::size_t>(k)].grain);
+  const std::int32_t body = body_of(s, s.record[k].grain);
   return body < 0 ? static_cast<std::size_t>(k) : s.count + static_cast<std::size_t>(body);
 }
 
@@ -47,7 +43,7 @@ Crowd crowd_around(const Sample& s, const Body& b) {
   Crowd crowd;
   for (std::int32_t k = 0; k < b.count; ++k) {
     const std::int32_t d = b.first + k, next = b.first + (k + 1) % b.count;
-    const Vec2 here = offset(s, d), there = offset(s, next);
+    const Vec2 here = s.part[d].place, there = s.part[next].place;
     for (int q = 0; q < directions && !b.filled; ++q)
       if (const Vec2 n = direction(2 * std::numbers::pi * (q + 0.5) / directions); !is_within(s, b, d, here + radius_of(s, d) * n))
         add_contact(crowd, here, radius_of(s, d), n);
@@ -61,10 +57,7 @@ Crowd crowd_around(const Sample& s, const Body& b) {
 
 double lightest_mass(const Sample& s, const Body& b) {
   double lever = 0;
-  for (std::int32_t d = b.first; d < b.first + b.count; ++d) {
-    const BodyDisk& part = s.part[static_cast<std::size_t>(d)];
-    lever = std::max(lever, norm(Vec2{part.x, part.y}));
-  }
+  for (std::int32_t d = b.first; d < b.first + b.count; ++d) lever = std::max(lever, norm(s.part[d].place));
   return s.integration.rotations ? 1 / (1 / b.mass + lever * lever / b.inertia()) : b.mass;
 }
 

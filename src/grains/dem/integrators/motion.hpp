@@ -1,21 +1,22 @@
 #pragma once
-#include "grains/dem/sample.hpp"
+#include "grains/dem/forces.hpp"
 
 namespace arenite::dem {
 
 // Where disks and walls are and how they move at one time. Integrators keep velocities half a step behind (Verlet) or a predicted state (Gear), which
 // is brought to the time of the positions here.
 
-/// Acceleration of inner disk k by contacts, gravity and drag, m/s^2; that of its turning, rad/s^2, as third.
+/// Acceleration by contacts, gravity and drag, m/s^2, and that of the turning, rad/s^2.
 struct Acceleration {
-  double ax, ay, alpha;
+  Vec2 linear;
+  double alpha = 0;
 };
+/// Under a load, of what has this mass and inertia, and is seen by the forces at this place with this velocity.
+Acceleration acceleration_under(const Sample& sample, const Load& load, double mass, double inertia, Vec2 place, Vec2 velocity);
+/// Of inner disk k.
 Acceleration acceleration_of(const Sample& sample, std::size_t k);
 
-/// Velocity of inner disk k, m/s, without the affine motion; its turning, rad/s, as third.
-struct Motion {
-  double vx, vy, omega;
-};
+/// Motion of inner disk k, without the affine motion.
 Motion motion_of(const Sample& sample, std::size_t k);
 
 /// How long the integrated velocities are behind the forces, s: half a step, or nothing where a scheme has just begun.
