@@ -89,7 +89,7 @@ namespace {
 
 Vec2 branch_between(const Packing& packing, std::int32_t i, std::int32_t j) {
   const Grains& g = packing.grains;
-  return packing.domain.nearest_image(g.centre(static_cast<std::size_t>(i)) - g.centre(static_cast<std::size_t>(j)));
+  return packing.domain.nearest_image(g.centre(i) - g.centre(j));
 }
 
 }  // namespace

@@ -8,8 +8,7 @@
 #include <vector>
 
 #include "core/vec.hpp"
-#include "model/bond.hpp"
-#include "model/cohesive_pair.hpp"
+#include "model/links.hpp"
 
 namespace arenite {
 

@@ -35,7 +35,7 @@ Shape shape_of(const Grains& grains, std::size_t g) {
   const Shapes& all = grains.shapes;
   if (all.empty()) return {{{}}, {grains.radius[g]}, false};
   Shape shape;
-  for (auto d = static_cast<std::size_t>(all.first[g]); d < static_cast<std::size_t>(all.first[g + 1]); ++d) {
+  for (std::int32_t d = all.first[g]; d < all.first[g + 1]; ++d) {
     shape.place.push_back({all.x[d], all.y[d]});
     shape.radius.push_back(all.radius[d]);
   }

@@ -8,8 +8,10 @@
 #include "core/error.hpp"
 #include "core/processor.hpp"
 #include "grains/dem/bodies/bodies.hpp"
+#include "grains/dem/bonds.hpp"
 #include "grains/dem/boundaries/boundaries.hpp"
 #include "grains/dem/bounds.hpp"
+#include "grains/dem/cohesion.hpp"
 #include "grains/dem/forces.hpp"
 #include "grains/dem/kernels/kernel.hpp"
 #include "grains/dem/measure.hpp"
@@ -145,6 +147,40 @@ void Engine::set_glue(bool on) {
   s.balance.open = false;
 }
 
+void Engine::make_bonds() {
+  Sample& s = machine_->sample;
+  if (!s.contact.has_bonds()) throw InputError("bonds cannot be made where contact.bonds is \"none\"");
+  synchronise(s);
+  list_anew(s, machine_->team);
+  bond_near_pairs(s);
+  list_anew(s, machine_->team);
+  const double wanted = s.integration.safety * shortest_bond_time(s);
+  if (!s.integration.time_step && wanted < s.dt) change_step(s, wanted);
+  allow_step(s, "its bonds");
+}
+
+BondCount Engine::bond_count() const {
+  const Sample& s = machine_->sample;
+  BondCount count;
+  for (const Bond& bond : s.bonds) {
+    count.intact += bond.broken == BondBreak::none;
+    count.in_tension += bond.broken == BondBreak::tension;
+    count.in_bending += bond.broken == BondBreak::bending;
+    count.in_shear += bond.broken == BondBreak::shear;
+  }
+  count.energy = bond_energy(s);
+  return count;
+}
+
+CohesionCount Engine::cohesion_count() const {
+  CohesionCount count;
+  for (const CohesivePair& pair : cohesive_pairs(machine_->sample)) {
+    ++count.joined;
+    count.apart += pair.gap > 0;
+  }
+  return count;
+}
+
 void Engine::set_drives(const WallDrives& asked) {
   Sample& s = machine_->sample;
   const WallDrives drives = under_programmes(s, asked);
@@ -170,6 +206,7 @@ double Engine::skin() const { return machine_->sample.skin; }
 const IntegrationParameters& Engine::integration() const { return machine_->sample.integration; }
 double Engine::shear_strain() const { return machine_->sample.sheared; }
 const Domain& Engine::domain() const { return machine_->sample.domain; }
+bool Engine::is_cohesive() const { return machine_->sample.contact.is_cohesive(); }
 Packing Engine::packing() const { return packing_of(machine_->sample); }
 Energies Engine::energies() const { return energies_of(machine_->sample); }
 Equilibrium Engine::equilibrium() const { return equilibrium_of(machine_->sample); }

@@ -25,10 +25,7 @@ struct Candidate {
   std::int8_t side_of_i = 0, side_of_j = 0;
 };
 
-std::int32_t other_end(const Contacts& contacts, std::int32_t c, std::int32_t g) {
-  const auto k = static_cast<std::size_t>(c);
-  return contacts.i[k] == g ? contacts.j[k] : contacts.i[k];
-}
+std::int32_t other_end(const Contacts& contacts, std::int32_t c, std::int32_t g) { return contacts.i[c] == g ? contacts.j[c] : contacts.i[c]; }
 
 /// Contacts that may join two highly loaded grains, the straightest first.
 std::vector<Candidate> candidates(const Contacts& contacts, const std::vector<GrainCompression>& grains, double threshold, double least_cosine) {

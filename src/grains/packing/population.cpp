@@ -46,9 +46,9 @@ std::vector<std::int64_t> counts_of(const std::vector<Population>& populations, 
 }
 
 std::int32_t material_index(const Materials& materials, const std::string& name) {
-  const auto it = std::find_if(materials.begin(), materials.end(), [&](const Material& m) { return m.name == name; });
-  if (it == materials.end()) throw InputError(fmt::format("population of unknown material \"{}\"; add [materials.{}]", name, name));
-  return static_cast<std::int32_t>(it - materials.begin());
+  const std::size_t index = index_of(materials, name);
+  if (index == materials.size()) throw InputError(fmt::format("population of unknown material \"{}\"; add [materials.{}]", name, name));
+  return static_cast<std::int32_t>(index);
 }
 
 bool lies_inside(Vec2 from_centre, const Region& region) {

@@ -21,9 +21,8 @@ Tensor2 moment_of(const Packing& packing, const CohesivePair& pair) {
 
 /// Where the branch of a bond or pull touches grain i.
 template <class Link> Vec2 middle_of(const Packing& packing, const Link& link) {
-  const auto i = static_cast<std::size_t>(link.i);
   const Vec2 branch = branch_of(packing, link);
-  return packing.grains.centre(i) - packing.grains.radius[i] / norm(branch) * branch;
+  return packing.grains.centre(link.i) - packing.grains.radius[link.i] / norm(branch) * branch;
 }
 
 /// Calls `see` for each bond and each cohesive pair.
@@ -118,18 +117,17 @@ std::vector<Tensor2> grain_moments(const Packing& packing) {
     if (!contacts.is_wall(c)) moments[contacts.j[c]] += outer(-f, contacts.lever_j(c));
   }
   each_link(packing, [&](const auto& link) {
-    const auto i = static_cast<std::size_t>(link.i), j = static_cast<std::size_t>(link.j);
-    const double ri = packing.grains.radius[i], rj = packing.grains.radius[j];
+    const double ri = packing.grains.radius[link.i], rj = packing.grains.radius[link.j];
     const Tensor2 moment = moment_of(packing, link);
-    moments[i] += ri / (ri + rj) * moment;
-    moments[j] += rj / (ri + rj) * moment;
+    moments[link.i] += ri / (ri + rj) * moment;
+    moments[link.j] += rj / (ri + rj) * moment;
   });
   return moments;
 }
 
 double mass_of(const Packing& packing, std::size_t g) {
   const double r = packing.grains.radius[g];
-  const double density = packing.materials.at(static_cast<std::size_t>(packing.grains.material[g])).density;
+  const double density = packing.materials.at(packing.grains.material[g]).density;
   return density * std::numbers::pi * r * r * packing.domain.thickness;
 }
 
@@ -138,7 +136,7 @@ Tensor2 wall_moment(const Packing& packing, Vec2 gravity) {
   const Grains& grains = packing.grains;
   Tensor2 sum;
   for (std::size_t c = 0; c < contacts.size(); ++c)
-    if (contacts.is_wall(c)) sum += outer(contacts.force_on_i(c), grains.centre(static_cast<std::size_t>(contacts.i[c])) + contacts.lever_i(c));
+    if (contacts.is_wall(c)) sum += outer(contacts.force_on_i(c), grains.centre(contacts.i[c]) + contacts.lever_i(c));
   if (gravity.x == 0 && gravity.y == 0) return sum;
   for (std::size_t g = 0; g < grains.size(); ++g) sum += mass_of(packing, g) * outer(gravity, grains.centre(g));
   return sum;

@@ -166,10 +166,7 @@ View::View(const Packing& p, const Options& o) : packing(p), options(o) {
   load_axis = options.load_axis.value_or(compression_axis(packing));
 }
 
-Vec2 View::contact_point(std::size_t c) const {
-  const Vec2 centre = packing.grains.centre(static_cast<std::size_t>(pairs().i[c]));
-  return wrapped(packing.domain, centre + pairs().lever_i(c));
-}
+Vec2 View::contact_point(std::size_t c) const { return wrapped(packing.domain, packing.grains.centre(pairs().i[c]) + pairs().lever_i(c)); }
 
 std::string View::material_name(int m) const {
   const auto index = static_cast<std::size_t>(m);
