@@ -106,7 +106,8 @@ struct Pull {
 /// Largest eigenvalue of M^-1 sum over contacts of (along_n n n + along_t t t), rotations included, by power iteration. It starts from all grains
 /// turning alike, which in a dense packing is close to the fastest mode.
 double largest_rate(const Sample& s, const std::vector<Pull>& pulls) {
-  const std::vector<Mover> movers = movers_of(s);
+  std::vector<Mover> movers(s.count + s.body.size());  // a disk of a body counts for nothing
+  each_mover(s, [&](std::size_t k) { movers[k] = mover_at(s, k); });
   std::vector<Motion> v(movers.size()), w;
   for (std::size_t k = 0; k < v.size(); ++k)
     v[k] = {{k % 2 == 0 ? 0.3 : -0.2, k % 3 == 0 ? -0.25 : 0.15}, s.integration.rotations ? 1.0 / movers[k].size : 0.0};
@@ -194,12 +195,11 @@ double shortest_contact_time(const Sample& s) {
 StepBounds step_bounds(const Sample& s) {
   Rates r = network_rates(s);
   const double overlap = reference_overlap(s);
-  for (std::size_t k = 0; k < s.count + s.body.size(); ++k) {
-    if (k < s.count && is_part(s, k)) continue;
+  each_mover(s, [&](std::size_t k) {
     const Rates grain = k < s.count ? lattice_rates(s, s.record[k], overlap) : crowded_rates(s, s.body[k - s.count], overlap);
     r.frequency_squared = std::max(r.frequency_squared, grain.frequency_squared);
     r.damping = std::max(r.damping, grain.damping);
-  }
+  });
   const Rates bonds = bond_rates(s);
   r.frequency_squared += bonds.frequency_squared + cohesion_rate(s);
   r.damping += bonds.damping;

@@ -117,17 +117,11 @@ Snapshot take(const Sample& s) {
   shot.boundary.resize(3 * s.domain.boundaries.size());
   const bool corrects = integrator_of(s).corrects();
   const CellMotion cell = cell_motion(s.domain);
-  const auto drag = [&](double mass, Vec2 velocity, Vec2 at) { return -s.drag * mass * (velocity - cell.at(at)); };
-  for (std::size_t k = 0; k < s.count; ++k) {
-    const DiskRecord& d = s.record[k];
-    if (is_part(s, k)) continue;
-    const Motion own = corrects ? motion_of(s, k) : Motion{{s.vx[k], s.vy[k]}, s.omega[k]};
-    shot.disk[d.grain] = {own, d.mass, {}, {}, drag(d.mass, d.velocity, d.place)};
-  }
-  for (std::size_t n = 0; n < s.body.size(); ++n) {
-    const Body& b = s.body[n];
-    shot.disk[s.count + n] = {b.own, b.mass, {}, {}, drag(b.mass, b.seen.velocity, b.place)};
-  }
+  each_mover(s, [&](std::size_t k) {
+    const Mover m = mover_at(s, k);
+    const Vec2 drag = -s.drag * m.mass * (m.seen.velocity - cell.at(m.place));
+    shot.disk[k < s.count ? s.record[k].grain : k] = {corrects ? motion_of(s, k) : m.own, m.mass, {}, {}, drag};
+  });
   add_contacts(s, shot);
   add_bonds(s, shot);
   if (s.domain.periodic_x) {

@@ -60,7 +60,7 @@ void synchronise(Sample& s) {
   std::vector<Vec2> driven;
   for (std::size_t b = 0; b < s.boundary.size(); ++b) driven.push_back(velocity_of(s, b));
   std::vector<Motion> moved;
-  for (const Body& b : s.body) moved.push_back(motion_of(s, b));
+  for (std::size_t b = 0; b < s.body.size(); ++b) moved.push_back(motion_of(s, s.count + b));
   for (std::size_t k = 0; k < s.count; ++k) {
     if (is_part(s, k)) continue;
     const Motion own = motion_of(s, k);

@@ -46,23 +46,19 @@ void add_contacts(const Sample& s, Packing& out) {
   }
 }
 
-/// Of inner disk k, J; 0 of one that goes with a wall.
+/// Of a mover, J; 0 of one that goes with a wall.
 double kinetic_energy(const Sample& s, std::size_t k) {
-  if (is_part(s, k) || find_held(s, s.record[k].grain)) return 0;
+  if (k < s.count && find_held(s, s.record[k].grain)) return 0;
   const Motion v = motion_of(s, k);
-  const DiskRecord& d = s.record[k];
-  return 0.5 * d.mass * dot(v.velocity, v.velocity) + 0.5 * inertia(d) * v.omega * v.omega;
+  const Mover m = mover_at(s, k);
+  return 0.5 * m.mass * dot(v.velocity, v.velocity) + 0.5 * m.inertia * v.omega * v.omega;
 }
 
-/// Force on inner disk k, or on a body (see moving), its weight included, N; 0 on one that goes with a wall or a body.
+/// Force on a mover, its weight included, N; 0 on one that goes with a wall.
 double resultant_of(const Sample& s, std::size_t k) {
-  if (k >= s.count) {
-    const Body& b = s.body[k - s.count];
-    return norm(load_on(s, b).force + b.mass * s.gravity);
-  }
-  if (is_part(s, k) || find_held(s, s.record[k].grain)) return 0;
-  const Vec2 f = contact_load(s.list, k).force + s.record[k].mass * s.gravity;
-  return std::hypot(f.x, f.y);
+  if (k < s.count && find_held(s, s.record[k].grain)) return 0;
+  const Vec2 f = load_on(s, k).force + mover_at(s, k).mass * s.gravity;
+  return k < s.count ? std::hypot(f.x, f.y) : norm(f);
 }
 
 /// Grains that carry force between two contacts or more, and the loose others, apart: a loose grain moves on for long without moving the others, and
@@ -75,12 +71,11 @@ struct Motions {
 Motions motions_of(const Sample& s, const std::vector<int>& pressed_contacts) {
   const double g = norm(s.gravity);
   Motions motions;
-  for (std::size_t k = 0; k < s.count + s.body.size(); ++k) {
-    const bool loose = pressed_contacts[k] < 2, is_body = k >= s.count;
-    (loose ? motions.loose : motions.bearing) += is_body ? kinetic_energy(s, s.body[k - s.count]) : kinetic_energy(s, k);
-    const double mass = is_body ? s.body[k - s.count].mass : s.record[k].mass;
-    if (loose && g > 0 && resultant_of(s, k) > 0.5 * mass * g) ++motions.falling;
-  }
+  each_mover(s, [&](std::size_t k) {
+    const bool loose = pressed_contacts[k] < 2;
+    (loose ? motions.loose : motions.bearing) += kinetic_energy(s, k);
+    if (loose && g > 0 && resultant_of(s, k) > 0.5 * mover_at(s, k).mass * g) ++motions.falling;
+  });
   return motions;
 }
 
@@ -112,16 +107,11 @@ Packing packing_of(const Sample& s) {
   }
   for (std::size_t b = 0; b < s.boundary.size(); ++b) out.domain.boundaries[b].velocity = velocity_of(s, b);
   const CellMotion cell = cell_motion(out.domain);
-  for (std::size_t k = 0; k < s.count; ++k) {
-    const DiskRecord& d = s.record[k];
-    if (is_part(s, k)) continue;
+  each_mover(s, [&](std::size_t k) {
+    const Mover m = mover_at(s, k);
     const Motion own = motion_of(s, k);
-    put_grain(out.grains, grain_of(s, d.grain), place_of(s, k), s.angle[k], {own.velocity + cell.at(d.place), own.omega});
-  }
-  for (const Body& b : s.body) {
-    const Motion own = motion_of(s, b);
-    put_grain(out.grains, s.part[b.first].grain, b.place, b.angle, {own.velocity + cell.at(b.place), own.omega});
-  }
+    put_grain(out.grains, m.grain, place_of(s, k), m.angle, {own.velocity + cell.at(m.place), own.omega});
+  });
   out.contacts = {};
   add_contacts(s, out);
   out.bonds = bonds_of(s);
@@ -131,8 +121,7 @@ Packing packing_of(const Sample& s) {
 
 Energies energies_of(const Sample& s) {
   Energies e = s.tally;
-  for (std::size_t k = 0; k < s.count; ++k) e.kinetic += kinetic_energy(s, k);
-  for (const Body& b : s.body) e.kinetic += kinetic_energy(s, b);
+  each_mover(s, [&](std::size_t k) { e.kinetic += kinetic_energy(s, k); });
   for (std::size_t side = 0; side < 4; ++side)
     if (s.wall[side].drive.kind == WallDrive::Kind::force) {
       const double v = wall_rate(s, side);
@@ -161,7 +150,7 @@ Equilibrium equilibrium_of(const Sample& s) {
   const auto grains = static_cast<double>(grain_count(s));
   double resultant = 0, normal_sum = 0, mobilised = 0;
   std::size_t contacts = 0, pressed = 0;
-  for (std::size_t k = 0; k < pressed_contacts.size(); ++k) resultant += resultant_of(s, k);
+  each_mover(s, [&](std::size_t k) { resultant += resultant_of(s, k); });
   for (std::size_t p = 0; p < s.list.size(); ++p) {
     const Kinematics c = slot_kinematics(s, p);
     if (pull_of(s, p) > 0) {  // holds its grains, whatever presses them

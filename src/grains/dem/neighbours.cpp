@@ -28,38 +28,10 @@ void check_places(const Sample& s) {
   }
 }
 
-/// Across the edges of a sheared cell a grain goes on with the velocity of the image that comes in there.
-void take_to_other_side(Sample& s, std::size_t k, double faster) {
-  const DiskRecord& d = s.record[k];
-  if (s.integration.track_energy) s.tally.work_walls += 0.5 * d.mass * faster * (2 * s.vx[k] + faster);
-  s.vx[k] += faster;
-  s.record[k].velocity.x += faster;
-}
-
-/// A grain that crosses a periodic edge goes on at the opposite one; its own velocity is without the affine motion and does not change, the seen
-/// velocity is renewed by the caller's next refresh.
 void wrap(Sample& s) {
-  const auto& w = s.domain.wall;
-  const double width = s.domain.width(), height = s.domain.height();
-  if (s.domain.periodic_x) s.domain.tilt -= std::round(s.domain.tilt / width) * width;
-  const CellMotion cell = cell_motion(s.domain);
-  for (std::size_t k = 0; k < s.count; ++k) {
-    DiskRecord& d = s.record[k];
-    if (is_part(s, k)) continue;
-    if (s.domain.periodic_y) {
-      const double n = std::floor((d.place.y - w[bottom].position) / height);
-      const double y = d.place.y - n * height;
-      d.velocity.y += cell.y.at(y) - cell.y.at(d.place.y);
-      d.place.y = y;
-      d.place.x -= n * s.domain.tilt;
-      if (n != 0 && s.shear_rate != 0) take_to_other_side(s, k, -n * s.shear_rate * height);
-    }
-    if (s.domain.periodic_x) {
-      const double x = d.place.x - std::floor((d.place.x - w[left].position) / width) * width;
-      d.velocity.x += cell.x.at(x) - cell.x.at(d.place.x);
-      d.place.x = x;
-    }
-  }
+  if (s.domain.periodic_x) s.domain.tilt -= std::round(s.domain.tilt / s.domain.width()) * s.domain.width();
+  for (std::size_t k = 0; k < s.count; ++k)
+    if (!is_part(s, k)) wrap_over_sides(s, s.record[k].mass, s.record[k].place, s.vx[k], s.record[k].velocity);
 }
 
 template <class T> void permute(std::vector<T>& values, const std::vector<std::int32_t>& order) {
@@ -119,6 +91,29 @@ void carry_over(Sample& s, const ContactList& before, const std::vector<std::int
 }
 
 }  // namespace
+
+void wrap_over_sides(Sample& s, double mass, Vec2& place, double& own_x, Vec2& seen) {
+  const auto& w = s.domain.wall;
+  const double width = s.domain.width(), height = s.domain.height();
+  const CellMotion cell = cell_motion(s.domain);
+  if (s.domain.periodic_y) {
+    const double n = std::floor((place.y - w[bottom].position) / height);
+    const double y = place.y - n * height, faster = -n * s.shear_rate * height;
+    seen.y += cell.y.at(y) - cell.y.at(place.y);
+    place.y = y;
+    place.x -= n * s.domain.tilt;
+    if (n != 0 && s.shear_rate != 0) {
+      if (s.integration.track_energy) s.tally.work_walls += 0.5 * mass * faster * (2 * own_x + faster);
+      own_x += faster;
+      seen.x += faster;
+    }
+  }
+  if (s.domain.periodic_x) {
+    const double x = place.x - std::floor((place.x - w[left].position) / width) * width;
+    seen.x += cell.x.at(x) - cell.x.at(place.x);
+    place.x = x;
+  }
+}
 
 void rebuild_list(Sample& s, const Team& team) {
   check_places(s);

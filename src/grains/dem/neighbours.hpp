@@ -12,6 +12,10 @@ void rebuild_list(Sample& sample, const Team& team = Team());
 /// Lists the pairs at the records' present order and places without sorting; what rebuild_list does at its end, and what a restored sample needs.
 void list_contacts(Sample& sample, const Team& team = Team());
 
+/// Puts what has crossed a periodic edge back at the opposite one. Its own velocity is without the affine motion and does not change, that which the
+/// forces see does; across the edges of a sheared cell both go on as the image does that comes in there.
+void wrap_over_sides(Sample& sample, double mass, Vec2& place, double& own_x, Vec2& seen);
+
 /// Finds the inner numbers of the grains that go with rough walls.
 void number_held(Sample& sample);
 

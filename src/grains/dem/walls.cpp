@@ -16,12 +16,8 @@ bool is_steady(const WallDrives& drives) {
 
 void tune_servo(Sample& s) {
   double mass = 0, stiffness = 0;
-  for (std::size_t k = 0; k < s.count; ++k) {
-    const auto& d = s.record[k];
-    if (!is_part(s, k)) mass += d.mass;
-    stiffness += stiffness_of(s, d) / static_cast<double>(s.count);
-  }
-  for (const Body& b : s.body) mass += b.mass;
+  each_mover(s, [&](std::size_t k) { mass += mover_at(s, k).mass; });
+  for (std::size_t k = 0; k < s.count; ++k) stiffness += stiffness_of(s, s.record[k]) / static_cast<double>(s.count);
   const double layers = std::sqrt(static_cast<double>(std::max<std::size_t>(grain_count(s), 1)));
   const double aspect = s.domain.width() / s.domain.height();
   for (std::size_t side = 0; side < 4; ++side) {

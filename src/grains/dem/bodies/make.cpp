@@ -156,14 +156,6 @@ void add_contact(Crowd& crowd, Vec2 centre, double radius, Vec2 n) {
 
 }  // namespace
 
-std::vector<Mover> movers_of(const Sample& s) {
-  std::vector<Mover> movers(s.count + s.body.size());
-  for (std::size_t k = 0; k < s.count; ++k)
-    if (!is_part(s, k)) movers[k] = {s.record[k].mass, inertia(s.record[k]), s.record[k].radius};
-  for (std::size_t n = 0; n < s.body.size(); ++n) movers[s.count + n] = {s.body[n].mass, s.body[n].inertia(), s.body[n].gyration};
-  return movers;
-}
-
 std::size_t moving(const Sample& s, std::int32_t k) {
   const std::int32_t body = body_of(s, s.record[k].grain);
   return body < 0 ? static_cast<std::size_t>(k) : s.count + static_cast<std::size_t>(body);

@@ -5,6 +5,7 @@
 
 #include "grains/dem/bodies/bodies.hpp"
 #include "grains/dem/forces.hpp"
+#include "grains/dem/neighbours.hpp"
 #include "model/shapes.hpp"
 
 namespace arenite::dem {
@@ -28,9 +29,20 @@ void place_parts_of(Sample& s, const Body& b) {
   });
 }
 
+/// By its disks' contacts.
+Load load_of(const Sample& s, const Body& b) {
+  Load sum;
+  for_parts(s, b, [&](std::size_t, std::size_t k) {
+    const Load load = contact_load(s.list, k);
+    sum.force += load.force;
+    sum.torque += load.torque + cross(s.lever[k], load.force);
+  });
+  return sum;
+}
+
 /// The step of integrators/verlet.cpp for a body.
 void move(const Sample& s, const SweepTask& t, Body& b) {
-  const Load load = load_on(s, b);
+  const Load load = load_of(s, b);
   const CellMotion before{t.x.before, t.y.before}, after{t.x.after, t.y.after};
   const Vec2 a = load.force / b.mass + Vec2{t.x.gravity, t.y.gravity} - t.drag * (b.seen.velocity - before.at(b.place));
   const double alpha = t.turning * load.torque / b.inertia();
@@ -56,15 +68,7 @@ bool are_near(const Sample& s, const SweepTask& t, const Body& b) {
 
 }  // namespace
 
-Load load_on(const Sample& s, const Body& b) {
-  Load sum;
-  for_parts(s, b, [&](std::size_t, std::size_t k) {
-    const Load load = contact_load(s.list, k);
-    sum.force += load.force;
-    sum.torque += load.torque + cross(s.lever[k], load.force);
-  });
-  return sum;
-}
+Load load_on(const Sample& s, std::size_t mover) { return mover < s.count ? contact_load(s.list, mover) : load_of(s, s.body[mover - s.count]); }
 
 void number_parts(Sample& s) {
   if (s.part.empty()) return;
@@ -105,26 +109,6 @@ void place_parts(Sample& s) {
 
 namespace {
 
-void wrap_centre(Sample& s, Body& b) {
-  const auto& w = s.domain.wall;
-  const double width = s.domain.width(), height = s.domain.height();
-  const CellMotion cell = cell_motion(s.domain);
-  if (s.domain.periodic_y) {
-    const double n = std::floor((b.place.y - w[bottom].position) / height), y = b.place.y - n * height, faster = -n * s.shear_rate * height;
-    b.seen.velocity.y += cell.y.at(y) - cell.y.at(b.place.y);
-    b.place.y = y;
-    b.place.x -= n * s.domain.tilt;
-    if (n != 0 && s.integration.track_energy) s.tally.work_walls += 0.5 * b.mass * faster * (2 * b.own.velocity.x + faster);
-    b.own.velocity.x += faster;
-    b.seen.velocity.x += faster;
-  }
-  if (s.domain.periodic_x) {
-    const double x = b.place.x - std::floor((b.place.x - w[left].position) / width) * width;
-    b.seen.velocity.x += cell.x.at(x) - cell.x.at(b.place.x);
-    b.place.x = x;
-  }
-}
-
 /// Cells between a disk and its body's centre, so that both lie in the cell.
 void wrap_part(const Sample& s, const Body& b, Vec2 by, BodyDisk& part) {
   const auto& w = s.domain.wall;
@@ -137,22 +121,11 @@ void wrap_part(const Sample& s, const Body& b, Vec2 by, BodyDisk& part) {
 
 void wrap_bodies(Sample& s) {
   for (Body& b : s.body) {
-    wrap_centre(s, b);
+    wrap_over_sides(s, b.mass, b.place, b.own.velocity.x, b.seen.velocity);
     const Vec2 by = direction(b.angle);
     for_parts(s, b, [&](std::size_t d, std::size_t) { wrap_part(s, b, by, s.part[d]); });
   }
   place_parts(s);
-}
-
-Motion motion_of(const Sample& s, const Body& b) {
-  if (s.lag == 0) return b.own;
-  const Acceleration a = acceleration_under(s, load_on(s, b), b.mass, b.inertia(), b.place, b.seen.velocity);
-  return {b.own.velocity + s.lag * a.linear, b.own.omega + s.lag * a.alpha};
-}
-
-double kinetic_energy(const Sample& s, const Body& b) {
-  const Motion v = motion_of(s, b);
-  return 0.5 * b.mass * dot(v.velocity, v.velocity) + 0.5 * b.inertia() * v.omega * v.omega;
 }
 
 Vec2 between_centres(const Sample& s, std::size_t slot, Vec2 branch) {

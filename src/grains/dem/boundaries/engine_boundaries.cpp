@@ -148,16 +148,11 @@ void Engine::set_programmes(Programmes programmes) {
 Amount Engine::below(double height) const {
   const Sample& s = machine_->sample;
   Amount amount;
-  for (std::size_t k = 0; k < s.count; ++k)
-    if (s.record[k].place.y < height && !is_part(s, k)) {
-      ++amount.grains;
-      amount.mass += own_mass(s, k);
-    }
-  for (const Body& b : s.body)
-    if (b.place.y < height) {
-      ++amount.grains;
-      amount.mass += own_mass_of(s, b);
-    }
+  each_mover(s, [&](std::size_t k) {
+    if (!(mover_at(s, k).place.y < height)) return;
+    ++amount.grains;
+    amount.mass += k < s.count ? own_mass(s, k) : own_mass_of(s, s.body[k - s.count]);
+  });
   return amount;
 }
 

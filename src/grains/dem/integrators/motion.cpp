@@ -1,31 +1,27 @@
 #include "grains/dem/integrators/motion.hpp"
 
+#include "grains/dem/bodies/bodies.hpp"
 #include "grains/dem/integrators/integrators.hpp"
 #include "grains/dem/walls.hpp"
 
 namespace arenite::dem {
 
-Acceleration acceleration_under(const Sample& s, const Load& load, double mass, double inertia, Vec2 place, Vec2 velocity) {
-  return {load.force / mass + s.gravity - s.drag * (velocity - cell_motion(s.domain).at(place)), s.integration.rotations ? load.torque / inertia : 0.0};
-}
-
 Acceleration acceleration_of(const Sample& s, std::size_t k) {
-  const DiskRecord& d = s.record[k];
-  if (find_held(s, d.grain)) return {};
-  return acceleration_under(s, contact_load(s.list, k), d.mass, inertia(d), d.place, d.velocity);
+  if (k < s.count && find_held(s, s.record[k].grain)) return {};
+  const Load load = load_on(s, k);
+  const Mover m = mover_at(s, k);
+  return {load.force / m.mass + s.gravity - s.drag * (m.seen.velocity - cell_motion(s.domain).at(m.place)),
+          s.integration.rotations ? load.torque / m.inertia : 0.0};
 }
 
 Motion motion_of(const Sample& s, std::size_t k) {
-  const Motion own{{s.vx[k], s.vy[k]}, s.omega[k]};
-  if (const Integrator& scheme = integrator_of(s); scheme.corrects()) {
-    if (!s.settled) return own;
-    const Acceleration a = acceleration_of(s, k);
-    const double share = 0.5 * scheme.velocity_share * s.dt;
-    return {own.velocity + share * (a.linear - Vec2{s.ax[k], s.ay[k]}), own.omega + share * (a.alpha - s.alpha[k])};
-  }
-  if (s.lag == 0) return own;
+  const Motion own = mover_at(s, k).own;
+  const Integrator& scheme = integrator_of(s);
+  if (scheme.corrects() ? !s.settled : s.lag == 0) return own;
   const Acceleration a = acceleration_of(s, k);
-  return {own.velocity + s.lag * a.linear, own.omega + s.lag * a.alpha};
+  if (!scheme.corrects()) return {own.velocity + s.lag * a.linear, own.omega + s.lag * a.alpha};
+  const double share = 0.5 * scheme.velocity_share * s.dt;
+  return {own.velocity + share * (a.linear - Vec2{s.ax[k], s.ay[k]}), own.omega + share * (a.alpha - s.alpha[k])};
 }
 
 double time_behind(const Sample& s) {
@@ -39,7 +35,7 @@ Vec2 velocity_beside(const Sample& s, std::size_t i, std::size_t j, Vec2 image) 
 }
 
 Vec2 place_of(const Sample& s, std::size_t k) {
-  const Vec2 place = s.record[k].place;
+  const Vec2 place = mover_at(s, k).place;
   const Integrator& scheme = integrator_of(s);
   if (!scheme.corrects() || !s.settled) return place;
   return place + 0.5 * scheme.position_share * s.dt * s.dt * (acceleration_of(s, k).linear - Vec2{s.ax[k], s.ay[k]});

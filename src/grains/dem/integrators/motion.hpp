@@ -11,12 +11,10 @@ struct Acceleration {
   Vec2 linear;
   double alpha = 0;
 };
-/// Under a load, of what has this mass and inertia, and is seen by the forces at this place with this velocity.
-Acceleration acceleration_under(const Sample& sample, const Load& load, double mass, double inertia, Vec2 place, Vec2 velocity);
-/// Of inner disk k.
+/// Of a mover (sample.hpp); 0 of a disk that goes with a wall.
 Acceleration acceleration_of(const Sample& sample, std::size_t k);
 
-/// Motion of inner disk k, without the affine motion.
+/// Motion of a mover, without the affine motion.
 Motion motion_of(const Sample& sample, std::size_t k);
 
 /// How long the integrated velocities are behind the forces, s: half a step, or nothing where a scheme has just begun.
@@ -24,7 +22,7 @@ double time_behind(const Sample& sample);
 /// Integrated velocity of disk i beside disk j, or beside an image of j that moves past it so, m/s.
 Vec2 velocity_beside(const Sample& sample, std::size_t i, std::size_t j, Vec2 image);
 
-/// Place of inner disk k, m.
+/// Place of a mover, m.
 Vec2 place_of(const Sample& sample, std::size_t k);
 
 /// Velocity and position of a wall (or edge of a periodic cell), m/s and m along +x or +y.
