@@ -8,11 +8,6 @@
 
 namespace arenite {
 
-std::size_t index_of(const Materials& materials, std::string_view name) {
-  const auto at = std::find_if(materials.begin(), materials.end(), [&](const Material& m) { return m.name == name; });
-  return static_cast<std::size_t>(at - materials.begin());
-}
-
 void Grains::resize(std::size_t n) {
   const std::size_t old = size();
   id.resize(n);

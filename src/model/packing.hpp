@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -25,8 +26,10 @@ struct Material {
 
 using Materials = std::vector<Material>;
 
-/// Place of the material of that name; their number if there is none.
-std::size_t index_of(const Materials& materials, std::string_view name);
+/// Place of what has that name among materials, boundaries and the like; their number if there is none.
+template <class Named> std::size_t index_of(const std::vector<Named>& all, std::string_view name) {
+  return static_cast<std::size_t>(std::ranges::find(all, name, &Named::name) - all.begin());
+}
 
 /// What grains are that are no single disks (shapes.hpp): rigid, of several disks each. Grain g has the disks first[g] to first[g + 1] - 1. Empty where
 /// all grains are disks; else a grain that is one has itself.
@@ -73,6 +76,9 @@ constexpr Vec2 inward_normal(int side) {
   return normals[side];
 }
 
+/// +1 if the way into the sample from a side is along +x or +y.
+constexpr double inward_sign(int side) { return side % 2 == 0 ? 1.0 : -1.0; }
+
 /// Of a vector along the normal of a side, and along the side itself: x and y of left and right.
 constexpr double across(int side, Vec2 v) { return side < bottom ? v.x : v.y; }
 constexpr double along(int side, Vec2 v) { return side < bottom ? v.y : v.x; }
@@ -116,6 +122,7 @@ struct Domain {
   double height() const { return wall[top].position - wall[bottom].position; }
   double area() const { return width() * height(); }
   bool periodic(int side) const { return side < bottom ? periodic_x : periodic_y; }
+  double length(int side) const { return side < bottom ? height() : width(); }  ///< along it
   /// How far a place lies within the plane of a side, m.
   double depth(int side, Vec2 place) const { return side % 2 == 0 ? across(side, place) - wall[side].position : wall[side].position - across(side, place); }
   /// The nearest periodic image of a vector between two points; the vector itself where nothing is periodic.

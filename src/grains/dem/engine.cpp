@@ -184,9 +184,7 @@ CohesionCount Engine::cohesion_count() const {
 void Engine::set_drives(const WallDrives& asked) {
   Sample& s = machine_->sample;
   const WallDrives drives = under_programmes(s, asked);
-  bool changed = false;
-  for (std::size_t side = 0; side < 4; ++side) changed |= drives[side] != s.wall[side].drive;
-  if (!changed) return;
+  if (std::ranges::equal(drives, s.wall, {}, {}, &WallBody::drive)) return;
   check_still_cell(s, drives, false);
   synchronise(s);
   const double before = servo_energy(s);

@@ -148,13 +148,12 @@ View::View(const Packing& p, const Options& o) : packing(p), options(o) {
   rattler = loose_grains(packing, options.rattler_contacts, [&](std::size_t c) { return pairs().fn[c] != 0; });
 
   blocks = {bounds_of(*this), blocks_per_side(grains.size())};
-  const bool cut = blocks.per_side > 1;  // a sample too small to be cut: every item is its own block
-  for (std::size_t g = 0; g < all.size(); ++g) grain_block.push_back(cut ? blocks.block_of(wrapped(domain, all.centre(g))) : static_cast<int>(g));
+  for (std::size_t g = 0; g < all.size(); ++g) grain_block.push_back(blocks.block_of(wrapped(domain, all.centre(g)), g));
   double sum = 0;
   std::size_t pushing = 0;
   for (std::size_t c = 0; c < pairs().size(); ++c) {
     const Vec2 point = contact_point(c);
-    contact_block.push_back(cut ? blocks.block_of(point) : static_cast<int>(c));
+    contact_block.push_back(blocks.block_of(point, c));
     if (pairs().is_wall(c) || !inside(point)) continue;
     contacts.push_back(c);
     if (pairs().fn[c] > 0) {

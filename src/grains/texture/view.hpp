@@ -34,6 +34,8 @@ struct BlockGrid {
     };
     return along(p.y, bounds.y_min, bounds.height()) * per_side + along(p.x, bounds.x_min, bounds.width());
   }
+  /// That of an item there; where the rectangle is too small to be cut every item is its own.
+  int block_of(Vec2 p, std::size_t item) const { return per_side > 1 ? block_of(p) : static_cast<int>(item); }
   geometry::Rectangle block(int b) const {
     const double w = bounds.width() / per_side, h = bounds.height() / per_side;
     const int column = b % per_side, row = b / per_side;

@@ -64,9 +64,7 @@ void hold_nearest(Sample& s) {
 
 void Engine::set_rough(const std::array<bool, 4>& rough) {
   Sample& s = machine_->sample;
-  bool changed = false;
-  for (std::size_t side = 0; side < 4; ++side) changed |= rough[side] != s.wall[side].rough;
-  if (!changed) return;
+  if (std::ranges::equal(rough, s.wall, {}, {}, &WallBody::rough)) return;
   if (!s.part.empty()) throw InputError("rough walls hold disks only; take smooth walls with friction for clumps and polygons");
   synchronise(s);
   for (std::size_t side = 0; side < 4; ++side) s.wall[side].rough = rough[side] && s.domain.wall[side].present;
@@ -76,13 +74,9 @@ void Engine::set_rough(const std::array<bool, 4>& rough) {
 
 void Engine::set_open(const std::array<bool, 4>& open) {
   Sample& s = machine_->sample;
-  bool changed = false;
-  for (int side = 0; side < 4; ++side) {
-    if (open[side] == s.wall[side].open) continue;
-    check_opening(s, side, open[side]);
-    changed = true;
-  }
-  if (!changed) return;
+  if (std::ranges::equal(open, s.wall, {}, {}, &WallBody::open)) return;
+  for (int side = 0; side < 4; ++side)
+    if (open[side] != s.wall[side].open) check_opening(s, side, open[side]);
   synchronise(s);
   for (std::size_t side = 0; side < 4; ++side) {
     s.wall[side].open = open[side];
@@ -131,9 +125,9 @@ void Engine::set_programmes(Programmes programmes) {
     if (p.drives_side()) drives[p.side()].kind = WallDrive::Kind::velocity;
     sheared |= p.of == Programme::shear_rate;
     if (!p.drives_boundary()) continue;
-    const auto at = std::find_if(boundaries.begin(), boundaries.end(), [&](const Boundary& b) { return b.name == p.name; });
-    if (at == boundaries.end()) throw InputError(fmt::format("a programme drives boundary \"{}\", which there is not", p.name));
-    BoundaryBody& body = s.boundary[at - boundaries.begin()];
+    const std::size_t at = index_of(boundaries, p.name);
+    if (at == boundaries.size()) throw InputError(fmt::format("a programme drives boundary \"{}\", which there is not", p.name));
+    BoundaryBody& body = s.boundary[at];
     if (p.is_of_force() != (body.mass > 0) && p.boundary_axis() < 2)
       throw InputError(fmt::format("boundary \"{}\" {} a mass; a table can give {}", p.name, body.mass > 0 ? "has" : "has not",
                                    body.mass > 0 ? "the force on it" : "where it is or how fast"));
