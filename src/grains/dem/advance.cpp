@@ -104,24 +104,6 @@ void sum_wall_forces(Sample& s) {
   }
 }
 
-}  // namespace
-
-void compute_forces(Sample& s, const Team& team) {
-  hand_over_memories(s);
-  s.laws.visit([&](const auto& normal, const auto& adhesion, const auto& friction) {
-    if (!s.live_bonds.empty()) end_open_bonds(s, normal, friction);
-    evaluate(s, team, normal, adhesion, friction);
-  });
-  add_rolling_moments(s, team);
-  take_torques_to_owners(s, team);
-  add_cohesion(s, team);
-  add_bond_forces(s, team);
-  sum_wall_forces(s);
-  sum_boundary_forces(s);
-}
-
-namespace {
-
 /// Vector from j (or the plane of the wall) to i.
 Vec2 branch_of(const Sample& s, std::size_t slot) {
   const std::int32_t j = s.list.j[slot];
@@ -146,7 +128,27 @@ Tensor2 sum_of_moments(const Sample& s, const Team& team) {
   return sum;
 }
 
+bool has_driven_edge(const Sample& s) {
+  for (std::size_t side = 0; side < 4; ++side)
+    if (!s.domain.wall[side].present && s.wall[side].drive.kind == WallDrive::Kind::force) return true;
+  return false;
+}
+
 }  // namespace
+
+void compute_forces(Sample& s, const Team& team) {
+  hand_over_memories(s);
+  s.laws.visit([&](const auto& normal, const auto& adhesion, const auto& friction) {
+    if (!s.live_bonds.empty()) end_open_bonds(s, normal, friction);
+    evaluate(s, team, normal, adhesion, friction);
+  });
+  add_rolling_moments(s, team);
+  take_torques_to_owners(s, team);
+  add_cohesion(s, team);
+  add_bond_forces(s, team);
+  sum_wall_forces(s);
+  sum_boundary_forces(s);
+}
 
 void sum_edge_forces(Sample& s, const Team& team) {
   if (!s.domain.periodic_x && !s.domain.periodic_y) return;
@@ -163,16 +165,6 @@ void sum_edge_forces(Sample& s, const Team& team) {
     w[bottom].shear_force = -w[top].shear_force;
   }
 }
-
-namespace {
-
-bool has_driven_edge(const Sample& s) {
-  for (std::size_t side = 0; side < 4; ++side)
-    if (!s.domain.wall[side].present && s.wall[side].drive.kind == WallDrive::Kind::force) return true;
-  return false;
-}
-
-}  // namespace
 
 void Engine::advance(std::int64_t steps) {
   Sample& s = machine_->sample;

@@ -44,32 +44,6 @@ void book_breaks(Sample& s) {
   }
 }
 
-}  // namespace
-
-BeamMotion beam_motion(const Sample& s, const BondSlot& b) {
-  BeamMotion m;
-  m.branch = s.record[b.i].place - s.record[b.j].place - image_place(s, b.shift);
-  m.distance = norm(m.branch);
-  m.normal = m.branch / m.distance;
-  const double turned = std::atan2(cross(b.normal, m.normal), dot(b.normal, m.normal));
-  const double turn_i = s.angle[b.i] - b.angle_i - turned, turn_j = s.angle[b.j] - b.angle_j - turned;
-  m.strain = {m.distance - b.length, b.arm_i * turn_i + b.arm_j * turn_j, turn_i - turn_j};
-  return m;
-}
-
-SlotForce beam_slot_force(const BondSlot& b, const BeamMotion& m, const BeamForce& f) {
-  const double across = f.shear * b.length / m.distance;
-  return {-f.tension * m.normal + across * perpendicular(m.normal), -f.shear * b.arm_i - f.moment, -f.shear * b.arm_j + f.moment};
-}
-
-BeamForce beam_dashpots(const Sample& s, const BondSlot& b, const BeamMotion& m) {
-  const DiskRecord &a = s.record[b.i], &c = s.record[b.j];
-  const BeamStrain rate = strain_rate(b, m, a.velocity - c.velocity - image_velocity(s, b.shift), a.omega, c.omega);
-  return {b.normal_damping * rate.stretch, b.shear_damping * rate.shear, b.bending_damping * rate.bending};
-}
-
-namespace {
-
 /// The periodic images that bonds mean, where they are now.
 void move_images(Sample& s) {
   BondNumbers& numbers = s.bond_numbers;
@@ -108,6 +82,28 @@ BondTask bond_task(Sample& s) {
 }
 
 }  // namespace
+
+BeamMotion beam_motion(const Sample& s, const BondSlot& b) {
+  BeamMotion m;
+  m.branch = s.record[b.i].place - s.record[b.j].place - image_place(s, b.shift);
+  m.distance = norm(m.branch);
+  m.normal = m.branch / m.distance;
+  const double turned = std::atan2(cross(b.normal, m.normal), dot(b.normal, m.normal));
+  const double turn_i = s.angle[b.i] - b.angle_i - turned, turn_j = s.angle[b.j] - b.angle_j - turned;
+  m.strain = {m.distance - b.length, b.arm_i * turn_i + b.arm_j * turn_j, turn_i - turn_j};
+  return m;
+}
+
+SlotForce beam_slot_force(const BondSlot& b, const BeamMotion& m, const BeamForce& f) {
+  const double across = f.shear * b.length / m.distance;
+  return {-f.tension * m.normal + across * perpendicular(m.normal), -f.shear * b.arm_i - f.moment, -f.shear * b.arm_j + f.moment};
+}
+
+BeamForce beam_dashpots(const Sample& s, const BondSlot& b, const BeamMotion& m) {
+  const DiskRecord &a = s.record[b.i], &c = s.record[b.j];
+  const BeamStrain rate = strain_rate(b, m, a.velocity - c.velocity - image_velocity(s, b.shift), a.omega, c.omega);
+  return {b.normal_damping * rate.stretch, b.shear_damping * rate.shear, b.bending_damping * rate.bending};
+}
 
 void add_bond_forces(Sample& s, const Team& team) {
   if (s.bond_slots.empty()) return;

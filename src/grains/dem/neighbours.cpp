@@ -90,6 +90,10 @@ void carry_over(Sample& s, const ContactList& before, const std::vector<std::int
   });
 }
 
+bool bonds_break(const Sample& s) {
+  return s.contact.adhesion.visit([](const auto& law) { return law.breaks; });
+}
+
 }  // namespace
 
 void wrap_over_sides(Sample& s, double mass, Vec2& place, double& own_x, Vec2& seen) {
@@ -201,14 +205,6 @@ bool is_marked_as_glued(const Sample& s, std::int32_t a, std::int32_t b) {
   a = grain_of(s, a), b = grain_of(s, b);
   return std::binary_search(glued.begin(), glued.end(), std::pair{std::min(a, b), std::max(a, b)});
 }
-
-namespace {
-
-bool bonds_break(const Sample& s) {
-  return s.contact.adhesion.visit([](const auto& law) { return law.breaks; });
-}
-
-}  // namespace
 
 bool is_glued(const Sample& s, std::int32_t a, std::int32_t b) {
   if (!s.glue || !s.contact.adheres()) return false;

@@ -58,6 +58,13 @@ void drive_boundary(Sample& s, const Programme& p, double middle) {
   *velocity[p.boundary_axis()] = rate;
 }
 
+/// N, of a side under force or pressure.
+double load_of(const Sample& s, const Programme& p, double time) {
+  const double value = p.at(time);
+  if (p.drive() == 1) return value;
+  return value * s.domain.length(p.side()) * s.domain.thickness;
+}
+
 }  // namespace
 
 void follow_velocities(Sample& s) {
@@ -70,17 +77,6 @@ void follow_velocities(Sample& s) {
     s.wall[p.side()].drive.value = s.wall[p.side()].rate = s.domain.wall[p.side()].velocity = p.at(time) * inward_sign(p.side());
   }
 }
-
-namespace {
-
-/// N, of a side under force or pressure.
-double load_of(const Sample& s, const Programme& p, double time) {
-  const double value = p.at(time);
-  if (p.drive() == 1) return value;
-  return value * s.domain.length(p.side()) * s.domain.thickness;
-}
-
-}  // namespace
 
 void follow_loads(Sample& s) {
   const double time = time_of(s) - s.programmes.begin;

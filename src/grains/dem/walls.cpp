@@ -12,6 +12,15 @@ bool is_steady(const WallDrives& drives) {
   return std::any_of(drives.begin(), drives.end(), [](const auto& d) { return d.kind == WallDrive::Kind::velocity; });
 }
 
+double servo_damping(const Sample& s, std::size_t side) {
+  const WallBody& body = s.wall[side];
+  const double carried = std::max(s.domain.wall[side].force, 0.0);
+  const double share = carried >= body.drive.value ? 1.0 : carried / body.drive.value;
+  const double length = side < bottom ? s.domain.width() : s.domain.height();
+  const double yielding = std::sqrt(std::max(body.drive.value, 0.0) * body.sample_mass / length) / s.inertial_number;
+  return std::min(body.impedance, yielding) * share;
+}
+
 }  // namespace
 
 void tune_servo(Sample& s) {
@@ -46,19 +55,6 @@ void apply_drives(Sample& s, const WallDrives& drives) {
     s.domain.wall[side].velocity = body.rate;
   }
 }
-
-namespace {
-
-double servo_damping(const Sample& s, std::size_t side) {
-  const WallBody& body = s.wall[side];
-  const double carried = std::max(s.domain.wall[side].force, 0.0);
-  const double share = carried >= body.drive.value ? 1.0 : carried / body.drive.value;
-  const double length = side < bottom ? s.domain.width() : s.domain.height();
-  const double yielding = std::sqrt(std::max(body.drive.value, 0.0) * body.sample_mass / length) / s.inertial_number;
-  return std::min(body.impedance, yielding) * share;
-}
-
-}  // namespace
 
 double servo_braking(const Sample& s, std::size_t side, double velocity) {
   if (s.wall[side].drive.kind != WallDrive::Kind::force) return 0;

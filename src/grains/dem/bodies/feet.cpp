@@ -29,6 +29,36 @@ void find_cores(const Sample& s, const std::vector<Core>& cores, const geometry:
   std::sort(near.begin(), near.end());
 }
 
+/// In which periodic cell a place lies, counted from the one of now.
+Cells cell_of(const Domain& domain, Vec2 place) {
+  Cells cell;
+  if (domain.periodic_x) cell.x = static_cast<std::int32_t>(std::floor((place.x - domain.wall[left].position) / domain.width()));
+  if (domain.periodic_y) cell.y = static_cast<std::int32_t>(std::floor((place.y - domain.wall[bottom].position) / domain.height()));
+  return cell;
+}
+
+/// The record of a foot where it is now; its polygon's place nearest to what it touches.
+void place_foot(const Sample& s, Foot& foot, DiskRecord& at) {
+  const Body& b = s.body[foot.body];
+  const std::int32_t source = s.part_disk[b.first];
+  const Vec2 place = is_boundary(foot.touches) ? touched_point(s, foot.touches) : s.record[foot.touches].place;
+  // That place as the polygon's own image sees it, from the centre of the polygon: what levers are counted from.
+  const Vec2 by = image_place(s, foot.shift), centre = corner_of(s, b.first) - s.lever[source];
+  const auto lever = [&](std::size_t n) { return s.lever[s.part_disk[b.first + n]]; };
+  foot.lever = nearest_on(static_cast<std::size_t>(b.count), lever, place - by - centre).place;
+  at = s.record[source];
+  at.place = centre + foot.lever + by;
+  // Along x before along y: the sums that results so far were made with.
+  at.velocity = b.seen.velocity + b.seen.omega * perpendicular(foot.lever) + image_velocity(s, {foot.shift.x, 0}) + image_velocity(s, {0, foot.shift.y});
+  at.omega = b.seen.omega;
+}
+
+/// Torques about the disks of a foot's polygon that take them, by the ways from there to the foot, where the slot's force acts.
+double shifted_torque_i(const Sample& s, std::size_t slot, const Foot& foot) { return cross(foot.lever - s.lever[s.list.i[slot]], s.list.force[slot].on_i); }
+double shifted_torque_j(const Sample& s, std::size_t slot, const Foot& foot) {
+  return cross(foot.lever - s.lever[s.list.owner[slot]], -s.list.force[slot].on_i);
+}
+
 }  // namespace
 
 std::vector<Foot> find_feet(const Sample& s, const Team& team) {
@@ -58,18 +88,6 @@ std::vector<Foot> find_feet(const Sample& s, const Team& team) {
   return feet;
 }
 
-namespace {
-
-/// In which periodic cell a place lies, counted from the one of now.
-Cells cell_of(const Domain& domain, Vec2 place) {
-  Cells cell;
-  if (domain.periodic_x) cell.x = static_cast<std::int32_t>(std::floor((place.x - domain.wall[left].position) / domain.width()));
-  if (domain.periodic_y) cell.y = static_cast<std::int32_t>(std::floor((place.y - domain.wall[bottom].position) / domain.height()));
-  return cell;
-}
-
-}  // namespace
-
 std::vector<Foot> find_point_feet(const Sample& s) {
   std::vector<Foot> feet;
   const double largest = s.element.empty() ? 0 : largest_core(s);
@@ -94,26 +112,6 @@ std::vector<Foot> find_point_feet(const Sample& s) {
   return feet;
 }
 
-namespace {
-
-/// The record of a foot where it is now; its polygon's place nearest to what it touches.
-void place_foot(const Sample& s, Foot& foot, DiskRecord& at) {
-  const Body& b = s.body[foot.body];
-  const std::int32_t source = s.part_disk[b.first];
-  const Vec2 place = is_boundary(foot.touches) ? touched_point(s, foot.touches) : s.record[foot.touches].place;
-  // That place as the polygon's own image sees it, from the centre of the polygon: what levers are counted from.
-  const Vec2 by = image_place(s, foot.shift), centre = corner_of(s, b.first) - s.lever[source];
-  const auto lever = [&](std::size_t n) { return s.lever[s.part_disk[b.first + n]]; };
-  foot.lever = nearest_on(static_cast<std::size_t>(b.count), lever, place - by - centre).place;
-  at = s.record[source];
-  at.place = centre + foot.lever + by;
-  // Along x before along y: the sums that results so far were made with.
-  at.velocity = b.seen.velocity + b.seen.omega * perpendicular(foot.lever) + image_velocity(s, {foot.shift.x, 0}) + image_velocity(s, {0, foot.shift.y});
-  at.omega = b.seen.omega;
-}
-
-}  // namespace
-
 void refresh_feet(Sample& s) {
   const std::size_t behind = s.count + s.ghost.size(), first = behind - s.foot.size();
   for (std::size_t f = 0; f < s.foot.size(); ++f) place_foot(s, s.foot[f], s.record[first + f]);
@@ -128,16 +126,6 @@ const Foot* foot_of(const Sample& s, std::size_t slot) {
 }
 
 const Foot* point_foot_of(const Sample& s, std::size_t slot) { return slot < s.list.polygons ? nullptr : &s.point_foot[slot - s.list.polygons]; }
-
-namespace {
-
-/// Torques about the disks of a foot's polygon that take them, by the ways from there to the foot, where the slot's force acts.
-double shifted_torque_i(const Sample& s, std::size_t slot, const Foot& foot) { return cross(foot.lever - s.lever[s.list.i[slot]], s.list.force[slot].on_i); }
-double shifted_torque_j(const Sample& s, std::size_t slot, const Foot& foot) {
-  return cross(foot.lever - s.lever[s.list.owner[slot]], -s.list.force[slot].on_i);
-}
-
-}  // namespace
 
 void take_torques_to_owners(Sample& s, const Team& team) {
   const std::size_t feet = s.foot.size(), first = s.list.pairs - feet;

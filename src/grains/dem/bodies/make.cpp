@@ -24,6 +24,22 @@ bool is_convex(const Shape& shape) {
   return sound;
 }
 
+double radius_of(const Sample& s, std::int32_t d) { return s.start.grains.radius[d]; }
+
+/// Whether a point, from the body's centre at angle 0, lies within a disk of it other than `own`.
+bool is_within(const Sample& s, const Body& b, std::int32_t own, Vec2 point) {
+  for (std::int32_t d = b.first; d < b.first + b.count; ++d)
+    if (d != own && norm(point - s.part[d].place) < (1 - 1e-9) * radius_of(s, d)) return true;
+  return false;
+}
+
+void add_contact(Crowd& crowd, Vec2 centre, double radius, Vec2 n) {
+  const double normal = cross(centre, n), tangential = dot(centre, n) + radius;
+  crowd.contacts += 1;
+  crowd.normal_levers += normal * normal;
+  crowd.tangential_levers += tangential * tangential;
+}
+
 }  // namespace
 
 void check_shapes(Problems& problems, const Packing& start, const ContactParameters& contact, const IntegrationParameters& integration) {
@@ -135,26 +151,6 @@ bool is_of_slot(const Sample& s, const Contacts& c, std::size_t q, std::size_t s
   const double near = 1e-6 * s.given.radius[c.i[q]];
   return norm(i - Vec2{c.off_i_x[q], c.off_i_y[q]}) <= near && norm(j - Vec2{c.off_j_x[q], c.off_j_y[q]}) <= near;
 }
-
-namespace {
-
-double radius_of(const Sample& s, std::int32_t d) { return s.start.grains.radius[d]; }
-
-/// Whether a point, from the body's centre at angle 0, lies within a disk of it other than `own`.
-bool is_within(const Sample& s, const Body& b, std::int32_t own, Vec2 point) {
-  for (std::int32_t d = b.first; d < b.first + b.count; ++d)
-    if (d != own && norm(point - s.part[d].place) < (1 - 1e-9) * radius_of(s, d)) return true;
-  return false;
-}
-
-void add_contact(Crowd& crowd, Vec2 centre, double radius, Vec2 n) {
-  const double normal = cross(centre, n), tangential = dot(centre, n) + radius;
-  crowd.contacts += 1;
-  crowd.normal_levers += normal * normal;
-  crowd.tangential_levers += tangential * tangential;
-}
-
-}  // namespace
 
 std::size_t moving(const Sample& s, std::int32_t k) {
   const std::int32_t body = body_of(s, s.record[k].grain);

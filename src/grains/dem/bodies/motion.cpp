@@ -66,6 +66,14 @@ bool are_near(const Sample& s, const SweepTask& t, const Body& b) {
   return near;
 }
 
+/// Cells between a disk and its body's centre, so that both lie in the cell.
+void wrap_part(const Sample& s, const Body& b, Vec2 by, BodyDisk& part) {
+  const auto& w = s.domain.wall;
+  const Vec2 at = b.place + turned(part.place, by);
+  if (s.domain.periodic_y) part.shift.y = -static_cast<std::int32_t>(std::floor((at.y - w[bottom].position) / s.domain.height()));
+  if (s.domain.periodic_x) part.shift.x = -static_cast<std::int32_t>(std::floor((at.x + part.shift.y * s.domain.tilt - w[left].position) / s.domain.width()));
+}
+
 }  // namespace
 
 Load load_on(const Sample& s, std::size_t mover) { return mover < s.count ? contact_load(s.list, mover) : load_of(s, s.body[mover - s.count]); }
@@ -106,18 +114,6 @@ bool move_bodies(Sample& s, const SweepTask& t, const Team& team) {
 void place_parts(Sample& s) {
   for (const Body& b : s.body) place_parts_of(s, b);
 }
-
-namespace {
-
-/// Cells between a disk and its body's centre, so that both lie in the cell.
-void wrap_part(const Sample& s, const Body& b, Vec2 by, BodyDisk& part) {
-  const auto& w = s.domain.wall;
-  const Vec2 at = b.place + turned(part.place, by);
-  if (s.domain.periodic_y) part.shift.y = -static_cast<std::int32_t>(std::floor((at.y - w[bottom].position) / s.domain.height()));
-  if (s.domain.periodic_x) part.shift.x = -static_cast<std::int32_t>(std::floor((at.x + part.shift.y * s.domain.tilt - w[left].position) / s.domain.width()));
-}
-
-}  // namespace
 
 void wrap_bodies(Sample& s) {
   for (Body& b : s.body) {

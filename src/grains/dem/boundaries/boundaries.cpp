@@ -16,6 +16,16 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 bool is_finite(Vec2 v) { return std::isfinite(v.x) && std::isfinite(v.y); }
 
+/// Whether two elements follow each other along one boundary, perhaps with a third between them that was skipped within a step.
+bool follow(const Sample& s, std::int32_t j, std::int32_t k) {
+  const Boundary& boundary = boundary_of(s, j);
+  if (boundary_index(s, k) != boundary_index(s, j)) return false;
+  const bool through = goes_through_sides(s.domain, boundary);
+  const auto round = static_cast<std::int32_t>(2 * (boundary.points.size() - (through ? 1 : 0)));
+  const std::int32_t apart = std::abs(j - k);
+  return (boundary.closed || through ? std::min(apart, round - apart) : apart) <= 2;
+}
+
 }  // namespace
 
 std::vector<Element> elements_of(const Domain& domain) {
@@ -105,20 +115,6 @@ double fastest_point(const Domain& domain) {
     for (const Vec2& p : boundary.points) fastest = std::max(fastest, norm(boundary.velocity + boundary.spin * perpendicular(p - boundary.centre)));
   return fastest;
 }
-
-namespace {
-
-/// Whether two elements follow each other along one boundary, perhaps with a third between them that was skipped within a step.
-bool follow(const Sample& s, std::int32_t j, std::int32_t k) {
-  const Boundary& boundary = boundary_of(s, j);
-  if (boundary_index(s, k) != boundary_index(s, j)) return false;
-  const bool through = goes_through_sides(s.domain, boundary);
-  const auto round = static_cast<std::int32_t>(2 * (boundary.points.size() - (through ? 1 : 0)));
-  const std::int32_t apart = std::abs(j - k);
-  return (boundary.closed || through ? std::min(apart, round - apart) : apart) <= 2;
-}
-
-}  // namespace
 
 void hand_over_memories(Sample& s) {
   ContactList& list = s.list;

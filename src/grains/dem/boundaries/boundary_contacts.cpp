@@ -60,6 +60,23 @@ bool is_beyond(const Domain& domain, const Boundary& boundary, std::size_t point
   return ways.out == Vec2{} || dot(way, ways.out) <= 0;
 }
 
+/// What follows of a disk that lies against a place of a boundary; `along` is a direction in it.
+void lean_on_boundary(Kinematics& c, const Sample& s, const DiskRecord& d, const Boundary& boundary, Vec2 place, Vec2 along) {
+  const double distance = norm(c.branch);
+  c.overlap = d.radius - distance;
+  if (!(c.overlap > 0)) return;
+  c.normal = distance > 0 ? c.branch / distance : perpendicular(along) / norm(along);
+  lean_on(c, d, distance, d.velocity - boundary.velocity - boundary.spin * perpendicular(place - boundary.centre), s.contact.arms);
+}
+
+/// On which side of a segment a place is, +1 or -1; 0 where it lies beyond an end.
+int side_of(const Ends& segment, Vec2 place) {
+  const Vec2 along = segment.to - segment.from, way = place - segment.from;
+  const double share = dot(way, along);
+  if (!(share > 0 && share < dot(along, along))) return 0;
+  return cross(along, way) > 0 ? 1 : -1;
+}
+
 }  // namespace
 
 bool goes_through_sides(const Domain& domain, const Boundary& boundary) {
@@ -105,19 +122,6 @@ void NearElements::find(const DiskRecord& d, std::vector<std::int32_t>& near) co
   }
 }
 
-namespace {
-
-/// What follows of a disk that lies against a place of a boundary; `along` is a direction in it.
-void lean_on_boundary(Kinematics& c, const Sample& s, const DiskRecord& d, const Boundary& boundary, Vec2 place, Vec2 along) {
-  const double distance = norm(c.branch);
-  c.overlap = d.radius - distance;
-  if (!(c.overlap > 0)) return;
-  c.normal = distance > 0 ? c.branch / distance : perpendicular(along) / norm(along);
-  lean_on(c, d, distance, d.velocity - boundary.velocity - boundary.spin * perpendicular(place - boundary.centre), s.contact.arms);
-}
-
-}  // namespace
-
 Kinematics element_kinematics(const Sample& s, const DiskRecord& d, std::int32_t number) {
   Kinematics c;
   const Element& element = s.element[number];
@@ -157,18 +161,6 @@ Vec2 touched_point(const Sample& s, std::int32_t partner) {
 Vec2 touched_place(const Sample& s, std::size_t slot, const Kinematics& c) {
   return seen_from(s.domain, boundary_of(s, s.list.j[slot]), touched_element(s, s.list.j[slot]), touching_disk(s, slot).place) - c.branch;
 }
-
-namespace {
-
-/// On which side of a segment a place is, +1 or -1; 0 where it lies beyond an end.
-int side_of(const Ends& segment, Vec2 place) {
-  const Vec2 along = segment.to - segment.from, way = place - segment.from;
-  const double share = dot(way, along);
-  if (!(share > 0 && share < dot(along, along))) return 0;
-  return cross(along, way) > 0 ? 1 : -1;
-}
-
-}  // namespace
 
 bool has_crossed(const Sample& s, std::size_t slot) {
   const Element& element = touched_element(s, s.list.j[slot]);
