@@ -44,7 +44,14 @@ struct SortedCells {
     for (std::size_t k = begin; k < end; ++k) ++first[static_cast<std::size_t>(cell[k - begin] = cell_of(k)) + 1];
     std::partial_sum(first.begin(), first.end(), first.begin());
     std::vector<std::int32_t> next = first;
-    for (std::size_t k = begin; k < end; ++k) item[static_cast<std::size_t>(next[static_cast<std::size_t>(cell[k - begin])]++)] = static_cast<std::int32_t>(k);
+    for (std::size_t k = begin; k < end; ++k) item[next[cell[k - begin]]++] = static_cast<std::int32_t>(k);
+  }
+
+  /// Calls `see` for the items of the cell of a place and those around it, row by row.
+  template <class See> void for_near(const CellGrid& grid, double x, double y, See&& see) const {
+    const std::int32_t row = grid.row(y), column = grid.column(x), from = std::max(column - 1, 0), to = std::min(column + 1, grid.columns - 1);
+    for (std::int32_t r = std::max(row - 1, 0); r <= std::min(row + 1, grid.rows - 1); ++r)
+      for (std::int32_t k = first[r * grid.columns + from]; k < first[r * grid.columns + to + 1]; ++k) see(item[k]);
   }
 };
 

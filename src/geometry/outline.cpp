@@ -122,9 +122,7 @@ bool contains(const Outline& o, Vec2 p) {
 
 Rectangle bounds(const Outline& o) {
   if (o.kind == Outline::Kind::disk) return {o.centre.x - o.radius, o.centre.x + o.radius, o.centre.y - o.radius, o.centre.y + o.radius};
-  Rectangle box{o.corner[0].x, o.corner[0].x, o.corner[0].y, o.corner[0].y};
-  for (const Vec2 c : o.corner) box = {std::min(box.x_min, c.x), std::max(box.x_max, c.x), std::min(box.y_min, c.y), std::max(box.y_max, c.y)};
-  return box;
+  return bounds(o.corner);
 }
 
 Vec2 Edge::at(double t) const {

@@ -61,6 +61,17 @@ struct Part {
 /// Sorts parts and joins those that touch.
 void merge(std::vector<Part>& parts);
 
+/// Calls see(from, to) for what the parts leave of an edge, one after the other; sorts and joins the parts.
+template <class See> void each_rest(std::vector<Part>& parts, See&& see) {
+  merge(parts);
+  double from = 0;
+  for (const Part& part : parts) {
+    if (part.from > from) see(from, part.from);
+    from = part.to;
+  }
+  if (from < 1) see(from, 1.0);
+}
+
 /// Which side of an edge an outline has to cover for the edge to be no boundary of the union. Beside its own shape's (outside) this settles edges of
 /// two shapes that coincide: `either` gives the edge to the other shape.
 enum class CoveredSide { outside, either, inside };

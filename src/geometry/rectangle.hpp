@@ -1,4 +1,7 @@
 #pragma once
+#include <algorithm>
+#include <span>
+
 #include "core/vec.hpp"
 
 namespace arenite::geometry {
@@ -9,7 +12,22 @@ struct Rectangle {
   double width() const { return x_max - x_min; }
   double height() const { return y_max - y_min; }
   double area() const { return width() * height(); }
+  /// True inside and on the border.
+  bool holds(Vec2 p) const { return p.x >= x_min && p.x <= x_max && p.y >= y_min && p.y <= y_max; }
 };
+
+/// The smallest upright rectangle around points, one at least.
+inline Rectangle bounds(std::span<const Vec2> points) {
+  Rectangle box{points[0].x, points[0].x, points[0].y, points[0].y};
+  for (const Vec2 p : points) box = {std::min(box.x_min, p.x), std::max(box.x_max, p.x), std::min(box.y_min, p.y), std::max(box.y_max, p.y)};
+  return box;
+}
+
+/// The point of the segment from a to b that is nearest to a place.
+inline Vec2 nearest_on_segment(Vec2 a, Vec2 b, Vec2 place) {
+  const Vec2 along = b - a;
+  return a + std::clamp(dot(place - a, along) / dot(along, along), 0.0, 1.0) * along;
+}
 
 constexpr bool overlap(const Rectangle& a, const Rectangle& b) { return a.x_min <= b.x_max && b.x_min <= a.x_max && a.y_min <= b.y_max && b.y_min <= a.y_max; }
 

@@ -11,17 +11,6 @@ Edge part_of(const Edge& arc, double from, double to) {
   return {arc.at(from), arc.at(to), arc.centre, arc.radius, arc.from + from * arc.sweep, (to - from) * arc.sweep};
 }
 
-/// The parts of an arc that no other disk covers.
-void add_open_parts(const Edge& arc, std::vector<Part>& covered, std::vector<Edge>& open) {
-  merge(covered);
-  double from = 0;
-  for (const Part& part : covered) {
-    if (part.from > from) open.push_back(part_of(arc, from, part.from));
-    from = part.to;
-  }
-  if (from < 1) open.push_back(part_of(arc, from, 1));
-}
-
 /// Arcs in the order in which one begins where another ends.
 std::vector<Edge> chained(std::vector<Edge> open) {
   std::vector<Edge> rim;
@@ -70,7 +59,7 @@ std::vector<Edge> rim_of_disks(const std::vector<Vec2>& centre, const std::vecto
           if (other != k)
             add_covered_parts(arc, Outline::disk(centre[other], radius[other]), other < k ? CoveredSide::either : CoveredSide::outside, 1e-9 * radius[k],
                               covered);
-        add_open_parts(arc, covered, open);
+        each_rest(covered, [&](double from, double to) { open.push_back(part_of(arc, from, to)); });
       }
   }
   return chained(std::move(open));

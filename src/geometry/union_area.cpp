@@ -65,16 +65,6 @@ class Index {
 /// How far off an edge its sides are looked at.
 double step_of(const Rectangle& box) { return 1e-9 * std::max(box.width(), box.height()); }
 
-double uncovered_area_under(const Edge& edge, std::vector<Part>& covered) {
-  merge(covered);
-  double sum = 0, from = 0;
-  for (const Part& part : covered) {
-    if (part.from > from) sum += edge.area_under(from, part.from);
-    from = part.to;
-  }
-  return from < 1 ? sum + edge.area_under(from, 1) : sum;
-}
-
 /// A line whose ends lie in a disk lies in it; half the edges of bridges end here.
 bool is_in_a_disk(const Edge& edge, const Index& index, const std::vector<std::int32_t>& near) {
   if (!edge.straight()) return false;
@@ -119,7 +109,9 @@ double union_area(std::span<const Outline> outlines, const Rectangle& window) {
         add_covered_parts(edge, index.outline[other], other < self ? CoveredSide::either : CoveredSide::outside, step, covered);
         if (!covered.empty() && covered.back().from == 0 && covered.back().to == 1) break;
       }
-      area += uncovered_area_under(edge, covered);
+      double uncovered = 0;
+      each_rest(covered, [&](double from, double to) { uncovered += edge.area_under(from, to); });
+      area += uncovered;
     }
   }
   const Vec2 corner[4] = {{w.x_min, w.y_min}, {w.x_max, w.y_min}, {w.x_max, w.y_max}, {w.x_min, w.y_max}};

@@ -8,11 +8,6 @@
 
 namespace arenite {
 
-std::size_t index_of(const Materials& materials, std::string_view name) {
-  const auto at = std::find_if(materials.begin(), materials.end(), [&](const Material& m) { return m.name == name; });
-  return static_cast<std::size_t>(at - materials.begin());
-}
-
 void Grains::resize(std::size_t n) {
   const std::size_t old = size();
   id.resize(n);
@@ -89,7 +84,7 @@ namespace {
 
 Vec2 branch_between(const Packing& packing, std::int32_t i, std::int32_t j) {
   const Grains& g = packing.grains;
-  return packing.domain.nearest_image(g.centre(static_cast<std::size_t>(i)) - g.centre(static_cast<std::size_t>(j)));
+  return packing.domain.nearest_image(g.centre(i) - g.centre(j));
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -8,8 +9,7 @@
 #include <vector>
 
 #include "core/vec.hpp"
-#include "model/bond.hpp"
-#include "model/cohesive_pair.hpp"
+#include "model/links.hpp"
 
 namespace arenite {
 
@@ -26,8 +26,10 @@ struct Material {
 
 using Materials = std::vector<Material>;
 
-/// Place of the material of that name; their number if there is none.
-std::size_t index_of(const Materials& materials, std::string_view name);
+/// Place of what has that name among materials, boundaries and the like; their number if there is none.
+template <class Named> std::size_t index_of(const std::vector<Named>& all, std::string_view name) {
+  return static_cast<std::size_t>(std::ranges::find(all, name, &Named::name) - all.begin());
+}
 
 /// What grains are that are no single disks (shapes.hpp): rigid, of several disks each. Grain g has the disks first[g] to first[g + 1] - 1. Empty where
 /// all grains are disks; else a grain that is one has itself.
@@ -56,6 +58,7 @@ struct Grains {
 
   std::size_t size() const { return x.size(); }
   Vec2 centre(std::size_t i) const { return {x[i], y[i]}; }
+  Vec2 velocity(std::size_t i) const { return {vx[i], vy[i]}; }
   /// Resizes every array; new grains are at rest at the origin, radius 0, id = index.
   void resize(std::size_t n);
 };
@@ -72,6 +75,13 @@ constexpr Vec2 inward_normal(int side) {
   constexpr Vec2 normals[4] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
   return normals[side];
 }
+
+/// +1 if the way into the sample from a side is along +x or +y.
+constexpr double inward_sign(int side) { return side % 2 == 0 ? 1.0 : -1.0; }
+
+/// Of a vector along the normal of a side, and along the side itself: x and y of left and right.
+constexpr double across(int side, Vec2 v) { return side < bottom ? v.x : v.y; }
+constexpr double along(int side, Vec2 v) { return side < bottom ? v.y : v.x; }
 
 /// One rigid plane. `position` is its x (left, right) or y (bottom, top).
 struct Wall {
@@ -111,6 +121,10 @@ struct Domain {
   double width() const { return wall[right].position - wall[left].position; }
   double height() const { return wall[top].position - wall[bottom].position; }
   double area() const { return width() * height(); }
+  bool periodic(int side) const { return side < bottom ? periodic_x : periodic_y; }
+  double length(int side) const { return side < bottom ? height() : width(); }  ///< along it
+  /// How far a place lies within the plane of a side, m.
+  double depth(int side, Vec2 place) const { return side % 2 == 0 ? across(side, place) - wall[side].position : wall[side].position - across(side, place); }
   /// The nearest periodic image of a vector between two points; the vector itself where nothing is periodic.
   Vec2 nearest_image(Vec2 d) const;
   /// How many elements the boundaries have: two a point, the point itself and the segment from it to the next, counted through all boundaries. The

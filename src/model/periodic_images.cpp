@@ -70,8 +70,8 @@ std::vector<geometry::Pair> pairs_within(const Grains& grains, const Domain& dom
   const PeriodicImages images = images_of(grains, domain, gap);
   std::vector<geometry::Pair> pairs = images.close_pairs(gap);
   for (auto& [i, j] : pairs) {
-    i = images.of[static_cast<std::size_t>(i)];
-    j = images.of[static_cast<std::size_t>(j)];
+    i = images.of[i];
+    j = images.of[j];
     if (i > j) std::swap(i, j);
   }
   const auto key = [](const geometry::Pair& p) { return std::pair(p.i, p.j); };

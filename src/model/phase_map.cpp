@@ -3,9 +3,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <string>
 
-#include "core/error.hpp"
+#include "core/problems.hpp"
 
 namespace arenite {
 
@@ -17,15 +16,14 @@ PhaseMap make_phase_map(int width, int height, double dx) {
 }
 
 void check(const PhaseMap& map) {
-  std::vector<Problem> problems;
-  const auto report = [&](std::string message) { problems.push_back({{}, 0, 0, std::move(message)}); };
-  if (map.width <= 0 || map.height <= 0)
-    report(fmt::format("a phase map of {} x {} nodes holds nothing; give it at least one node each way", map.width, map.height));
-  if (!(map.dx > 0) || !std::isfinite(map.dx)) report(fmt::format("the node spacing of a phase map is {:g} m; give a positive length", map.dx));
-  if (map.width > 0 && map.height > 0 && (map.phase.size() != map.size() || map.grain.size() != map.size()))
-    report(fmt::format("a phase map of {} x {} nodes has {} phases and {} labels; give one of each a node", map.width, map.height, map.phase.size(),
-                       map.grain.size()));
-  if (!problems.empty()) throw InputError(std::move(problems));
+  Problems problems;
+  const bool has_nodes = map.width > 0 && map.height > 0;
+  problems.unless(has_nodes, "a phase map of {} x {} nodes holds nothing; give it at least one node each way", map.width, map.height);
+  problems.unless(map.dx > 0 && std::isfinite(map.dx), "the node spacing of a phase map is {:g} m; give a positive length", map.dx);
+  problems.unless(!has_nodes || (map.phase.size() == map.size() && map.grain.size() == map.size()),
+                  "a phase map of {} x {} nodes has {} phases and {} labels; give one of each a node", map.width, map.height, map.phase.size(),
+                  map.grain.size());
+  problems.raise();
 
   const auto grains = static_cast<std::int32_t>(map.grain_class.size());
   for (std::size_t i = 0; i < map.size(); ++i) {

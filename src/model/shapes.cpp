@@ -35,7 +35,7 @@ Shape shape_of(const Grains& grains, std::size_t g) {
   const Shapes& all = grains.shapes;
   if (all.empty()) return {{{}}, {grains.radius[g]}, false};
   Shape shape;
-  for (auto d = static_cast<std::size_t>(all.first[g]); d < static_cast<std::size_t>(all.first[g + 1]); ++d) {
+  for (std::int32_t d = all.first[g]; d < all.first[g + 1]; ++d) {
     shape.place.push_back({all.x[d], all.y[d]});
     shape.radius.push_back(all.radius[d]);
   }
@@ -70,7 +70,7 @@ namespace {
 /// 1/(n (n + 1)) at n: products, which cost less than quotients.
 constexpr std::array<double, 17> inverse_of_product = [] {
   std::array<double, 17> inverse{};
-  for (int n = 1; n < 17; ++n) inverse[static_cast<std::size_t>(n)] = 1.0 / (n * (n + 1));
+  for (int n = 1; n < 17; ++n) inverse[n] = 1.0 / (n * (n + 1));
   return inverse;
 }();
 

@@ -6,7 +6,6 @@
 
 #include "core/error.hpp"
 #include "grains/dem/run_stage.hpp"
-#include "grains/fields/cohesion_numbers.hpp"
 #include "grains/fields/flow_numbers.hpp"
 #include "io/disk/file.hpp"
 #include "io/results/results.hpp"

@@ -67,7 +67,7 @@ template <class N, class A, class F> void evaluate_walls(Sample& s, const N& nor
     const ContactForce<double> f = contact_force(s.laws, normal, adhesion, friction, state, memory);
     list.memory[p] = memory.slip;
     if constexpr (N::remembers) list.normal_memory[p] = memory.normal;
-    force = {f.normal * c.normal.x - f.tangential * c.normal.y, f.normal * c.normal.y + f.tangential * c.normal.x, -c.arm_i * f.tangential, 0};
+    force = {f.normal * c.normal + f.tangential * perpendicular(c.normal), -c.arm_i * f.tangential, 0};
   }
 }
 
@@ -93,19 +93,45 @@ void sum_wall_forces(Sample& s) {
   for (std::size_t p = list.pairs; p < list.size(); ++p) {
     const int side = wall_side(list.j[p]);
     if (side > top) continue;
-    Wall& wall = s.domain.wall[static_cast<std::size_t>(side)];
-    const Vec2 n = inward_normal(side);
-    wall.force += list.force[p].fx * n.x + list.force[p].fy * n.y;
-    wall.shear_force -= side < bottom ? list.force[p].fy : list.force[p].fx;
+    s.domain.wall[side].force += dot(list.force[p].on_i, inward_normal(side));
+    s.domain.wall[side].shear_force -= along(side, list.force[p].on_i);
   }
   for (std::size_t h = 0; h < s.held.size(); ++h) {
     const int side = s.held[h].side;
-    const Load load = contact_load(list, static_cast<std::size_t>(s.held_disk[h]));
-    Wall& wall = s.domain.wall[static_cast<std::size_t>(side)];
-    const Vec2 n = inward_normal(side);
-    wall.force -= load.fx * n.x + load.fy * n.y;
-    wall.shear_force += side < bottom ? load.fy : load.fx;
+    const Vec2 force = contact_load(list, s.held_disk[h]).force;
+    s.domain.wall[side].force -= dot(force, inward_normal(side));
+    s.domain.wall[side].shear_force += along(side, force);
   }
+}
+
+/// Vector from j (or the plane of the wall) to i.
+Vec2 branch_of(const Sample& s, std::size_t slot) {
+  const std::int32_t j = s.list.j[slot];
+  if (j < 0) return between_centres(s, slot, slot_kinematics(s, slot).branch);
+  return between_centres(s, slot, s.record[s.list.i[slot]].place - s.record[j].place);
+}
+
+/// Sum over all contacts and bonds of force times branch; by blocks of slots, so that it does not depend on the number of threads.
+Tensor2 sum_of_moments(const Sample& s, const Team& team) {
+  constexpr std::size_t slots_of_block = 512;
+  const ContactList& list = s.list;
+  std::vector<Tensor2> blocks((list.size() + slots_of_block - 1) / slots_of_block);
+  team.for_ranges(blocks.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t block = begin; block < end; ++block)
+      for (std::size_t p = block * slots_of_block; p < std::min(list.size(), (block + 1) * slots_of_block); ++p)
+        if (acts(list.force[p])) blocks[block] += outer(list.force[p].on_i, branch_of(s, p));
+  });
+  Tensor2 sum;
+  for (const Tensor2& block : blocks) sum += block;
+  for (std::size_t b = 0; b < s.bond_slots.size(); ++b)
+    if (const SlotForce& f = list.force[bond_force_place(list, b)]; acts(f)) sum += outer(f.on_i, beam_motion(s, s.bond_slots[b]).branch);
+  return sum;
+}
+
+bool has_driven_edge(const Sample& s) {
+  for (std::size_t side = 0; side < 4; ++side)
+    if (!s.domain.wall[side].present && s.wall[side].drive.kind == WallDrive::Kind::force) return true;
+  return false;
 }
 
 }  // namespace
@@ -124,35 +150,6 @@ void compute_forces(Sample& s, const Team& team) {
   sum_boundary_forces(s);
 }
 
-namespace {
-
-/// Vector from j (or the plane of the wall) to i.
-Vec2 branch_of(const Sample& s, std::size_t slot) {
-  const std::int32_t j = s.list.j[slot];
-  if (j < 0) return between_centres(s, slot, slot_kinematics(s, slot).branch);
-  const DiskRecord &a = s.record[static_cast<std::size_t>(s.list.i[slot])], &b = s.record[static_cast<std::size_t>(j)];
-  return between_centres(s, slot, {a.x - b.x, a.y - b.y});
-}
-
-/// Sum over all contacts and bonds of force times branch; by blocks of slots, so that it does not depend on the number of threads.
-Tensor2 sum_of_moments(const Sample& s, const Team& team) {
-  constexpr std::size_t slots_of_block = 512;
-  const ContactList& list = s.list;
-  std::vector<Tensor2> blocks((list.size() + slots_of_block - 1) / slots_of_block);
-  team.for_ranges(blocks.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t block = begin; block < end; ++block)
-      for (std::size_t p = block * slots_of_block; p < std::min(list.size(), (block + 1) * slots_of_block); ++p)
-        if (acts(list.force[p])) blocks[block] += outer({list.force[p].fx, list.force[p].fy}, branch_of(s, p));
-  });
-  Tensor2 sum;
-  for (const Tensor2& block : blocks) sum += block;
-  for (std::size_t b = 0; b < s.bond_slots.size(); ++b)
-    if (const SlotForce& f = list.force[bond_force_place(list, b)]; acts(f)) sum += outer({f.fx, f.fy}, beam_motion(s, s.bond_slots[b]).branch);
-  return sum;
-}
-
-}  // namespace
-
 void sum_edge_forces(Sample& s, const Team& team) {
   if (!s.domain.periodic_x && !s.domain.periodic_y) return;
   const Tensor2 sum = sum_of_moments(s, team);
@@ -168,16 +165,6 @@ void sum_edge_forces(Sample& s, const Team& team) {
     w[bottom].shear_force = -w[top].shear_force;
   }
 }
-
-namespace {
-
-bool has_driven_edge(const Sample& s) {
-  for (std::size_t side = 0; side < 4; ++side)
-    if (!s.domain.wall[side].present && s.wall[side].drive.kind == WallDrive::Kind::force) return true;
-  return false;
-}
-
-}  // namespace
 
 void Engine::advance(std::int64_t steps) {
   Sample& s = machine_->sample;

@@ -15,7 +15,7 @@ struct Mobility {
   double normal, shear, bending;
 };
 Mobility mobility(const Sample& s, const BondSlot& b, double share_i = 1, double share_j = 1) {
-  const DiskRecord &a = s.record[static_cast<std::size_t>(b.i)], &c = s.record[static_cast<std::size_t>(b.j)];
+  const DiskRecord &a = s.record[b.i], &c = s.record[b.j];
   const double normal = share_i / a.mass + share_j / c.mass;
   if (!s.integration.rotations) return {normal, normal, 0};
   const double turn_i = share_i / inertia(a), turn_j = share_j / inertia(c);
@@ -30,13 +30,15 @@ void tune_dashpots(const Sample& s, BondSlot& b, double share) {
   b.bending_damping = m.bending > 0 ? 2 * share * std::sqrt(b.beam.bending / m.bending) : 0;
 }
 
-/// Cells from x to the image nearest to it: the number to add to that of `y`.
-void choose_image(const Sample& s, Vec2 d, BondSlot& b) {
+/// Cells to the image that is nearest, by the vector from the thing itself.
+Cells nearest_image(const Sample& s, Vec2 d) {
+  Cells shift;
   if (s.domain.periodic_y) {
-    b.shift_y = static_cast<std::int32_t>(std::nearbyint(d.y / s.domain.height()));
-    d.x -= b.shift_y * s.domain.tilt;
+    shift.y = static_cast<std::int32_t>(std::nearbyint(d.y / s.domain.height()));
+    d.x -= shift.y * s.domain.tilt;
   }
-  if (s.domain.periodic_x) b.shift_x = static_cast<std::int32_t>(std::nearbyint(d.x / s.domain.width()));
+  if (s.domain.periodic_x) shift.x = static_cast<std::int32_t>(std::nearbyint(d.x / s.domain.width()));
+  return shift;
 }
 
 /// Strength of a bond over that of all; it depends on nothing but its grains and the seed.
@@ -55,29 +57,27 @@ BondSlot slot_of(const Sample& s, std::size_t place, const std::vector<std::int3
   const Bond& bond = s.bonds[place];
   BondSlot b;
   b.bond = static_cast<std::int32_t>(place);
-  b.i = number[static_cast<std::size_t>(bond.i)];
-  b.j = number[static_cast<std::size_t>(bond.j)];
-  const DiskRecord &a = s.record[static_cast<std::size_t>(b.i)], &c = s.record[static_cast<std::size_t>(b.j)];
-  choose_image(s, {a.x - c.x, a.y - c.y}, b);
+  b.i = number[bond.i];
+  b.j = number[bond.j];
+  const DiskRecord &a = s.record[b.i], &c = s.record[b.j];
+  b.shift = nearest_image(s, a.place - c.place);
   b.length = bond.length;
   b.arm_i = bond.length * a.radius / (a.radius + c.radius);
   b.arm_j = bond.length - b.arm_i;
-  const Vec2 branch = Vec2{a.x - c.x, a.y - c.y} - image_place(s, b);
+  const Vec2 branch = a.place - c.place - image_place(s, b.shift);
   b.normal = branch / norm(branch);
   const double turned = std::atan2(cross(bond.normal, b.normal), dot(bond.normal, b.normal));
-  b.angle_i = unstrained(bond.angle_i + turned, s.angle[static_cast<std::size_t>(b.i)]);
-  b.angle_j = unstrained(bond.angle_j + turned, s.angle[static_cast<std::size_t>(b.j)]);
-  std::visit(
-      [&](const auto& law) {
-        b.beam = law.beam(bond.length, std::min(a.radius, c.radius), s.domain.thickness);
-        tune_dashpots(s, b, law.damping);
-        b.strength = strength_of(bond, law.scatter, law.seed);
-        if constexpr (law.bonds) {
-          b.tensile = b.strength * law.tensile_strength;
-          b.cohesion = b.strength * law.cohesion;
-        }
-      },
-      s.contact.bonds);
+  b.angle_i = unstrained(bond.angle_i + turned, s.angle[b.i]);
+  b.angle_j = unstrained(bond.angle_j + turned, s.angle[b.j]);
+  s.contact.bonds.visit([&](const auto& law) {
+    b.beam = law.beam(bond.length, std::min(a.radius, c.radius), s.domain.thickness);
+    tune_dashpots(s, b, law.damping);
+    b.strength = strength_of(bond, law.scatter, law.seed);
+    if constexpr (law.bonds) {
+      b.tensile = b.strength * law.tensile_strength;
+      b.cohesion = b.strength * law.cohesion;
+    }
+  });
   return b;
 }
 
@@ -94,7 +94,7 @@ void line_up(Sample& s) {
     const BondSlot& b = s.bond_slots[n];
     numbers.i.push_back(b.i);
     numbers.j.push_back(b.j);
-    if (b.shift_x != 0 || b.shift_y != 0) numbers.across.push_back(static_cast<std::int32_t>(n));
+    if (b.shift.x != 0 || b.shift.y != 0) numbers.across.push_back(static_cast<std::int32_t>(n));
     numbers.damped |= b.normal_damping > 0;
     const std::pair<BondColumn, double> values[] = {{beam_length, b.length},
                                                     {beam_arm_i, b.arm_i},
@@ -121,30 +121,29 @@ void line_up(Sample& s) {
 bool is_before(const Bond& a, const Bond& b) { return a.i != b.i ? a.i < b.i : a.j < b.j; }
 
 Bond bond_between(const Sample& s, std::int32_t i, std::int32_t j, Vec2 branch) {
-  const auto g = [&](std::int32_t k) { return static_cast<std::size_t>(k); };
-  const std::int32_t a = s.record[g(i)].grain, b = s.record[g(j)].grain;
+  const std::int32_t a = s.record[i].grain, b = s.record[j].grain;
   Bond bond;
   bond.i = std::min(a, b);
   bond.j = std::max(a, b);
   bond.length = norm(branch);
   bond.normal = (a < b ? 1.0 : -1.0) / bond.length * branch;
-  bond.angle_i = s.angle[g(a < b ? i : j)];
-  bond.angle_j = s.angle[g(a < b ? j : i)];
+  bond.angle_i = s.angle[a < b ? i : j];
+  bond.angle_j = s.angle[a < b ? j : i];
   return bond;
 }
 
 }  // namespace
 
 void bond_near_pairs(Sample& s) {
-  const double bridged = std::visit([](const auto& law) { return law.gap; }, s.contact.bonds);
+  const double bridged = s.contact.bonds.visit([](const auto& law) { return law.gap; });
   double mean_radius = 0;
   for (std::size_t k = 0; k < s.count; ++k) mean_radius += s.record[k].radius / static_cast<double>(s.count);
   const std::vector<Bond> before = s.bonds;
   const auto& zone = s.start.grains.zone;
   const bool marked = !s.contact.glued_pairs.empty() || std::any_of(zone.begin(), zone.end(), [](std::uint8_t z) { return z > 0; });
   for (std::size_t p = 0; p < s.list.pairs; ++p) {
-    const DiskRecord &a = s.record[static_cast<std::size_t>(s.list.i[p])], &b = s.record[static_cast<std::size_t>(s.list.j[p])];
-    const Vec2 branch{a.x - b.x, a.y - b.y};
+    const DiskRecord &a = s.record[s.list.i[p]], &b = s.record[s.list.j[p]];
+    const Vec2 branch = a.place - b.place;
     const double reach = (1 + 1e-6) * (a.radius + b.radius) + bridged * mean_radius;
     if (dot(branch, branch) >= reach * reach || (marked && !is_marked_as_glued(s, a.grain, b.grain))) continue;
     const Bond bond = bond_between(s, s.list.i[p], s.list.owner[p], branch);
@@ -157,7 +156,7 @@ void list_bonds(Sample& s) {
   s.bond_slots.clear();
   if (s.bonds.empty()) return;
   std::vector<std::int32_t> number(s.count);
-  for (std::size_t k = 0; k < s.count; ++k) number[static_cast<std::size_t>(s.record[k].grain)] = static_cast<std::int32_t>(k);
+  for (std::size_t k = 0; k < s.count; ++k) number[s.record[k].grain] = static_cast<std::int32_t>(k);
   for (std::size_t place = 0; place < s.bonds.size(); ++place)
     if (s.bonds[place].broken == BondBreak::none) s.bond_slots.push_back(slot_of(s, place, number));
   line_up(s);
@@ -169,19 +168,18 @@ void end_bond(Sample& s, std::size_t slot) {
 }
 
 void renew_bond_dashpots(Sample& s) {
-  const double share = std::visit([](const auto& law) { return law.damping; }, s.contact.bonds);
+  const double share = s.contact.bonds.visit([](const auto& law) { return law.damping; });
   for (BondSlot& b : s.bond_slots) tune_dashpots(s, b, share);
   if (!s.bond_slots.empty()) line_up(s);
 }
 
-BondRates bond_rates(const Sample& s) {
+Rates bond_rates(const Sample& s) {
   std::vector<double> of_grain(s.count, 0.0);
   for (const BondSlot& b : s.bond_slots)
-    for (const std::int32_t k : {b.i, b.j}) of_grain[static_cast<std::size_t>(k)] += 1;
-  BondRates rates;
+    for (const std::int32_t k : {b.i, b.j}) of_grain[k] += 1;
+  Rates rates;
   for (const BondSlot& b : s.bond_slots) {
-    const Mobility m = mobility(s, b, of_grain[static_cast<std::size_t>(b.i)], of_grain[static_cast<std::size_t>(b.j)]);
-
+    const Mobility m = mobility(s, b, of_grain[b.i], of_grain[b.j]);
     rates.frequency_squared = std::max(rates.frequency_squared, std::max(b.beam.normal * m.normal, b.beam.shear * m.shear + b.beam.bending * m.bending));
     rates.damping = std::max(rates.damping, std::max(b.normal_damping * m.normal, b.shear_damping * m.shear + b.bending_damping * m.bending));
   }
@@ -192,7 +190,7 @@ double shortest_bond_time(const Sample& s) {
   double fastest = 0;
   for (const BondSlot& b : s.bond_slots) {
     const Mobility m = mobility(s, b);
-    const DiskRecord &a = s.record[static_cast<std::size_t>(b.i)], &c = s.record[static_cast<std::size_t>(b.j)];
+    const DiskRecord &a = s.record[b.i], &c = s.record[b.j];
     const double contact = s.coefficients.pair_stiffness(a.material, c.material, a.radius, c.radius);
     fastest = std::max({fastest, (b.beam.normal + contact) * m.normal, b.beam.shear * m.shear, b.beam.bending * m.bending});
   }

@@ -9,23 +9,9 @@
 
 namespace arenite::dem {
 
-Vec2 image_place(const Sample& s, const BondSlot& b) {
-  if ((b.shift_x | b.shift_y) == 0) return {};
-  return {b.shift_x * s.domain.width() + b.shift_y * s.domain.tilt, b.shift_y * s.domain.height()};
-}
-
 namespace {
 
 using State = BondSlot::State;
-
-/// How fast that image moves beside j.
-Vec2 image_velocity(const Sample& s, const BondSlot& b) {
-  if ((b.shift_x | b.shift_y) == 0) return {};
-  const auto& w = s.domain.wall;
-  const double stretch_x = s.domain.periodic_x ? w[right].velocity - w[left].velocity : 0;
-  const double stretch_y = s.domain.periodic_y ? w[top].velocity - w[bottom].velocity : 0;
-  return {b.shift_x * stretch_x + b.shift_y * (s.domain.tilt * stretch_x / s.domain.width() + s.shear_rate * s.domain.height()), b.shift_y * stretch_y};
-}
 
 /// Rate of the strain at these velocities of its two disks.
 BeamStrain strain_rate(const BondSlot& b, const BeamMotion& m, Vec2 velocity, double turning_i, double turning_j) {
@@ -35,21 +21,18 @@ BeamStrain strain_rate(const BondSlot& b, const BeamMotion& m, Vec2 velocity, do
 
 /// Energy that the sample loses with a bond. Half of its last step's work was still done by it, that of its force then at the velocities before.
 double energy_of_break(const Sample& s, const BondSlot& b, const BeamMotion& m, const BeamForce& force, double energy) {
-  const auto i = static_cast<std::size_t>(b.i), j = static_cast<std::size_t>(b.j);
-  const Vec2 v = velocity_beside(s, i, j, image_velocity(s, b));
-  const BeamStrain rate = strain_rate(b, m, v, s.omega[i], s.omega[j]);
+  const BeamStrain rate = strain_rate(b, m, velocity_beside(s, b.i, b.j, image_velocity(s, b.shift)), s.omega[b.i], s.omega[b.j]);
   return energy - time_behind(s) * (force.tension * rate.stretch + force.shear * rate.shear + force.moment * rate.bending);
 }
 
 void note_break(Sample& s, BondSlot& b, const BeamMotion& m, const BeamLoad& load, double energy) {
-  Bond& bond = s.bonds[static_cast<std::size_t>(b.bond)];
-  const DiskRecord& a = s.record[static_cast<std::size_t>(b.i)];
+  Bond& bond = s.bonds[b.bond];
   b.state = State::breaking;
   bond.broken = load.kind;
   bond.load = load.share / b.strength;
   bond.energy = energy;
   bond.time = time_of(s);
-  bond.place = Vec2{a.x, a.y} - (b.arm_i / b.length) * m.branch;
+  bond.place = s.record[b.i].place - (b.arm_i / b.length) * m.branch;
 }
 
 /// What broke in this step is booked in the order of bonds, whoever found it.
@@ -57,48 +40,19 @@ void book_breaks(Sample& s) {
   for (std::size_t n = 0; n < s.bond_slots.size(); ++n) {
     if (s.bond_slots[n].state != State::breaking) continue;
     end_bond(s, n);
-    s.tally.dissipated_breakage += s.bonds[static_cast<std::size_t>(s.bond_slots[n].bond)].energy;
+    s.tally.dissipated_breakage += s.bonds[s.bond_slots[n].bond].energy;
   }
 }
-
-}  // namespace
-
-BeamMotion beam_motion(const Sample& s, const BondSlot& b) {
-  const auto i = static_cast<std::size_t>(b.i), j = static_cast<std::size_t>(b.j);
-  BeamMotion m;
-  m.branch = Vec2{s.record[i].x - s.record[j].x, s.record[i].y - s.record[j].y} - image_place(s, b);
-  m.distance = norm(m.branch);
-  m.normal = m.branch / m.distance;
-  const double turned = std::atan2(cross(b.normal, m.normal), dot(b.normal, m.normal));
-  const double turn_i = s.angle[i] - b.angle_i - turned, turn_j = s.angle[j] - b.angle_j - turned;
-  m.strain = {m.distance - b.length, b.arm_i * turn_i + b.arm_j * turn_j, turn_i - turn_j};
-  return m;
-}
-
-SlotForce beam_slot_force(const BondSlot& b, const BeamMotion& m, const BeamForce& f) {
-  const double across = f.shear * b.length / m.distance;
-  return {-f.tension * m.normal.x - across * m.normal.y, -f.tension * m.normal.y + across * m.normal.x, -f.shear * b.arm_i - f.moment,
-          -f.shear * b.arm_j + f.moment};
-}
-
-BeamForce beam_dashpots(const Sample& s, const BondSlot& b, const BeamMotion& m) {
-  const DiskRecord &a = s.record[static_cast<std::size_t>(b.i)], &c = s.record[static_cast<std::size_t>(b.j)];
-  const BeamStrain rate = strain_rate(b, m, Vec2{a.vx - c.vx, a.vy - c.vy} - image_velocity(s, b), a.omega, c.omega);
-  return {b.normal_damping * rate.stretch, b.shear_damping * rate.shear, b.bending_damping * rate.bending};
-}
-
-namespace {
 
 /// The periodic images that bonds mean, where they are now.
 void move_images(Sample& s) {
   BondNumbers& numbers = s.bond_numbers;
   for (const std::int32_t slot : numbers.across) {
-    const auto n = static_cast<std::size_t>(slot);
-    const Vec2 place = image_place(s, s.bond_slots[n]), velocity = image_velocity(s, s.bond_slots[n]);
-    numbers.column[beam_image_x][n] = place.x;
-    numbers.column[beam_image_y][n] = place.y;
-    numbers.column[beam_image_vx][n] = velocity.x;
-    numbers.column[beam_image_vy][n] = velocity.y;
+    const Vec2 place = image_place(s, s.bond_slots[slot].shift), velocity = image_velocity(s, s.bond_slots[slot].shift);
+    numbers.column[beam_image_x][slot] = place.x;
+    numbers.column[beam_image_y][slot] = place.y;
+    numbers.column[beam_image_vx][slot] = velocity.x;
+    numbers.column[beam_image_vy][slot] = velocity.y;
   }
 }
 
@@ -129,51 +83,67 @@ BondTask bond_task(Sample& s) {
 
 }  // namespace
 
+BeamMotion beam_motion(const Sample& s, const BondSlot& b) {
+  BeamMotion m;
+  m.branch = s.record[b.i].place - s.record[b.j].place - image_place(s, b.shift);
+  m.distance = norm(m.branch);
+  m.normal = m.branch / m.distance;
+  const double turned = std::atan2(cross(b.normal, m.normal), dot(b.normal, m.normal));
+  const double turn_i = s.angle[b.i] - b.angle_i - turned, turn_j = s.angle[b.j] - b.angle_j - turned;
+  m.strain = {m.distance - b.length, b.arm_i * turn_i + b.arm_j * turn_j, turn_i - turn_j};
+  return m;
+}
+
+SlotForce beam_slot_force(const BondSlot& b, const BeamMotion& m, const BeamForce& f) {
+  const double across = f.shear * b.length / m.distance;
+  return {-f.tension * m.normal + across * perpendicular(m.normal), -f.shear * b.arm_i - f.moment, -f.shear * b.arm_j + f.moment};
+}
+
+BeamForce beam_dashpots(const Sample& s, const BondSlot& b, const BeamMotion& m) {
+  const DiskRecord &a = s.record[b.i], &c = s.record[b.j];
+  const BeamStrain rate = strain_rate(b, m, a.velocity - c.velocity - image_velocity(s, b.shift), a.omega, c.omega);
+  return {b.normal_damping * rate.stretch, b.shear_damping * rate.shear, b.bending_damping * rate.bending};
+}
+
 void add_bond_forces(Sample& s, const Team& team) {
   if (s.bond_slots.empty()) return;
   move_images(s);
   const BondTask task = bond_task(s);
   std::atomic<bool> broke = false;
-  std::visit(
-      [&](const auto& law) {
-        team.for_ranges(s.bond_slots.size(), [&](std::size_t begin, std::size_t end) {
-          if (!s.kernel->bonds(task, begin, end)) return;
-          for (std::size_t n = begin; n < end; ++n)
-            if (task.look[n] != 0 && look_at(s, law, n)) broke = true;
-        });
-      },
-      s.contact.bonds);
+  s.contact.bonds.visit([&](const auto& law) {
+    team.for_ranges(s.bond_slots.size(), [&](std::size_t begin, std::size_t end) {
+      if (!s.kernel->bonds(task, begin, end)) return;
+      for (std::size_t n = begin; n < end; ++n)
+        if (task.look[n] != 0 && look_at(s, law, n)) broke = true;
+    });
+  });
   if (broke) book_breaks(s);
 }
 
 std::vector<Bond> bonds_of(const Sample& s) {
   std::vector<Bond> bonds = s.bonds;
-  std::visit(
-      [&](const auto& law) {
-        for (const BondSlot& b : s.bond_slots) {
-          if (b.state != State::holds) continue;
-          const BeamMotion m = beam_motion(s, b);
-          const BeamForce f = law.elastic(b.beam, m.strain);
-          Bond& bond = bonds[static_cast<std::size_t>(b.bond)];
-          bond.fn = -f.tension;
-          bond.ft = f.shear * b.length / m.distance;
-          bond.moment = -f.moment;
-          bond.energy = law.energy(b.beam, m.strain);
-          bond.load = law.load(b.beam, f).share / b.strength;
-        }
-      },
-      s.contact.bonds);
+  s.contact.bonds.visit([&](const auto& law) {
+    for (const BondSlot& b : s.bond_slots) {
+      if (b.state != State::holds) continue;
+      const BeamMotion m = beam_motion(s, b);
+      const BeamForce f = law.elastic(b.beam, m.strain);
+      Bond& bond = bonds[b.bond];
+      bond.fn = -f.tension;
+      bond.ft = f.shear * b.length / m.distance;
+      bond.moment = -f.moment;
+      bond.energy = law.energy(b.beam, m.strain);
+      bond.load = law.load(b.beam, f).share / b.strength;
+    }
+  });
   return bonds;
 }
 
 double bond_energy(const Sample& s) {
   double sum = 0;
-  std::visit(
-      [&](const auto& law) {
-        for (const BondSlot& b : s.bond_slots)
-          if (b.state == State::holds) sum += law.energy(b.beam, beam_motion(s, b).strain);
-      },
-      s.contact.bonds);
+  s.contact.bonds.visit([&](const auto& law) {
+    for (const BondSlot& b : s.bond_slots)
+      if (b.state == State::holds) sum += law.energy(b.beam, beam_motion(s, b).strain);
+  });
   return sum;
 }
 

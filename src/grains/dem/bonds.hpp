@@ -14,9 +14,6 @@ void list_bonds(Sample& sample);
 /// Takes a bond out of the list, in which it keeps its place until the list is built anew.
 void end_bond(Sample& sample, std::size_t slot);
 
-/// Where the image of j that a bond means is away from j, m.
-Vec2 image_place(const Sample& sample, const BondSlot& slot);
-
 /// Dashpots of the listed bonds, from the present masses.
 void renew_bond_dashpots(Sample& sample);
 
@@ -42,12 +39,12 @@ std::vector<Bond> bonds_of(const Sample& sample);
 /// What the bonds hold, J.
 double bond_energy(const Sample& sample);
 
-/// Bounds of the rates that bonds add to those of the contacts: squared frequency, 1/s^2, and damping, 1/s. Each bond is given its share of its
-/// grains' masses: a grain's over the number of its bonds.
-struct BondRates {
-  double frequency_squared = 0, damping = 0;
+/// How fast something rings, and how fast that dies away.
+struct Rates {
+  double frequency_squared = 0, damping = 0;  ///< 1/s^2, 1/s
 };
-BondRates bond_rates(const Sample& sample);
+/// Bounds of what bonds add to the rates of the contacts. Each bond is given its share of its grains' masses: a grain's over the number of its bonds.
+Rates bond_rates(const Sample& sample);
 
 /// Shortest half period of two grains on their bond, with their contact beside it, s; infinite without bonds.
 double shortest_bond_time(const Sample& sample);

@@ -25,11 +25,11 @@ double reference_overlap(const Sample& s) {
 }
 
 double tangent_stiffness(const Sample& s, double overlap, double stiffness) {
-  return std::visit([&](const auto& law) { return law.tangent(overlap, stiffness, 1.0); }, s.laws.normal);
+  return s.laws.normal.visit([&](const auto& law) { return law.tangent(overlap, stiffness, 1.0); });
 }
 
 double damping_factor(const Sample& s, double overlap) {
-  return s.laws.constant_damping ? 1.0 : std::visit([&](const auto& law) { return law.damping_factor(overlap, 1.0); }, s.laws.normal);
+  return s.laws.constant_damping ? 1.0 : s.laws.normal.visit([&](const auto& law) { return law.damping_factor(overlap, 1.0); });
 }
 
 /// Share of gamma_s with which sliding is braked where the dashpot along the normal has this share of alpha_n.
@@ -37,18 +37,22 @@ double viscosity_factor(const Sample& s, double damping_factor) { return s.conta
 
 /// Steepest slope of friction in the slip where its spring has this stiffness, N/m.
 double sliding_slope(const Sample& s, double spring) {
-  return std::visit([&](const auto& law) { return law.tangent(spring); }, s.laws.friction);
+  return s.laws.friction.visit([&](const auto& law) { return law.tangent(spring); });
 }
 
 /// The same of a contact at a reference overlap. Not every law's spring of friction softens with the overlap as the normal one does.
 double sliding_slope(const Sample& s, double overlap, double stiffness) {
   const double shear = s.contact.takes_moduli() ? s.coefficients.largest_shear() : 0;
-  return sliding_slope(s, std::visit([&](const auto& law) { return sliding_stiffness(s.laws, law, overlap, stiffness, 1.0, shear); }, s.laws.normal));
+  return sliding_slope(s, s.laws.normal.visit([&](const auto& law) { return sliding_stiffness(s.laws, law, overlap, stiffness, 1.0, shear); }));
 }
 
 double sliding_damping(const Sample& s, double viscosity) {
   if (!(std::max(s.contact.friction, s.contact.wall_friction.value_or(0)) > 0)) return 0;
-  return std::visit([&](const auto& law) { return law.damping(viscosity); }, s.laws.friction);
+  return s.laws.friction.visit([&](const auto& law) { return law.damping(viscosity); });
+}
+
+Coefficients coefficients_of_equals(const Sample& s, const DiskRecord& d) {
+  return s.coefficients.pair(d.material, d.material, d.mass, d.mass, d.radius, d.radius, false);
 }
 
 /// Rolling resistance of two equal grains, over r^2.
@@ -59,22 +63,16 @@ struct Rolling {
 Rolling rolling_of(const Sample& s, const DiskRecord& d, const Coefficients& c) {
   if (!s.integration.rotations) return {0, 0};
   const double area = d.radius * d.radius;
-  return std::visit(
-      [&](const auto& law) {
-        const double stiffness = law.stiffness(c.stiffness, 0.5 * d.radius);
-        return Rolling{stiffness / area, law.damping(c.damping, 0.5 * d.radius, stiffness, 0.5 * inertia(d)) / area};
-      },
-      s.contact.rolling);
+  return s.contact.rolling.visit([&](const auto& law) {
+    const double stiffness = law.stiffness(c.stiffness, 0.5 * d.radius);
+    return Rolling{stiffness / area, law.damping(c.damping, 0.5 * d.radius, stiffness, 0.5 * inertia(d)) / area};
+  });
 }
-
-struct Rates {
-  double frequency_squared = 0, damping = 0;
-};
 
 /// Six contacts with equals, the triangular lattice: translation reaches omega^2 = 6 k/m, rotation in one sense 2 z k_t r^2/I = 24 k_t/m; dashpots
 /// alike.
 Rates lattice_rates(const Sample& s, const DiskRecord& d, double overlap) {
-  const Coefficients c = s.coefficients.pair(d.material, d.material, d.mass, d.mass, d.radius, d.radius, false);
+  const Coefficients c = coefficients_of_equals(s, d);
   const double k = tangent_stiffness(s, overlap, c.stiffness);
   const double turning = s.integration.rotations ? 24.0 : 6.0;
   const double factor = damping_factor(s, overlap), normal_damping = 6.0 * factor * c.damping;
@@ -83,11 +81,10 @@ Rates lattice_rates(const Sample& s, const DiskRecord& d, double overlap) {
           std::max(normal_damping, turning * sliding_damping(s, viscosity_factor(s, factor) * c.viscosity) + 24.0 * rolling.damping) / d.mass};
 }
 
-/// The same for a body in a crowd of its like. Translation and
-/// rotation may act together.
+/// The same for a body in a crowd of its like. Translation and rotation may act together.
 Rates crowded_rates(const Sample& s, const Body& b, double overlap) {
-  const DiskRecord& d = s.record[static_cast<std::size_t>(s.part_disk[static_cast<std::size_t>(b.first)])];
-  const Coefficients c = s.coefficients.pair(d.material, d.material, d.mass, d.mass, d.radius, d.radius, false);
+  const DiskRecord& d = s.record[s.part_disk[b.first]];
+  const Coefficients c = coefficients_of_equals(s, d);
   const double k = tangent_stiffness(s, overlap, c.stiffness), factor = damping_factor(s, overlap), normal_damping = factor * c.damping;
   const double along = sliding_slope(s, overlap, c.stiffness), sliding = sliding_damping(s, viscosity_factor(s, factor) * c.viscosity);
   const Crowd crowd = crowd_around(s, b);
@@ -109,57 +106,44 @@ struct Pull {
 /// Largest eigenvalue of M^-1 sum over contacts of (along_n n n + along_t t t), rotations included, by power iteration. It starts from all grains
 /// turning alike, which in a dense packing is close to the fastest mode.
 double largest_rate(const Sample& s, const std::vector<Pull>& pulls) {
-  const std::vector<Mover> movers = movers_of(s);
-  const std::size_t n = movers.size();
-  std::vector<double> v(3 * n), w(3 * n);
-  for (std::size_t k = 0; k < n; ++k) {
-    v[3 * k] = k % 2 == 0 ? 0.3 : -0.2;
-    v[3 * k + 1] = k % 3 == 0 ? -0.25 : 0.15;
-    v[3 * k + 2] = s.integration.rotations ? 1.0 / movers[k].size : 0.0;
-  }
+  std::vector<Mover> movers(s.count + s.body.size());  // a disk of a body counts for nothing
+  each_mover(s, [&](std::size_t k) { movers[k] = mover_at(s, k); });
+  std::vector<Motion> v(movers.size()), w;
+  for (std::size_t k = 0; k < v.size(); ++k)
+    v[k] = {{k % 2 == 0 ? 0.3 : -0.2, k % 3 == 0 ? -0.25 : 0.15}, s.integration.rotations ? 1.0 / movers[k].size : 0.0};
   double rate = 0;
   for (int round = 0; round < 100; ++round) {
     double size = 0;  // v M v, then v scaled to 1
-    for (std::size_t k = 0; k < n; ++k) {
-      const Mover& d = movers[k];
-      size += d.mass * (v[3 * k] * v[3 * k] + v[3 * k + 1] * v[3 * k + 1]) + d.inertia * v[3 * k + 2] * v[3 * k + 2];
-    }
+    for (std::size_t k = 0; k < v.size(); ++k) size += movers[k].mass * dot(v[k].velocity, v[k].velocity) + movers[k].inertia * v[k].omega * v[k].omega;
     if (!(size > 0)) return 0;
-    for (double& q : v) q /= std::sqrt(size);
-    std::fill(w.begin(), w.end(), 0.0);
-    double power = 0;
+    for (Motion& q : v) q = {q.velocity / std::sqrt(size), q.omega / std::sqrt(size)};
+    w.assign(v.size(), {});
+    rate = 0;
     for (const Pull& p : pulls) {
-      const std::size_t i = 3 * moving(s, s.list.i[p.slot]);
+      const std::size_t i = moving(s, s.list.i[p.slot]);
       const bool wall = s.list.j[p.slot] < 0;
-      const std::size_t j = wall ? i : 3 * moving(s, s.list.owner[p.slot]);
+      const std::size_t j = wall ? i : moving(s, s.list.owner[p.slot]);
       const Vec2 normal = p.at.normal, t = perpendicular(normal);
-      Vec2 u{v[i], v[i + 1]};
-      double slide = -v[i + 2] * p.at.arm_i;
-      if (!s.part.empty()) u += v[i + 2] * perpendicular(own_lever(s, p.slot));
+      Vec2 u = v[i].velocity;
+      double slide = -v[i].omega * p.at.arm_i;
+      if (!s.part.empty()) u += v[i].omega * perpendicular(own_lever(s, p.slot));
       if (!wall) {
-        u -= {v[j], v[j + 1]};
-        slide -= v[j + 2] * p.at.arm_j;
-        if (!s.part.empty()) u -= v[j + 2] * perpendicular(partner_lever(s, p.slot));
+        u -= v[j].velocity;
+        slide -= v[j].omega * p.at.arm_j;
+        if (!s.part.empty()) u -= v[j].omega * perpendicular(partner_lever(s, p.slot));
       }
       const double fn = p.along_n * dot(u, normal), ft = p.along_t * (dot(u, t) + slide);
-      power += fn * dot(u, normal) + ft * (dot(u, t) + slide);
+      rate += fn * dot(u, normal) + ft * (dot(u, t) + slide);
       const Vec2 f = fn * normal + ft * t;
-      w[i] += f.x;
-      w[i + 1] += f.y;
-      w[i + 2] -= p.at.arm_i * ft;
-      if (!s.part.empty()) w[i + 2] += cross(own_lever(s, p.slot), f);
+      w[i].velocity += f;
+      w[i].omega -= p.at.arm_i * ft;
+      if (!s.part.empty()) w[i].omega += cross(own_lever(s, p.slot), f);
       if (wall) continue;
-      w[j] -= f.x;
-      w[j + 1] -= f.y;
-      w[j + 2] -= p.at.arm_j * ft;
-      if (!s.part.empty()) w[j + 2] -= cross(partner_lever(s, p.slot), f);
+      w[j].velocity -= f;
+      w[j].omega -= p.at.arm_j * ft;
+      if (!s.part.empty()) w[j].omega -= cross(partner_lever(s, p.slot), f);
     }
-    rate = power;
-    for (std::size_t k = 0; k < n; ++k) {
-      v[3 * k] = w[3 * k] / movers[k].mass;
-      v[3 * k + 1] = w[3 * k + 1] / movers[k].mass;
-      v[3 * k + 2] = s.integration.rotations ? w[3 * k + 2] / movers[k].inertia : 0.0;
-    }
+    for (std::size_t k = 0; k < v.size(); ++k) v[k] = {w[k].velocity / movers[k].mass, s.integration.rotations ? w[k].omega / movers[k].inertia : 0.0};
   }
   return rate;
 }
@@ -170,14 +154,12 @@ Rates network_rates(const Sample& s) {
   for (std::size_t p = 0; p < s.list.size(); ++p) {
     const Kinematics c = slot_kinematics(s, p);
     if (!(c.overlap > 0)) continue;
-    std::visit(
-        [&](const auto& law) {
-          const double k = law.tangent(c.overlap, s.list.stiffness[p], c.curvature);
-          springs.push_back({p, c, k, sliding_slope(s, sliding_stiffness(s, law, p, c))});
-          const double factor = s.laws.constant_damping ? 1.0 : law.damping_factor(c.overlap, c.curvature);
-          dashpots.push_back({p, c, factor * s.list.damping[p], sliding_damping(s, viscosity_factor(s, factor) * s.list.viscosity[p])});
-        },
-        s.laws.normal);
+    s.laws.normal.visit([&](const auto& law) {
+      const double k = law.tangent(c.overlap, s.list.stiffness[p], c.curvature);
+      springs.push_back({p, c, k, sliding_slope(s, sliding_stiffness(s, law, p, c))});
+      const double factor = s.laws.constant_damping ? 1.0 : law.damping_factor(c.overlap, c.curvature);
+      dashpots.push_back({p, c, factor * s.list.damping[p], sliding_damping(s, viscosity_factor(s, factor) * s.list.viscosity[p])});
+    });
   }
   return {1.05 * largest_rate(s, springs), 1.05 * largest_rate(s, dashpots)};
 }
@@ -197,13 +179,13 @@ double shortest_contact_time(const Sample& s) {
   for (std::size_t k = 0; k < s.count; ++k) {
     const auto& d = s.record[k];
     if (is_part(s, k)) continue;
-    const double pair = 0.5 * d.mass / (pull + tangent_stiffness(s, overlap, s.coefficients.pair_stiffness(d.material, d.material, d.radius, d.radius)));
+    const double pair = 0.5 * d.mass / (pull + tangent_stiffness(s, overlap, stiffness_of(s, d)));
     const double wall = d.mass / tangent_stiffness(s, overlap, s.coefficients.wall_stiffness(d.material, d.radius));
     shortest = std::min(shortest, std::numbers::pi * std::sqrt(std::min(pair, wall)));
   }
   for (const Body& b : s.body) {
-    const auto& d = s.record[static_cast<std::size_t>(s.part_disk[static_cast<std::size_t>(b.first)])];
-    const double pair = 0.5 / tangent_stiffness(s, overlap, s.coefficients.pair_stiffness(d.material, d.material, d.radius, d.radius));
+    const auto& d = s.record[s.part_disk[b.first]];
+    const double pair = 0.5 / tangent_stiffness(s, overlap, stiffness_of(s, d));
     const double wall = 1 / tangent_stiffness(s, overlap, s.coefficients.wall_stiffness(d.material, d.radius));
     shortest = std::min(shortest, std::numbers::pi * std::sqrt(lightest_mass(s, b) * std::min(pair, wall)));
   }
@@ -213,13 +195,12 @@ double shortest_contact_time(const Sample& s) {
 StepBounds step_bounds(const Sample& s) {
   Rates r = network_rates(s);
   const double overlap = reference_overlap(s);
-  for (std::size_t k = 0; k < s.count + s.body.size(); ++k) {
-    if (k < s.count && is_part(s, k)) continue;
+  each_mover(s, [&](std::size_t k) {
     const Rates grain = k < s.count ? lattice_rates(s, s.record[k], overlap) : crowded_rates(s, s.body[k - s.count], overlap);
     r.frequency_squared = std::max(r.frequency_squared, grain.frequency_squared);
     r.damping = std::max(r.damping, grain.damping);
-  }
-  const BondRates bonds = bond_rates(s);
+  });
+  const Rates bonds = bond_rates(s);
   r.frequency_squared += bonds.frequency_squared + cohesion_rate(s);
   r.damping += bonds.damping;
   const double omega = std::sqrt(r.frequency_squared), lambda = r.damping + s.drag;

@@ -60,7 +60,7 @@ CoefficientTable::CoefficientTable(const Materials& materials, const Grains& gra
 
 void CoefficientTable::take_stiffnesses(const Materials& materials, const Grains& grains) {
   double stiffest = 0;
-  for (const int m : grains.material) stiffest = std::max(stiffest, materials[static_cast<std::size_t>(m)].stiffness);
+  for (const int m : grains.material) stiffest = std::max(stiffest, materials[m].stiffness);
   for (std::size_t a = 0; a < count_; ++a) {
     const double ka = materials[a].stiffness;
     for (std::size_t b = 0; b < count_; ++b) {
@@ -106,7 +106,7 @@ Coefficients CoefficientTable::pair(int material_i, int material_j, double mass_
 Coefficients CoefficientTable::wall(int material, double mass, double radius) const {
   Coefficients c;
   c.stiffness = wall_stiffness(material, radius);
-  if (of_moduli_) c.shear = wall_shear_[static_cast<std::size_t>(material)];
+  if (of_moduli_) c.shear = wall_shear_[material];
   c.damping = damping(c.stiffness, mass);
   c.viscosity = contact_.sliding_viscosity.value_or(c.damping);
   return c;

@@ -30,7 +30,7 @@ class CoefficientTable {
   double pair_stiffness(int material_i, int material_j, double radius_i, double radius_j) const {
     return pair_[index(material_i, material_j)] * (of_moduli_ ? radius_i * radius_j / (radius_i + radius_j) : 1.0);
   }
-  double wall_stiffness(int material, double radius) const { return wall_[static_cast<std::size_t>(material)] * (of_moduli_ ? radius : 1.0); }
+  double wall_stiffness(int material, double radius) const { return wall_[material] * (of_moduli_ ? radius : 1.0); }
   /// The largest 4 G*/E* there is.
   double largest_shear() const { return largest_shear_; }
 

@@ -14,15 +14,15 @@ namespace arenite::dem {
 namespace {
 
 PullCurve curve_between(const Sample& s, double smaller, double larger) {
-  return std::visit([&](const auto& law) { return law.curve(smaller, larger, s.domain.thickness); }, s.contact.cohesion);
+  return s.contact.cohesion.visit([&](const auto& law) { return law.curve(smaller, larger, s.domain.thickness); });
 }
 
 double joins_within(const Sample& s) {
-  return std::visit([](const auto& law) { return law.joins_within(); }, s.contact.cohesion);
+  return s.contact.cohesion.visit([](const auto& law) { return law.joins_within(); });
 }
 
 bool breaks(const Sample& s) {
-  return std::visit([](const auto& law) { return law.breaks; }, s.contact.cohesion);
+  return s.contact.cohesion.visit([](const auto& law) { return law.breaks; });
 }
 
 /// More liquid than straight surfaces hold between the two smallest grains would bulge and push them apart.
@@ -40,14 +40,14 @@ struct Across {
   Vec2 branch;  ///< from j to i
 };
 Across across(const Sample& s, std::size_t p) {
-  const DiskRecord &a = s.record[static_cast<std::size_t>(s.list.i[p])], &b = s.record[static_cast<std::size_t>(s.list.j[p])];
-  const Vec2 branch{a.x - b.x, a.y - b.y};
-  const double distance = std::sqrt(branch.x * branch.x + branch.y * branch.y);
+  const DiskRecord &a = s.record[s.list.i[p]], &b = s.record[s.list.j[p]];
+  const Vec2 branch = a.place - b.place;
+  const double distance = norm(branch);
   return {distance - a.radius - b.radius, distance, branch};
 }
 
 std::int32_t curve_of(Sample& s, std::size_t p) {
-  const double a = s.record[static_cast<std::size_t>(s.list.i[p])].radius, b = s.record[static_cast<std::size_t>(s.list.j[p])].radius;
+  const double a = s.record[s.list.i[p]].radius, b = s.record[s.list.j[p]].radius;
   CohesionTable& table = s.cohesion;
   const auto [found, is_new] = table.place.try_emplace({std::min(a, b), std::max(a, b)}, static_cast<std::int32_t>(table.curve.size()));
   if (is_new) table.curve.push_back(curve_between(s, found->first.first, found->first.second));
@@ -56,17 +56,13 @@ std::int32_t curve_of(Sample& s, std::size_t p) {
 
 void pull_together(Sample& s, std::size_t p, const Across& at, double pull) {
   s.list.pull[p] = pull;
-  SlotForce& force = s.list.force[p];
-  force.fx -= pull / at.distance * at.branch.x;
-  force.fy -= pull / at.distance * at.branch.y;
+  s.list.force[p].on_i -= pull / at.distance * at.branch;
 }
 
 /// How fast the gap opens, by the integrated velocities.
 double opening(const Sample& s, std::size_t p, const Across& at) {
-  const auto i = static_cast<std::size_t>(s.list.i[p]), j = static_cast<std::size_t>(s.list.j[p]), owner = static_cast<std::size_t>(s.list.owner[p]);
-  const DiskRecord &image = s.record[j], &source = s.record[owner];
-  const Vec2 v = velocity_beside(s, i, owner, {image.vx - source.vx, image.vy - source.vy});
-  return dot(v, at.branch) / at.distance;
+  const std::int32_t owner = s.list.owner[p];
+  return dot(velocity_beside(s, s.list.i[p], owner, s.record[s.list.j[p]].velocity - s.record[owner].velocity), at.branch) / at.distance;
 }
 
 /// What of a pair's energy its force has not been given or has not taken when it begins or ends: half of the last step's work was still to be done
@@ -82,13 +78,13 @@ void join_and_part(Sample& s) {
   for (std::size_t p = 0; p < s.list.pairs; ++p) {
     const Across at = across(s, p);
     if (s.list.pull[p] > 0) {
-      const PullCurve& curve = s.cohesion.curve[static_cast<std::size_t>(s.list.curve[p])];
+      const PullCurve& curve = s.cohesion.curve[s.list.curve[p]];
       if (at.gap < curve.reach()) continue;
       if (booked) s.tally.dissipated_breakage += unsettled_energy(s, p, at, curve);
       s.list.pull[p] = 0;
     } else if (at.gap < within) {
       s.list.curve[p] = curve_of(s, p);
-      const PullCurve& curve = s.cohesion.curve[static_cast<std::size_t>(s.list.curve[p])];
+      const PullCurve& curve = s.cohesion.curve[s.list.curve[p]];
       if (booked) s.tally.dissipated_breakage -= unsettled_energy(s, p, at, curve);
       pull_together(s, p, at, curve.pull(at.gap));
     }
@@ -98,7 +94,7 @@ void join_and_part(Sample& s) {
 /// Calls `see(slot, where it is, its curve)` for each joined pair.
 template <class See> void each_joined(const Sample& s, const See& see) {
   for (std::size_t p = 0; p < s.list.pull.size(); ++p)
-    if (s.list.pull[p] > 0) see(p, across(s, p), s.cohesion.curve[static_cast<std::size_t>(s.list.curve[p])]);
+    if (s.list.pull[p] > 0) see(p, across(s, p), s.cohesion.curve[s.list.curve[p]]);
 }
 
 }  // namespace
@@ -143,7 +139,7 @@ void add_cohesion(Sample& s, const Team& team) {
     for (std::size_t p = begin; p < end; ++p) {
       const Across at = across(s, p);
       if (s.list.pull[p] > 0) {
-        const PullCurve& curve = s.cohesion.curve[static_cast<std::size_t>(s.list.curve[p])];
+        const PullCurve& curve = s.cohesion.curve[s.list.curve[p]];
         if (at.gap < curve.reach()) pull_together(s, p, at, curve.pull(at.gap));
         else changed = true;
       } else if (at.gap < within) {
@@ -163,7 +159,7 @@ double cohesive_energy(const Sample& s) {
 std::vector<CohesivePair> cohesive_pairs(const Sample& s) {
   std::vector<CohesivePair> pairs;
   each_joined(s, [&](std::size_t p, const Across& at, const PullCurve& curve) {
-    const std::int32_t a = s.record[static_cast<std::size_t>(s.list.i[p])].grain, b = s.record[static_cast<std::size_t>(s.list.owner[p])].grain;
+    const std::int32_t a = s.record[s.list.i[p]].grain, b = s.record[s.list.owner[p]].grain;
     pairs.push_back({std::min(a, b), std::max(a, b), at.gap, curve.pull(at.gap), curve.energy(at.gap)});
   });
   std::sort(pairs.begin(), pairs.end(), [](const CohesivePair& a, const CohesivePair& b) { return pair_key(a.i, a.j) < pair_key(b.i, b.j); });

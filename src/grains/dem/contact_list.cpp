@@ -9,41 +9,35 @@
 namespace arenite::dem {
 namespace {
 
+/// Whether the list must have a pair.
+bool are_near(const Sample& s, const DiskRecord& a, const DiskRecord& b) {
+  const Vec2 d = a.place - b.place;
+  const double reach = a.radius + b.radius + s.skin + s.cohesion.reach;
+  return dot(d, d) < reach * reach;
+}
+
 /// Partners of disk k that come after it: disks are sorted by cell, so they are the rest of its cell and the next one, and three cells of the row
 /// above.
 void find_near_disks(const Sample& s, const geometry::CellGrid& grid, const geometry::SortedCells& cells, std::size_t k, std::vector<std::int32_t>& near) {
-  const auto& a = s.record[k];
-  const std::int32_t row = grid.row(a.y), column = grid.column(a.x);
+  const DiskRecord& a = s.record[k];
+  const std::int32_t row = grid.row(a.place.y), column = grid.column(a.place.x);
   const std::int32_t from = std::max(column - 1, 0), to = std::min(column + 1, grid.columns - 1);
   const auto look_at = [&](std::int32_t begin, std::int32_t end) {
-    for (std::int32_t j = begin; j < end; ++j) {
-      const auto& b = s.record[static_cast<std::size_t>(j)];
-      const double dx = a.x - b.x, dy = a.y - b.y, reach = a.radius + b.radius + s.skin + s.cohesion.reach;
-      if (dx * dx + dy * dy < reach * reach) near.push_back(j);
-    }
+    for (std::int32_t j = begin; j < end; ++j)
+      if (are_near(s, a, s.record[j])) near.push_back(j);
   };
-  const auto first_of = [&](std::int32_t r, std::int32_t c) {
-    return cells.first[static_cast<std::size_t>(r) * static_cast<std::size_t>(grid.columns) + static_cast<std::size_t>(c)];
-  };
+  const auto first_of = [&](std::int32_t r, std::int32_t c) { return cells.first[r * grid.columns + c]; };
   look_at(static_cast<std::int32_t>(k) + 1, first_of(row, to + 1));
   if (row + 1 < grid.rows) look_at(first_of(row + 1, from), first_of(row + 1, to + 1));
 }
 
 /// Ghosts near disk k, in any cell around its own.
 void find_near_ghosts(const Sample& s, const geometry::CellGrid& grid, const geometry::SortedCells& ghosts, std::size_t k, std::vector<std::int32_t>& near) {
-  const auto& a = s.record[k];
-  const std::int32_t row = grid.row(a.y), column = grid.column(a.x);
+  const DiskRecord& a = s.record[k];
   const auto begin = static_cast<std::ptrdiff_t>(near.size());
-  for (std::int32_t r = std::max(row - 1, 0); r <= std::min(row + 1, grid.rows - 1); ++r)
-    for (std::int32_t c = std::max(column - 1, 0); c <= std::min(column + 1, grid.columns - 1); ++c) {
-      const auto cell = static_cast<std::size_t>(r * grid.columns + c);
-      for (std::int32_t q = ghosts.first[cell]; q < ghosts.first[cell + 1]; ++q) {
-        const std::int32_t j = ghosts.item[static_cast<std::size_t>(q)];
-        const auto& b = s.record[static_cast<std::size_t>(j)];
-        const double dx = a.x - b.x, dy = a.y - b.y, reach = a.radius + b.radius + s.skin + s.cohesion.reach;
-        if (dx * dx + dy * dy < reach * reach) near.push_back(j);
-      }
-    }
+  ghosts.for_near(grid, a.place.x, a.place.y, [&](std::int32_t j) {
+    if (are_near(s, a, s.record[j])) near.push_back(j);
+  });
   std::sort(near.begin() + begin, near.end());
 }
 
@@ -57,7 +51,7 @@ constexpr std::size_t disks_of_block = 64;
 std::vector<Found> find_partners(const Sample& s, const Team& team) {
   const geometry::CellGrid grid = cells_of(s);
   const std::size_t n = s.count;
-  const auto cell_of = [&](std::size_t k) { return grid.cell(s.record[k].x, s.record[k].y); };
+  const auto cell_of = [&](std::size_t k) { return grid.cell(s.record[k].place.x, s.record[k].place.y); };
   const geometry::SortedCells inner(grid, 0, n, cell_of), images(grid, n, s.record.size(), cell_of);
   // Ghosts lie beyond the right and the upper edge.
   const double reach = reach_of(s), right_zone = s.domain.wall[right].position - reach, upper_zone = s.domain.wall[top].position - reach;
@@ -69,7 +63,7 @@ std::vector<Found> find_partners(const Sample& s, const Team& team) {
         const std::size_t before = partner.size();
         const auto& a = s.record[k];
         find_near_disks(s, grid, inner, k, partner);
-        if (!s.ghost.empty() && (a.x > right_zone || a.y > upper_zone)) find_near_ghosts(s, grid, images, k, partner);
+        if (!s.ghost.empty() && (a.place.x > right_zone || a.place.y > upper_zone)) find_near_ghosts(s, grid, images, k, partner);
         if (!s.part.empty()) drop_own_disks(s, k, partner, before);
         count.push_back(static_cast<std::int32_t>(partner.size() - before));
       }
@@ -78,8 +72,8 @@ std::vector<Found> find_partners(const Sample& s, const Team& team) {
   return blocks;
 }
 
-void fill_slot(ContactList& list, std::size_t p, std::size_t i, std::int32_t j, std::int32_t owner, const Coefficients& c) {
-  list.i[p] = static_cast<std::int32_t>(i);
+void fill_slot(ContactList& list, std::size_t p, std::int32_t i, std::int32_t j, std::int32_t owner, const Coefficients& c) {
+  list.i[p] = i;
   list.j[p] = j;
   list.owner[p] = owner;
   list.stiffness[p] = c.stiffness;
@@ -89,17 +83,18 @@ void fill_slot(ContactList& list, std::size_t p, std::size_t i, std::int32_t j, 
   list.shear[p] = c.shear;
 }
 
+void add_slot(ContactList& list, std::int32_t i, std::int32_t j, std::int32_t owner, const Coefficients& c) {
+  list.resize(list.size() + 1);
+  fill_slot(list, list.size() - 1, i, j, owner, c);
+}
+
 void fill_block(Sample& s, std::size_t block, const Found& found, std::size_t slot) {
   const auto n = static_cast<std::int32_t>(s.count);
-  std::size_t k = block * disks_of_block, next = 0;
+  auto k = static_cast<std::int32_t>(block * disks_of_block);
+  auto partner = found.partner.begin();
   for (const std::int32_t count : found.count) {
-    const auto& a = s.record[k];
-    for (std::int32_t q = 0; q < count; ++q, ++slot) {
-      const std::int32_t j = found.partner[next++];
-      const auto& b = s.record[static_cast<std::size_t>(j)];
-      const std::int32_t owner = j < n ? j : s.ghost[static_cast<std::size_t>(j - n)].source;
-      fill_slot(s.list, slot, k, j, owner, s.coefficients.pair(a.material, b.material, a.mass, b.mass, a.radius, b.radius, is_glued(s, a.grain, b.grain)));
-    }
+    for (std::int32_t q = 0; q < count; ++q, ++slot, ++partner)
+      fill_slot(s.list, slot, k, *partner, *partner < n ? *partner : s.ghost[*partner - n].source, pair_coefficients(s, s.record[k], s.record[*partner]));
     ++k;
   }
 }
@@ -121,12 +116,9 @@ void list_feet(Sample& s, const Team& team) {
   ContactList& list = s.list;
   const std::size_t ghosts = s.ghost.size();
   for (const Foot& foot : s.foot) {
-    const auto owner = s.part_disk[static_cast<std::size_t>(s.body[static_cast<std::size_t>(foot.body)].first)];
-    const auto &a = s.record[static_cast<std::size_t>(foot.touches)], &b = s.record[static_cast<std::size_t>(owner)];
-    s.ghost.push_back({owner, foot.shift_x, foot.shift_y});
-    list.resize(list.size() + 1);
-    fill_slot(list, list.size() - 1, static_cast<std::size_t>(foot.touches), static_cast<std::int32_t>(s.count + s.ghost.size() - 1), owner,
-              s.coefficients.pair(a.material, b.material, a.mass, b.mass, a.radius, b.radius, false));
+    const std::int32_t owner = s.part_disk[s.body[foot.body].first];
+    s.ghost.push_back({owner, foot.shift});
+    add_slot(list, foot.touches, static_cast<std::int32_t>(s.count + s.ghost.size() - 1), owner, pair_coefficients(s, s.record[foot.touches], s.record[owner]));
   }
   list.pairs += s.ghost.size() - ghosts;
   s.record.resize(s.count + s.ghost.size());
@@ -135,26 +127,18 @@ void list_feet(Sample& s, const Team& team) {
 
 /// Slots of walls and boundaries.
 void list_walls(Sample& s) {
-  ContactList& list = s.list;
   const NearElements elements(s);
   std::vector<std::int32_t> near;
-  const auto add = [&](std::size_t k, std::int32_t j) {
-    const auto& d = s.record[k];
-    list.resize(list.size() + 1);
-    fill_slot(list, list.size() - 1, k, j, -1, s.coefficients.wall(d.material, d.mass, d.radius));
-  };
   for (std::size_t k = 0; k < s.count; ++k) {
-    const auto& d = s.record[k];
+    const DiskRecord& d = s.record[k];
     const HeldGrain* held = find_held(s, d.grain);
+    const auto add = [&](std::int32_t j) { add_slot(s.list, static_cast<std::int32_t>(k), j, -1, wall_coefficients(s, d)); };
     for (int side = 0; side < 4; ++side) {
-      const auto& wall = s.domain.wall[static_cast<std::size_t>(side)];
-      if (!wall.present || (held && held->side == side)) continue;
-      const double place = side < bottom ? d.x : d.y;
-      const double distance = (side % 2 == 0) ? place - wall.position : wall.position - place;
-      if (distance < d.radius + s.skin) add(k, wall_partner(side));
+      const bool may_touch = s.domain.wall[side].present && !(held && held->side == side);
+      if (may_touch && s.domain.depth(side, d.place) < d.radius + s.skin) add(wall_partner(side));
     }
     elements.find(d, near);
-    for (const std::int32_t e : near) add(k, boundary_partner(e));
+    for (const std::int32_t e : near) add(boundary_partner(e));
   }
 }
 
@@ -164,10 +148,8 @@ void list_point_feet(Sample& s) {
   list.polygons = list.size();
   s.point_foot = find_point_feet(s);
   for (const Foot& foot : s.point_foot) {
-    const auto first = static_cast<std::size_t>(s.part_disk[static_cast<std::size_t>(s.body[static_cast<std::size_t>(foot.body)].first)]);
-    const DiskRecord& d = s.record[first];
-    list.resize(list.size() + 1);
-    fill_slot(list, list.size() - 1, first, foot.touches, -1, s.coefficients.wall(d.material, d.mass, d.radius));
+    const std::int32_t first = s.part_disk[s.body[foot.body].first];
+    add_slot(list, first, foot.touches, -1, wall_coefficients(s, s.record[first]));
   }
   s.record.resize(s.count + s.ghost.size() + s.point_foot.size());
   refresh_feet(s);
@@ -178,31 +160,56 @@ void group_slots(Sample& s) {
   ContactList& list = s.list;
   const auto none = static_cast<std::int32_t>(list.size());
   const auto groups = [](std::int32_t slots) { return 4 * std::max((slots + 3) / 4, 1); };
+  const auto each = [&](const auto& see) {  // (place of its disk in list.first, slot)
+    for (std::size_t p = 0; p < list.size(); ++p) {
+      see(2 * list.i[p], p);
+      if (list.owner[p] >= 0) see(2 * list.owner[p] + 1, p);
+    }
+    for (std::size_t b = 0; b < s.bond_slots.size(); ++b) {
+      see(2 * s.bond_slots[b].i, bond_force_place(list, b));
+      see(2 * s.bond_slots[b].j + 1, bond_force_place(list, b));
+    }
+  };
   std::vector<std::int32_t> used(2 * s.count + 1, 0);
-  for (std::size_t p = 0; p < list.size(); ++p) {
-    ++used[2 * static_cast<std::size_t>(list.i[p])];
-    if (list.owner[p] >= 0) ++used[2 * static_cast<std::size_t>(list.owner[p]) + 1];
-  }
-  for (const BondSlot& bond : s.bond_slots) {
-    ++used[2 * static_cast<std::size_t>(bond.i)];
-    ++used[2 * static_cast<std::size_t>(bond.j) + 1];
-  }
+  each([&](std::int32_t q, std::size_t) { ++used[q]; });
   list.first.assign(2 * s.count + 1, 0);
   for (std::size_t q = 0; q < 2 * s.count; ++q) list.first[q + 1] = list.first[q] + groups(used[q]);
-  list.group.assign(static_cast<std::size_t>(list.first.back()), none);
+  list.group.assign(list.first.back(), none);
   std::vector<std::int32_t> next = list.first;
-  const auto put = [&](std::size_t q, std::size_t p) { list.group[static_cast<std::size_t>(next[q]++)] = static_cast<std::int32_t>(p); };
-  for (std::size_t p = 0; p < list.size(); ++p) {
-    put(2 * static_cast<std::size_t>(list.i[p]), p);
-    if (list.owner[p] >= 0) put(2 * static_cast<std::size_t>(list.owner[p]) + 1, p);
-  }
-  for (std::size_t b = 0; b < s.bond_slots.size(); ++b) {
-    put(2 * static_cast<std::size_t>(s.bond_slots[b].i), bond_force_place(list, b));
-    put(2 * static_cast<std::size_t>(s.bond_slots[b].j) + 1, bond_force_place(list, b));
-  }
+  each([&](std::int32_t q, std::size_t p) { list.group[next[q]++] = static_cast<std::int32_t>(p); });
 }
 
 }  // namespace
+
+/// Images to the right and above only: every pair across an edge then occurs once, as (disk, ghost).
+void make_ghosts(Sample& s) {
+  s.ghost.clear();
+  s.foot.clear();
+  s.point_foot.clear();
+  s.record.resize(s.count);
+  const double reach = reach_of(s);
+  const auto& w = s.domain.wall;
+  const int up = s.domain.periodic_y ? 1 : 0, across = s.domain.periodic_x ? 1 : 0;
+  for (int iy = 0; iy <= up; ++iy)
+    for (int ix = iy == 0 ? 1 : -across; ix <= across; ++ix)
+      for (std::size_t k = 0; k < s.count; ++k) {
+        const double x = s.record[k].place.x + ix * s.domain.width() + iy * s.domain.tilt, y = s.record[k].place.y + iy * s.domain.height();
+        const bool near_x = !s.domain.periodic_x || (x > w[left].position - reach && x < w[right].position + reach);
+        if (near_x && y < w[top].position + reach) s.ghost.push_back({static_cast<std::int32_t>(k), {ix, iy}});
+      }
+  s.record.resize(s.count + s.ghost.size());
+  refresh_ghosts(s);
+}
+
+void refresh_ghosts(Sample& s) {
+  for (std::size_t g = 0; g < s.ghost.size() - s.foot.size(); ++g) {
+    DiskRecord& d = s.record[s.count + g];
+    d = s.record[s.ghost[g].source];
+    d.place += image_place(s, s.ghost[g].shift);
+    d.velocity += image_velocity(s, s.ghost[g].shift);
+  }
+  refresh_feet(s);
+}
 
 void list_contacts(Sample& s, const Team& team) {
   number_parts(s);
@@ -215,7 +222,7 @@ void list_contacts(Sample& s, const Team& team) {
   group_slots(s);
   s.list.force.assign(bond_force_place(s.list, s.bond_slots.size()), SlotForce{});
   s.list.memory.assign(s.list.size(), 0.0);
-  if (std::visit([](const auto& law) { return law.remembers; }, s.contact.normal)) s.list.normal_memory.assign(s.list.size(), 0.0);
+  if (s.contact.normal.visit([](const auto& law) { return law.remembers; })) s.list.normal_memory.assign(s.list.size(), 0.0);
   const bool rolls = !std::holds_alternative<NoRolling>(s.contact.rolling);
   s.list.rolling_memory.assign(rolls ? s.list.size() : 0, 0.0);
   s.list.pull.assign(s.contact.is_cohesive() ? s.list.pairs : 0, 0.0);

@@ -10,11 +10,29 @@
 
 namespace arenite::dem {
 
+/// So many periodic cells along x and rows of them along y.
+struct Cells {
+  std::int32_t x = 0, y = 0;
+};
+
 /// Force of a contact on i, N, and its torques on i and j, N m; all 0 where apart.
 struct alignas(32) SlotForce {
-  double fx = 0, fy = 0, torque_i = 0, torque_j = 0;
+  Vec2 on_i;
+  double torque_i = 0, torque_j = 0;
 };
-inline bool acts(const SlotForce& f) { return f.fx != 0 || f.fy != 0; }
+inline bool acts(const SlotForce& f) { return f.on_i != Vec2{}; }
+
+/// Velocity, m/s, and turning, rad/s.
+struct Motion {
+  Vec2 velocity;
+  double omega = 0;
+};
+
+/// Forces on something, N, and their torque about its centre, N m.
+struct Load {
+  Vec2 force;
+  double torque = 0;
+};
 
 /// Candidate contacts and what they carry. Slots 0 .. pairs-1 join two disks (i < j, sorted by i; j may be a ghost); the slots behind them join a
 /// disk i with wall `side` (j = wall_partner(side)) or with an element of a boundary (j = boundary_partner(element)), sorted by i. Those from
@@ -58,9 +76,9 @@ struct CohesionTable {
 /// ContactList::force at bond_force_place.
 struct BondSlot {
   enum class State : std::int32_t { holds, breaking, broken };
-  std::int32_t bond = 0;                  ///< place in Sample::bonds
-  std::int32_t i = 0, j = 0;              ///< inner numbers of its disks
-  std::int32_t shift_x = 0, shift_y = 0;  ///< cells by which the image of j that is meant is away from j
+  std::int32_t bond = 0;      ///< place in Sample::bonds
+  std::int32_t i = 0, j = 0;  ///< inner numbers of its disks
+  Cells shift;                ///< by which the image of j that is meant is away from j
   State state = State::holds;
   double length = 0, arm_i = 0, arm_j = 0;  ///< when it was made, m; the arms to its middle between the two surfaces
   Vec2 normal;                              ///< from j to i when the list was built

@@ -15,7 +15,7 @@
 namespace arenite::dem {
 namespace {
 
-constexpr std::size_t along = 4, cell_shear = 8;  // of Snapshot::edge
+constexpr std::size_t slides = 4, cell_shear = 8;  // of Snapshot::edge
 
 /// What a contact with a boundary does to it, by class, about its centre as well.
 void add_boundary_contact(const Sample& s, std::size_t slot, const Kinematics& c, Vec2 dash, Vec2 slip, Snapshot& shot) {
@@ -62,9 +62,9 @@ void add_contacts(const Sample& s, Snapshot& shot) {
   s.laws.visit([&]<class N, class A, class F>(const N& normal, const A& adhesion, const F& friction) {
     for (std::size_t p = 0; p < list.size(); ++p) {
       const Kinematics c = slot_kinematics(s, p);
-      if (s.shear_rate != 0 && !(c.overlap > 0) && pull_of(s, p) > 0) shot.edge[cell_shear].force -= rows_between(s, p) * list.force[p].fx;
+      if (s.shear_rate != 0 && !(c.overlap > 0) && pull_of(s, p) > 0) shot.edge[cell_shear].force -= rows_between(s, p) * list.force[p].on_i.x;
       if (!(c.overlap > 0)) continue;  // a clipped contact has no force, but its dashpot eats what its spring gives
-      const Vec2 f{list.force[p].fx, list.force[p].fy}, t = perpendicular(c.normal);
+      const Vec2 f = list.force[p].on_i, t = perpendicular(c.normal);
       double spring = -adhesion.attraction(c.overlap, list.strength[p]) - pull_of(s, p);
       if constexpr (N::remembers) {  // not all that such a spring takes it gives back
         shot.normal_springs += normal.energy(c.overlap, list.stiffness[p], c.curvature, list.normal_memory[p]);
@@ -74,20 +74,20 @@ void add_contacts(const Sample& s, Snapshot& shot) {
       }
       const Vec2 dash = (dot(f, c.normal) - spring) * c.normal, slip = dot(f, t) * t;
       shot.springs += friction.energy(s.laws.slip(c.sliding, sliding_stiffness(s, normal, p, c)), list.memory[p]);
-      const std::int32_t first = s.record[static_cast<std::size_t>(list.i[p])].grain;
+      const std::int32_t first = s.record[list.i[p]].grain;
       auto& a = shot.disk[mover_of(s, first)];
       push(a, own_lever(s, p), dash, slip);
       a.slip.torque += own_torque_i(s, p);
       if (list.j[p] >= 0) {
-        auto& b = shot.disk[mover_of(s, s.record[static_cast<std::size_t>(list.owner[p])].grain)];
+        auto& b = shot.disk[mover_of(s, s.record[list.owner[p]].grain)];
         push(b, partner_lever(s, p), -dash, -slip);
         b.slip.torque += own_torque_j(s, p);
       } else if (is_boundary(list.j[p])) {
         add_boundary_contact(s, p, c, dash, slip, shot);
       } else {
-        const auto side = static_cast<std::size_t>(wall_side(list.j[p]));
-        shot.edge[side].dash -= side < bottom ? dash.x : dash.y;
-        shot.edge[along + side].slip -= side < bottom ? slip.y : slip.x;
+        const int side = wall_side(list.j[p]);
+        shot.edge[side].dash -= across(side, dash);
+        shot.edge[slides + side].slip -= along(side, slip);
       }
       add_to_cell(s, between_centres(s, p, c.branch), s.shear_rate != 0 ? rows_between(s, p) : 0, f, dash, slip, shot);
     }
@@ -101,12 +101,12 @@ void add_bonds(const Sample& s, Snapshot& shot) {
     if (b.state != BondSlot::State::holds) continue;
     const BeamMotion m = beam_motion(s, b);
     const SlotForce f = s.list.force[bond_force_place(s.list, n)], dash = beam_slot_force(b, m, beam_dashpots(s, b, m));
-    const auto disk = [&](std::int32_t k) -> Snapshot::Push& { return shot.disk[static_cast<std::size_t>(s.record[static_cast<std::size_t>(k)].grain)].dash; };
-    disk(b.i).force += Vec2{dash.fx, dash.fy};
-    disk(b.i).torque += dash.torque_i;
-    disk(b.j).force -= Vec2{dash.fx, dash.fy};
-    disk(b.j).torque += dash.torque_j;
-    add_to_cell(s, m.branch, s.shear_rate != 0 ? b.shift_y : 0, {f.fx, f.fy}, {dash.fx, dash.fy}, {}, shot);
+    Load &on_i = shot.disk[s.record[b.i].grain].dash, &on_j = shot.disk[s.record[b.j].grain].dash;
+    on_i.force += dash.on_i;
+    on_i.torque += dash.torque_i;
+    on_j.force -= dash.on_i;
+    on_j.torque += dash.torque_j;
+    add_to_cell(s, m.branch, s.shear_rate != 0 ? b.shift.y : 0, f.on_i, dash.on_i, {}, shot);
   }
 }
 
@@ -116,18 +116,12 @@ Snapshot take(const Sample& s) {
   shot.disk.resize(s.count + s.body.size());
   shot.boundary.resize(3 * s.domain.boundaries.size());
   const bool corrects = integrator_of(s).corrects();
-  const AffineMotion mx = affine_x(s.domain), my = affine_y(s.domain);
-  const auto drag = [&](double mass, Vec2 velocity, Vec2 at) { return -s.drag * mass * (velocity - Vec2{mx.at(at.x), my.at(at.y)}); };
-  for (std::size_t k = 0; k < s.count; ++k) {
-    const DiskRecord& d = s.record[k];
-    if (is_part(s, k)) continue;
-    const Motion v = corrects ? motion_of(s, k) : Motion{s.vx[k], s.vy[k], s.omega[k]};
-    shot.disk[static_cast<std::size_t>(d.grain)] = {{v.vx, v.vy}, v.omega, d.mass, {}, {}, drag(d.mass, {d.vx, d.vy}, {d.x, d.y})};
-  }
-  for (std::size_t n = 0; n < s.body.size(); ++n) {
-    const Body& b = s.body[n];
-    shot.disk[s.count + n] = {{b.vx, b.vy}, b.omega, b.mass, {}, {}, drag(b.mass, {b.seen_x, b.seen_y}, {b.x, b.y})};
-  }
+  const CellMotion cell = cell_motion(s.domain);
+  each_mover(s, [&](std::size_t k) {
+    const Mover m = mover_at(s, k);
+    const Vec2 drag = -s.drag * m.mass * (m.seen.velocity - cell.at(m.place));
+    shot.disk[k < s.count ? s.record[k].grain : k] = {corrects ? motion_of(s, k) : m.own, m.mass, {}, {}, drag};
+  });
   add_contacts(s, shot);
   add_bonds(s, shot);
   if (s.domain.periodic_x) {
@@ -147,8 +141,8 @@ Snapshot take(const Sample& s) {
       edge.drive = inward_sign(side) * s.wall[side].drive.value;
       edge.damping = servo_braking(s, side, s.domain.wall[side].velocity);
     }
-    shot.edge[along + side].rate = s.wall[side].drive.slide;
-    shot.edge[along + side].force = s.domain.wall[side].present ? s.domain.wall[side].shear_force : 0.0;
+    shot.edge[slides + side].rate = s.wall[side].drive.slide;
+    shot.edge[slides + side].force = s.domain.wall[side].present ? s.domain.wall[side].shear_force : 0.0;
   }
   for (std::size_t b = 0; b < s.domain.boundaries.size(); ++b) {
     const Boundary& boundary = s.domain.boundaries[b];
@@ -173,12 +167,12 @@ WorkTerms products(const Sample& s, const Snapshot& p, const Snapshot& q) {
   const Vec2 gravity = p.gravity + q.gravity;
   for (std::size_t k = 0; k < q.disk.size(); ++k) {
     const auto &a = p.disk[k], &b = q.disk[k];
-    const Vec2 velocity = 0.5 * b.velocity;
+    const Vec2 velocity = 0.5 * b.own.velocity;
     w.dashpots += dot(a.dash.force + b.dash.force, velocity);
     w.friction += dot(a.slip.force + b.slip.force, velocity);
     if (s.integration.rotations) {
-      w.dashpots += (a.dash.torque + b.dash.torque) * (0.5 * b.omega);
-      w.friction += (a.slip.torque + b.slip.torque) * (0.5 * b.omega);
+      w.dashpots += (a.dash.torque + b.dash.torque) * (0.5 * b.own.omega);
+      w.friction += (a.slip.torque + b.slip.torque) * (0.5 * b.own.omega);
     }
     w.drag += dot(a.drag + b.drag, velocity);
     w.gravity += b.mass * dot(gravity, velocity);

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/vec.hpp"
+#include "grains/dem/contact_list.hpp"
 
 namespace arenite::dem {
 
@@ -18,15 +19,11 @@ constexpr double WorkTerms::*work_terms[] = {&WorkTerms::dashpots, &WorkTerms::f
 /// Forces by class and velocities at one time: what the work of a step is made of. Disks by the index of Sample::start, then bodies (mover_of). Under
 /// Verlet the velocities are those of the middle of the step that ends there.
 struct Snapshot {
-  struct Push {
-    Vec2 force;         ///< N
-    double torque = 0;  ///< N m
-  };
   struct Disk {
-    Vec2 velocity;
-    double omega = 0, mass = 0;
-    Push dash;  ///< normal dashpots, dashpots of bonds
-    Push slip;  ///< tangential forces
+    Motion own;
+    double mass = 0;
+    Load dash;  ///< normal dashpots, dashpots of bonds
+    Load slip;  ///< tangential forces
     Vec2 drag;
   };
   /// Along its way, +x or +y: force of the sample on the wall, all of it and by class; force of the drive; servo damping.

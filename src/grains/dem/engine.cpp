@@ -8,8 +8,10 @@
 #include "core/error.hpp"
 #include "core/processor.hpp"
 #include "grains/dem/bodies/bodies.hpp"
+#include "grains/dem/bonds.hpp"
 #include "grains/dem/boundaries/boundaries.hpp"
 #include "grains/dem/bounds.hpp"
+#include "grains/dem/cohesion.hpp"
 #include "grains/dem/forces.hpp"
 #include "grains/dem/kernels/kernel.hpp"
 #include "grains/dem/measure.hpp"
@@ -38,6 +40,13 @@ int useful_threads(int asked, std::size_t disks) {
   return static_cast<int>(std::clamp<std::size_t>(disks / fewest_disks, 1, static_cast<std::size_t>(asked)));
 }
 
+double servo_energy(const Sample& s) {
+  double sum = 0;
+  for (std::size_t side = 0; side < 4; ++side)
+    if (s.wall[side].drive.kind == WallDrive::Kind::force) sum += 0.5 * s.wall[side].mass * s.wall[side].rate * s.wall[side].rate;
+  return sum;
+}
+
 }  // namespace
 
 Engine::Engine(const Packing& start, const ContactParameters& contact, const IntegrationParameters& integration)
@@ -49,6 +58,7 @@ Engine& Engine::operator=(Engine&&) noexcept = default;
 void synchronise(Sample& s) {
   s.balance.open = false;
   if (s.lag == 0 && !s.settled) return;
+  // All is read before anything is set, for rates of walls hang on the places and velocities of disks.
   std::array<double, 4> rate, place;
   for (std::size_t side = 0; side < 4; ++side) {
     rate[side] = wall_rate(s, side);
@@ -57,22 +67,16 @@ void synchronise(Sample& s) {
   std::vector<Vec2> driven;
   for (std::size_t b = 0; b < s.boundary.size(); ++b) driven.push_back(velocity_of(s, b));
   std::vector<Motion> moved;
-  for (const Body& b : s.body) moved.push_back(motion_of(s, b));
+  for (std::size_t b = 0; b < s.body.size(); ++b) moved.push_back(motion_of(s, s.count + b));
   for (std::size_t k = 0; k < s.count; ++k) {
     if (is_part(s, k)) continue;
-    const Motion v = motion_of(s, k);
-    const Vec2 x = place_of(s, k);
-    s.vx[k] = v.vx;
-    s.vy[k] = v.vy;
-    s.omega[k] = v.omega;
-    s.record[k].x = x.x;
-    s.record[k].y = x.y;
+    const Motion own = motion_of(s, k);
+    s.record[k].place = place_of(s, k);
+    s.vx[k] = own.velocity.x;
+    s.vy[k] = own.velocity.y;
+    s.omega[k] = own.omega;
   }
-  for (std::size_t b = 0; b < s.body.size(); ++b) {
-    s.body[b].vx = moved[b].vx;
-    s.body[b].vy = moved[b].vy;
-    s.body[b].omega = moved[b].omega;
-  }
+  for (std::size_t b = 0; b < s.body.size(); ++b) s.body[b].own = moved[b];
   for (std::size_t b = 0; b < s.boundary.size(); ++b) s.boundary[b].rate = s.domain.boundaries[b].velocity = driven[b];
   for (std::size_t side = 0; side < 4; ++side) {
     s.wall[side].rate = rate[side];
@@ -81,17 +85,6 @@ void synchronise(Sample& s) {
   s.lag = 0;
   s.settled = false;
 }
-
-namespace {
-
-double servo_energy(const Sample& s) {
-  double sum = 0;
-  for (std::size_t side = 0; side < 4; ++side)
-    if (s.wall[side].drive.kind == WallDrive::Kind::force) sum += 0.5 * s.wall[side].mass * s.wall[side].rate * s.wall[side].rate;
-  return sum;
-}
-
-}  // namespace
 
 void Engine::set_gravity(Vec2 g) {
   Sample& s = machine_->sample;
@@ -150,12 +143,44 @@ void Engine::set_glue(bool on) {
   s.balance.open = false;
 }
 
+void Engine::make_bonds() {
+  Sample& s = machine_->sample;
+  if (!s.contact.has_bonds()) throw InputError("bonds cannot be made where contact.bonds is \"none\"");
+  synchronise(s);
+  list_anew(s, machine_->team);
+  bond_near_pairs(s);
+  list_anew(s, machine_->team);
+  const double wanted = s.integration.safety * shortest_bond_time(s);
+  if (!s.integration.time_step && wanted < s.dt) change_step(s, wanted);
+  allow_step(s, "its bonds");
+}
+
+BondCount Engine::bond_count() const {
+  const Sample& s = machine_->sample;
+  BondCount count;
+  for (const Bond& bond : s.bonds) {
+    count.intact += bond.broken == BondBreak::none;
+    count.in_tension += bond.broken == BondBreak::tension;
+    count.in_bending += bond.broken == BondBreak::bending;
+    count.in_shear += bond.broken == BondBreak::shear;
+  }
+  count.energy = bond_energy(s);
+  return count;
+}
+
+CohesionCount Engine::cohesion_count() const {
+  CohesionCount count;
+  for (const CohesivePair& pair : cohesive_pairs(machine_->sample)) {
+    ++count.joined;
+    count.apart += pair.gap > 0;
+  }
+  return count;
+}
+
 void Engine::set_drives(const WallDrives& asked) {
   Sample& s = machine_->sample;
   const WallDrives drives = under_programmes(s, asked);
-  bool changed = false;
-  for (std::size_t side = 0; side < 4; ++side) changed |= drives[side] != s.wall[side].drive;
-  if (!changed) return;
+  if (std::ranges::equal(drives, s.wall, {}, {}, &WallBody::drive)) return;
   check_still_cell(s, drives, false);
   synchronise(s);
   const double before = servo_energy(s);
@@ -175,6 +200,7 @@ double Engine::skin() const { return machine_->sample.skin; }
 const IntegrationParameters& Engine::integration() const { return machine_->sample.integration; }
 double Engine::shear_strain() const { return machine_->sample.sheared; }
 const Domain& Engine::domain() const { return machine_->sample.domain; }
+bool Engine::is_cohesive() const { return machine_->sample.contact.is_cohesive(); }
 Packing Engine::packing() const { return packing_of(machine_->sample); }
 Energies Engine::energies() const { return energies_of(machine_->sample); }
 Equilibrium Engine::equilibrium() const { return equilibrium_of(machine_->sample); }

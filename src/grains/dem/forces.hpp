@@ -29,15 +29,15 @@ inline void lean_on(Kinematics& c, const DiskRecord& a, double distance, Vec2 v,
 /// Two disks. Where they are apart only the overlap is meant.
 inline Kinematics pair_kinematics(const DiskRecord& a, const DiskRecord& b, Arms arms) {
   Kinematics c;
-  c.branch = {a.x - b.x, a.y - b.y};
-  const double distance = std::sqrt(c.branch.x * c.branch.x + c.branch.y * c.branch.y);
+  c.branch = a.place - b.place;
+  const double distance = norm(c.branch);
   c.overlap = a.radius + b.radius - distance;
   if (!(c.overlap > 0)) return c;
   c.normal = (1.0 / distance) * c.branch;
   const double half = arms == Arms::contact_point ? 0.5 * c.overlap : 0.0;
   c.arm_i = a.radius - half;
   c.arm_j = b.radius - half;
-  const Vec2 v{a.vx - b.vx, a.vy - b.vy};
+  const Vec2 v = a.velocity - b.velocity;
   c.approach = -dot(v, c.normal);
   c.sliding = dot(v, perpendicular(c.normal)) - a.omega * c.arm_i - b.omega * c.arm_j;
   c.curvature = 1.0 / a.radius + 1.0 / b.radius;
@@ -48,12 +48,11 @@ inline Kinematics pair_kinematics(const DiskRecord& a, const DiskRecord& b, Arms
 inline Kinematics wall_kinematics(const DiskRecord& a, const Wall& wall, double slide, int side, Arms arms) {
   Kinematics c;
   c.normal = inward_normal(side);
-  const double distance = side < bottom ? c.normal.x * (a.x - wall.position) : c.normal.y * (a.y - wall.position);
+  const double distance = side < bottom ? c.normal.x * (a.place.x - wall.position) : c.normal.y * (a.place.y - wall.position);
   c.branch = distance * c.normal;
   c.overlap = a.radius - distance;
   if (!(c.overlap > 0)) return c;
-  const Vec2 v = side < bottom ? Vec2{a.vx - wall.velocity, a.vy - slide} : Vec2{a.vx - slide, a.vy - wall.velocity};
-  lean_on(c, a, distance, v, arms);
+  lean_on(c, a, distance, a.velocity - (side < bottom ? Vec2{wall.velocity, slide} : Vec2{slide, wall.velocity}), arms);
   return c;
 }
 
@@ -66,7 +65,7 @@ Kinematics point_kinematics(const Sample& sample, const DiskRecord& foot, std::i
 
 /// What touches in a slot: disk i, or the foot of a polygon on a boundary's point.
 inline const DiskRecord& touching_disk(const Sample& s, std::size_t slot) {
-  if (slot < s.list.polygons) return s.record[static_cast<std::size_t>(s.list.i[slot])];
+  if (slot < s.list.polygons) return s.record[s.list.i[slot]];
   return s.record[s.count + s.ghost.size() + slot - s.list.polygons];
 }
 
@@ -74,7 +73,7 @@ inline Kinematics slot_kinematics(const Sample& s, std::size_t slot) {
   const DiskRecord& a = touching_disk(s, slot);
   const std::int32_t j = s.list.j[slot];
   if (slot >= s.list.polygons) return point_kinematics(s, a, element_of(j));
-  if (j >= 0) return pair_kinematics(a, s.record[static_cast<std::size_t>(j)], s.contact.arms);
+  if (j >= 0) return pair_kinematics(a, s.record[j], s.contact.arms);
   if (is_boundary(j)) return element_kinematics(s, a, element_of(j));
   const auto side = static_cast<std::size_t>(wall_side(j));
   return wall_kinematics(a, s.domain.wall[side], s.wall[side].drive.slide, static_cast<int>(side), s.contact.arms);
@@ -89,8 +88,6 @@ template <class N> double sliding_stiffness(const Sample& s, const N& normal, st
 /// friction law move on by one step.
 void compute_forces(Sample& sample, const Team& team = Team());
 
-/// What the rolling law sees of a slot.
-Slip<double> rolling_slip(const Sample& sample, std::size_t slot, double normal_force);
 /// Adds the moments of rolling resistance to the slots' torques.
 void add_rolling_moments(Sample& sample, const Team& team);
 /// What the rolling springs hold, J.
@@ -100,25 +97,21 @@ double rolling_energy(const Sample& sample);
 /// readers need them.
 void sum_edge_forces(Sample& sample, const Team& team = Team());
 
-/// Sum of a disk's contact forces (x, y) and torque, its slots in a fixed order.
-struct Load {
-  double fx = 0, fy = 0, torque = 0;
-};
+/// On a disk by its contacts, its slots in a fixed order.
 inline Load contact_load(const ContactList& list, std::size_t k) {
   const auto sum = [&](std::size_t q) {
     SlotForce total;
-    for (auto g = static_cast<std::size_t>(list.first[q]); g < static_cast<std::size_t>(list.first[q + 1]); g += 4) {
-      const auto at = [&](std::size_t n) -> const SlotForce& { return list.force[static_cast<std::size_t>(list.group[g + n])]; };
+    for (auto g = list.first[q]; g < list.first[q + 1]; g += 4) {
+      const auto at = [&](int n) -> const SlotForce& { return list.force[list.group[g + n]]; };
       const SlotForce &a = at(0), &b = at(1), &c = at(2), &d = at(3);
-      total.fx += (a.fx + b.fx) + (c.fx + d.fx);
-      total.fy += (a.fy + b.fy) + (c.fy + d.fy);
+      total.on_i += (a.on_i + b.on_i) + (c.on_i + d.on_i);
       total.torque_i += (a.torque_i + b.torque_i) + (c.torque_i + d.torque_i);
       total.torque_j += (a.torque_j + b.torque_j) + (c.torque_j + d.torque_j);
     }
     return total;
   };
   const SlotForce own = sum(2 * k), reaction = sum(2 * k + 1);
-  return {own.fx - reaction.fx, own.fy - reaction.fy, own.torque_i + reaction.torque_j};
+  return {own.on_i - reaction.on_i, own.torque_i + reaction.torque_j};
 }
 
 }  // namespace arenite::dem

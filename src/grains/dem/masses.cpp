@@ -12,27 +12,19 @@ namespace arenite::dem {
 double own_mass(const Sample& s, std::size_t k) {
   const Grains& g = s.start.grains;
   const auto grain = static_cast<std::size_t>(s.record[k].grain);
-  if (const std::int32_t body = body_of(s, s.record[k].grain); body >= 0) return own_mass_of(s, s.body[static_cast<std::size_t>(body)]);
+  if (const std::int32_t body = body_of(s, s.record[k].grain); body >= 0) return own_mass_of(s, s.body[body]);
   const double r = g.radius[grain];
-  return s.start.materials[static_cast<std::size_t>(g.material[grain])].density * std::numbers::pi * r * r * s.domain.thickness;
+  return s.start.materials[g.material[grain]].density * std::numbers::pi * r * r * s.domain.thickness;
 }
 
 namespace {
-
-double stiffness_of(const Sample& s, const DiskRecord& d) { return s.coefficients.pair_stiffness(d.material, d.material, d.radius, d.radius); }
 
 /// Dashpots of the listed contacts, from the present masses.
 void renew_dashpots(Sample& s) {
   ContactList& list = s.list;
   for (std::size_t p = 0; p < list.size(); ++p) {
-    const DiskRecord& a = s.record[static_cast<std::size_t>(list.i[p])];
-    Coefficients c;
-    if (list.j[p] < 0) {
-      c = s.coefficients.wall(a.material, a.mass, a.radius);
-    } else {
-      const DiskRecord& b = s.record[static_cast<std::size_t>(list.owner[p])];
-      c = s.coefficients.pair(a.material, b.material, a.mass, b.mass, a.radius, b.radius, is_glued(s, a.grain, b.grain));
-    }
+    const DiskRecord& a = s.record[list.i[p]];
+    const Coefficients c = list.j[p] < 0 ? wall_coefficients(s, a) : pair_coefficients(s, a, s.record[list.owner[p]]);
     list.damping[p] = c.damping;
     list.viscosity[p] = c.viscosity;
   }

@@ -26,8 +26,8 @@ void add_contacts(const Sample& s, Packing& out) {
   std::vector<Row> rows;
   for (std::size_t p = 0; p < s.list.size(); ++p) {
     if (!(slot_kinematics(s, p).overlap > 0)) continue;
-    const std::int32_t a = s.record[static_cast<std::size_t>(s.list.i[p])].grain;
-    const std::int32_t b = s.list.j[p] < 0 ? s.list.j[p] : s.record[static_cast<std::size_t>(s.list.owner[p])].grain;
+    const std::int32_t a = s.record[s.list.i[p]].grain;
+    const std::int32_t b = s.list.j[p] < 0 ? s.list.j[p] : s.record[s.list.owner[p]].grain;
     const bool swapped = b >= 0 && b < a;
     rows.push_back(swapped ? Row{b, a, p, true} : Row{a, b, p, false});
   }
@@ -35,7 +35,7 @@ void add_contacts(const Sample& s, Packing& out) {
             [&](const Row& p, const Row& q) { return std::tuple(grain(p.i), grain(p.j), p.i, p.j) < std::tuple(grain(q.i), grain(q.j), q.i, q.j); });
   for (const Row& row : rows) {
     const Kinematics c = slot_kinematics(s, row.slot);
-    const Vec2 f{s.list.force[row.slot].fx, s.list.force[row.slot].fy};
+    const Vec2 f = s.list.force[row.slot].on_i;
     const double fn = dot(f, c.normal), ft = dot(f, perpendicular(c.normal));
     if (row.swapped) out.contacts.add(grain(row.i), grain(row.j), -c.normal, fn, ft, c.arm_j, c.arm_i);
     else out.contacts.add(grain(row.i), grain(row.j), c.normal, fn, ft, c.arm_i, c.arm_j);
@@ -46,24 +46,19 @@ void add_contacts(const Sample& s, Packing& out) {
   }
 }
 
-/// Of inner disk k, J; 0 of one that goes with a wall.
+/// Of a mover, J; 0 of one that goes with a wall.
 double kinetic_energy(const Sample& s, std::size_t k) {
-  if (is_part(s, k) || find_held(s, s.record[k].grain)) return 0;
+  if (k < s.count && find_held(s, s.record[k].grain)) return 0;
   const Motion v = motion_of(s, k);
-  const DiskRecord& d = s.record[k];
-  return 0.5 * d.mass * (v.vx * v.vx + v.vy * v.vy) + 0.5 * inertia(d) * v.omega * v.omega;
+  const Mover m = mover_at(s, k);
+  return 0.5 * m.mass * dot(v.velocity, v.velocity) + 0.5 * m.inertia * v.omega * v.omega;
 }
 
-/// Force on inner disk k, or on a body (see moving), its weight included, N; 0 on one that goes with a wall or a body.
+/// Force on a mover, its weight included, N; 0 on one that goes with a wall.
 double resultant_of(const Sample& s, std::size_t k) {
-  if (k >= s.count) {
-    const Body& b = s.body[k - s.count];
-    return norm(load_on(s, b).force + b.mass * s.gravity);
-  }
-  if (is_part(s, k) || find_held(s, s.record[k].grain)) return 0;
-  const Load load = contact_load(s.list, k);
-  const double m = s.record[k].mass;
-  return std::hypot(load.fx + m * s.gravity.x, load.fy + m * s.gravity.y);
+  if (k < s.count && find_held(s, s.record[k].grain)) return 0;
+  const Vec2 f = load_on(s, k).force + mover_at(s, k).mass * s.gravity;
+  return k < s.count ? std::hypot(f.x, f.y) : norm(f);
 }
 
 /// Grains that carry force between two contacts or more, and the loose others, apart: a loose grain moves on for long without moving the others, and
@@ -76,12 +71,11 @@ struct Motions {
 Motions motions_of(const Sample& s, const std::vector<int>& pressed_contacts) {
   const double g = norm(s.gravity);
   Motions motions;
-  for (std::size_t k = 0; k < s.count + s.body.size(); ++k) {
-    const bool loose = pressed_contacts[k] < 2, is_body = k >= s.count;
-    (loose ? motions.loose : motions.bearing) += is_body ? kinetic_energy(s, s.body[k - s.count]) : kinetic_energy(s, k);
-    const double mass = is_body ? s.body[k - s.count].mass : s.record[k].mass;
-    if (loose && g > 0 && resultant_of(s, k) > 0.5 * mass * g) ++motions.falling;
-  }
+  each_mover(s, [&](std::size_t k) {
+    const bool loose = pressed_contacts[k] < 2;
+    (loose ? motions.loose : motions.bearing) += kinetic_energy(s, k);
+    if (loose && g > 0 && resultant_of(s, k) > 0.5 * mover_at(s, k).mass * g) ++motions.falling;
+  });
   return motions;
 }
 
@@ -95,12 +89,10 @@ double over_elastic(double kinetic, double elastic) {
 
 double adhesive_energy(const Sample& s) {
   double sum = 0;
-  std::visit(
-      [&](const auto& adhesion) {
-        for (std::size_t p = 0; p < s.list.pairs; ++p)
-          if (const Kinematics c = slot_kinematics(s, p); c.overlap > 0) sum += adhesion.energy(c.overlap, s.list.strength[p]);
-      },
-      s.laws.adhesion);
+  s.laws.adhesion.visit([&](const auto& adhesion) {
+    for (std::size_t p = 0; p < s.list.pairs; ++p)
+      if (const Kinematics c = slot_kinematics(s, p); c.overlap > 0) sum += adhesion.energy(c.overlap, s.list.strength[p]);
+  });
   return sum;
 }
 
@@ -114,21 +106,12 @@ Packing packing_of(const Sample& s) {
     out.domain.wall[side].position = wall_place(s, side);
   }
   for (std::size_t b = 0; b < s.boundary.size(); ++b) out.domain.boundaries[b].velocity = velocity_of(s, b);
-  const AffineMotion mx = affine_x(out.domain), my = affine_y(out.domain);
-  for (std::size_t k = 0; k < s.count; ++k) {
-    const DiskRecord& d = s.record[k];
-    if (is_part(s, k)) continue;
-    const auto g = static_cast<std::size_t>(grain_of(s, d.grain));
-    const Motion v = motion_of(s, k);
-    const Vec2 place = place_of(s, k);
-    out.grains.x[g] = place.x;
-    out.grains.y[g] = place.y;
-    out.grains.angle[g] = s.angle[k];
-    out.grains.vx[g] = v.vx + mx.at(d.x);
-    out.grains.vy[g] = v.vy + my.at(d.y);
-    out.grains.omega[g] = v.omega;
-  }
-  for (const Body& b : s.body) put_body(s, b, mx, my, out.grains);
+  const CellMotion cell = cell_motion(out.domain);
+  each_mover(s, [&](std::size_t k) {
+    const Mover m = mover_at(s, k);
+    const Motion own = motion_of(s, k);
+    put_grain(out.grains, m.grain, place_of(s, k), m.angle, {own.velocity + cell.at(m.place), own.omega});
+  });
   out.contacts = {};
   add_contacts(s, out);
   out.bonds = bonds_of(s);
@@ -138,8 +121,7 @@ Packing packing_of(const Sample& s) {
 
 Energies energies_of(const Sample& s) {
   Energies e = s.tally;
-  for (std::size_t k = 0; k < s.count; ++k) e.kinetic += kinetic_energy(s, k);
-  for (const Body& b : s.body) e.kinetic += kinetic_energy(s, b);
+  each_mover(s, [&](std::size_t k) { e.kinetic += kinetic_energy(s, k); });
   for (std::size_t side = 0; side < 4; ++side)
     if (s.wall[side].drive.kind == WallDrive::Kind::force) {
       const double v = wall_rate(s, side);
@@ -168,7 +150,7 @@ Equilibrium equilibrium_of(const Sample& s) {
   const auto grains = static_cast<double>(grain_count(s));
   double resultant = 0, normal_sum = 0, mobilised = 0;
   std::size_t contacts = 0, pressed = 0;
-  for (std::size_t k = 0; k < pressed_contacts.size(); ++k) resultant += resultant_of(s, k);
+  each_mover(s, [&](std::size_t k) { resultant += resultant_of(s, k); });
   for (std::size_t p = 0; p < s.list.size(); ++p) {
     const Kinematics c = slot_kinematics(s, p);
     if (pull_of(s, p) > 0) {  // holds its grains, whatever presses them
@@ -180,8 +162,7 @@ Equilibrium equilibrium_of(const Sample& s) {
       contacts += pull_of(s, p) > 0;
       continue;
     }
-    const Vec2 f{s.list.force[p].fx, s.list.force[p].fy};
-    const double fn = dot(f, c.normal), ft = dot(f, perpendicular(c.normal));
+    const double fn = dot(s.list.force[p].on_i, c.normal), ft = dot(s.list.force[p].on_i, perpendicular(c.normal));
     normal_sum += std::abs(fn);
     ++contacts;
     if (fn > 0) {
@@ -196,7 +177,7 @@ Equilibrium equilibrium_of(const Sample& s) {
     const BondSlot& b = s.bond_slots[n];
     const SlotForce& f = s.list.force[bond_force_place(s.list, n)];
     if (!acts(f)) continue;
-    normal_sum += std::hypot(f.fx, f.fy);
+    normal_sum += std::hypot(f.on_i.x, f.on_i.y);
     ++contacts;
     for (const std::int32_t k : {b.i, b.j}) ++pressed_contacts[moving(s, k)];
   }

@@ -7,6 +7,7 @@
 #include "core/error.hpp"
 #include "grains/dem/bodies/bodies.hpp"
 #include "grains/dem/boundaries/boundaries.hpp"
+#include "grains/dem/walls.hpp"
 
 namespace arenite::dem {
 namespace {
@@ -15,15 +16,11 @@ void check_places(const Sample& s) {
   for (std::size_t k = 0; k < s.count; ++k) {
     const auto& d = s.record[k];
     const char* fault = nullptr;
-    if (!std::isfinite(d.x + d.y + d.vx + d.vy + d.omega)) fault = " has a coordinate or velocity that is not finite";
-    for (int side = 0; side < 4 && !fault; ++side) {
-      const auto& wall = s.domain.wall[static_cast<std::size_t>(side)];
-      const double place = side < bottom ? d.x : d.y;
-      const double inside = (side % 2 == 0) ? place - wall.position : wall.position - place;
-      if (wall.present && inside < 0) fault = " has left the container through a wall";
-    }
+    if (!std::isfinite(d.place.x + d.place.y + d.velocity.x + d.velocity.y + d.omega)) fault = " has a coordinate or velocity that is not finite";
+    for (int side = 0; side < 4 && !fault; ++side)
+      if (s.domain.wall[side].present && s.domain.depth(side, d.place) < 0) fault = " has left the container through a wall";
     if (fault) {
-      const auto id = s.start.grains.id[static_cast<std::size_t>(d.grain)];
+      const auto id = s.start.grains.id[d.grain];
       const std::string what = "grain " + std::to_string(id) + fault;
       if (s.step == 0) throw InputError(what + " before the first step; correct its place, or the container");
       throw CannotGoOn(what + " at step " + std::to_string(s.step) + "; a smaller time step or a gentler load is needed");
@@ -31,50 +28,23 @@ void check_places(const Sample& s) {
   }
 }
 
-/// Across the edges of a sheared cell a grain goes on with the velocity of the image that comes in there.
-void take_to_other_side(Sample& s, std::size_t k, double faster) {
-  const DiskRecord& d = s.record[k];
-  if (s.integration.track_energy) s.tally.work_walls += 0.5 * d.mass * faster * (2 * s.vx[k] + faster);
-  s.vx[k] += faster;
-  s.record[k].vx += faster;
-}
-
-/// A grain that crosses a periodic edge goes on at the opposite one; its own velocity is without the affine motion and does not change, the seen
-/// velocity is renewed by the caller's next refresh.
 void wrap(Sample& s) {
-  const auto& w = s.domain.wall;
-  const double width = s.domain.width(), height = s.domain.height();
-  if (s.domain.periodic_x) s.domain.tilt -= std::round(s.domain.tilt / width) * width;
-  const AffineMotion mx = affine_x(s.domain), my = affine_y(s.domain);
-  for (std::size_t k = 0; k < s.count; ++k) {
-    auto& d = s.record[k];
-    if (is_part(s, k)) continue;
-    if (s.domain.periodic_y) {
-      const double n = std::floor((d.y - w[bottom].position) / height);
-      const double y = d.y - n * height;
-      d.vy += my.at(y) - my.at(d.y);
-      d.y = y;
-      d.x -= n * s.domain.tilt;
-      if (n != 0 && s.shear_rate != 0) take_to_other_side(s, k, -n * s.shear_rate * height);
-    }
-    if (s.domain.periodic_x) {
-      const double x = d.x - std::floor((d.x - w[left].position) / width) * width;
-      d.vx += mx.at(x) - mx.at(d.x);
-      d.x = x;
-    }
-  }
+  if (s.domain.periodic_x) s.domain.tilt -= std::round(s.domain.tilt / s.domain.width()) * s.domain.width();
+  for (std::size_t k = 0; k < s.count; ++k)
+    if (!is_part(s, k)) wrap_over_sides(s, s.record[k].mass, s.record[k].place, s.vx[k], s.record[k].velocity);
 }
 
 template <class T> void permute(std::vector<T>& values, const std::vector<std::int32_t>& order) {
   if (values.empty()) return;
   std::vector<T> old(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(order.size()));
-  for (std::size_t k = 0; k < order.size(); ++k) values[k] = old[static_cast<std::size_t>(order[k])];
+  for (std::size_t k = 0; k < order.size(); ++k) values[k] = old[order[k]];
 }
 
 /// Returns the former number of every disk.
 std::vector<std::int32_t> sort_by_cell(Sample& s) {
   const geometry::CellGrid grid = cells_of(s);
-  std::vector<std::int32_t> order = geometry::SortedCells(grid, 0, s.count, [&](std::size_t k) { return grid.cell(s.record[k].x, s.record[k].y); }).item;
+  std::vector<std::int32_t> order =
+      geometry::SortedCells(grid, 0, s.count, [&](std::size_t k) { return grid.cell(s.record[k].place.x, s.record[k].place.y); }).item;
   s.record.resize(s.count);
   permute(s.record, order);
   for (auto* a : {&s.vx, &s.vy, &s.omega, &s.angle, &s.ax, &s.ay, &s.alpha}) permute(*a, order);
@@ -85,17 +55,16 @@ std::vector<std::int32_t> sort_by_cell(Sample& s) {
 /// The slot that joins disk a with disk b, or with wall b < 0, with the polygon of a itself where `as_polygon`; the empty slot if there is none.
 /// `either`: b with a as well, which are two slots where the one that takes the reaction stands for a polygon.
 std::size_t find_slot(const ContactList& list, std::int32_t a, std::int32_t b, bool as_polygon, bool either) {
-  const auto slots = [&](std::size_t q, auto&& joins) {
-    for (auto g = static_cast<std::size_t>(list.first[q]); g < static_cast<std::size_t>(list.first[q + 1]); ++g) {
-      const auto p = static_cast<std::size_t>(list.group[g]);
+  const auto slots = [&](std::int32_t q, auto&& joins) {
+    for (auto g = list.first[q]; g < list.first[q + 1]; ++g) {
+      const std::size_t p = list.group[g];
       if (p < list.size() && joins(p)) return p;
     }
     return list.size();
   };
-  const auto q = 2 * static_cast<std::size_t>(a);
-  if (b < 0) return slots(q, [&](std::size_t p) { return list.j[p] == b && (p >= list.polygons) == as_polygon; });
-  const std::size_t own = slots(q, [&](std::size_t p) { return list.owner[p] == b; });
-  return own < list.size() || !either ? own : slots(q + 1, [&](std::size_t p) { return list.i[p] == b; });
+  if (b < 0) return slots(2 * a, [&](std::size_t p) { return list.j[p] == b && (p >= list.polygons) == as_polygon; });
+  const std::size_t own = slots(2 * a, [&](std::size_t p) { return list.owner[p] == b; });
+  return own < list.size() || !either ? own : slots(2 * a + 1, [&](std::size_t p) { return list.i[p] == b; });
 }
 
 /// Takes over what touching pairs remember from the list before a rebuild; disk k was number `was[k]` in it. A periodic cell is at least two reaches
@@ -105,8 +74,8 @@ void carry_over(Sample& s, const ContactList& before, const std::vector<std::int
   if (before.size() == 0 || (s.live_bonds.empty() && !remembers(s.laws) && s.list.rolling_memory.empty() && s.list.pull.empty())) return;
   team.for_ranges(list.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; ++p) {
-      const std::int32_t a = was[static_cast<std::size_t>(list.i[p])];
-      const std::int32_t b = list.j[p] < 0 ? list.j[p] : was[static_cast<std::size_t>(list.owner[p])];
+      const std::int32_t a = was[list.i[p]];
+      const std::int32_t b = list.j[p] < 0 ? list.j[p] : was[list.owner[p]];
       const std::size_t old = find_slot(before, a, b, p >= list.polygons, foot_of(s, p) == nullptr);
       if (old == before.size()) continue;
       list.memory[p] = before.memory[old];
@@ -121,7 +90,34 @@ void carry_over(Sample& s, const ContactList& before, const std::vector<std::int
   });
 }
 
+bool bonds_break(const Sample& s) {
+  return s.contact.adhesion.visit([](const auto& law) { return law.breaks; });
+}
+
 }  // namespace
+
+void wrap_over_sides(Sample& s, double mass, Vec2& place, double& own_x, Vec2& seen) {
+  const auto& w = s.domain.wall;
+  const double width = s.domain.width(), height = s.domain.height();
+  const CellMotion cell = cell_motion(s.domain);
+  if (s.domain.periodic_y) {
+    const double n = std::floor((place.y - w[bottom].position) / height);
+    const double y = place.y - n * height, faster = -n * s.shear_rate * height;
+    seen.y += cell.y.at(y) - cell.y.at(place.y);
+    place.y = y;
+    place.x -= n * s.domain.tilt;
+    if (n != 0 && s.shear_rate != 0) {
+      if (s.integration.track_energy) s.tally.work_walls += 0.5 * mass * faster * (2 * own_x + faster);
+      own_x += faster;
+      seen.x += faster;
+    }
+  }
+  if (s.domain.periodic_x) {
+    const double x = place.x - std::floor((place.x - w[left].position) / width) * width;
+    seen.x += cell.x.at(x) - cell.x.at(place.x);
+    place.x = x;
+  }
+}
 
 void rebuild_list(Sample& s, const Team& team) {
   check_places(s);
@@ -133,14 +129,13 @@ void rebuild_list(Sample& s, const Team& team) {
   number_held(s);
   for (std::size_t h = 0; h < s.held.size(); ++h) {
     HeldGrain& held = s.held[h];
-    const DiskRecord& d = s.record[static_cast<std::size_t>(s.held_disk[h])];
-    (held.side < bottom ? held.y : held.x) = (held.side < bottom ? d.y : d.x) - s.wall[static_cast<std::size_t>(held.side)].slid;
+    (held.side < bottom ? held.place.y : held.place.x) = along(held.side, s.record[s.held_disk[h]].place) - s.wall[held.side].slid;
   }
   s.listed_x.resize(s.count);
   s.listed_y.resize(s.count);
   for (std::size_t k = 0; k < s.count; ++k) {
-    s.listed_x[k] = s.record[k].x;
-    s.listed_y[k] = s.record[k].y;
+    s.listed_x[k] = s.record[k].place.x;
+    s.listed_y[k] = s.record[k].place.y;
   }
   s.listed_domain = s.domain;
   s.listed_sheared = s.sheared;
@@ -154,12 +149,10 @@ geometry::CellGrid cells_of(const Sample& s) {
   const auto& w = s.domain.wall;
   std::array<double, 4> edge{w[left].position, w[right].position, w[bottom].position, w[top].position};
   for (int side = 0; side < 4; ++side) {
-    if (!s.wall[static_cast<std::size_t>(side)].open) continue;
-    const double outward = side % 2 == 0 ? -1.0 : 1.0, size = side < bottom ? s.domain.width() : s.domain.height();
+    if (!s.wall[side].open) continue;
     double beyond = 0;
-    double& at = edge[static_cast<std::size_t>(side)];
-    for (std::size_t k = 0; k < s.count; ++k) beyond = std::max(beyond, outward * ((side < bottom ? s.record[k].x : s.record[k].y) - at));
-    at += outward * std::min(beyond, size);
+    for (std::size_t k = 0; k < s.count; ++k) beyond = std::max(beyond, -s.domain.depth(side, s.record[k].place));
+    edge[side] -= inward_sign(side) * std::min(beyond, side < bottom ? s.domain.width() : s.domain.height());
   }
   return {edge[left], edge[bottom], edge[right] - edge[left], edge[top] - edge[bottom], reach_of(s)};
 }
@@ -171,7 +164,7 @@ void number_held(Sample& s) {
   for (std::size_t k = 0; k < s.count; ++k) {
     const HeldGrain* held = find_held(s, s.record[k].grain);
     if (!held) continue;
-    const auto h = static_cast<std::size_t>(held - s.held.data());
+    const auto h = held - s.held.data();
     s.held_disk[h] = static_cast<std::int32_t>(k);
     s.held_angle[h] = s.angle[k];
   }
@@ -180,17 +173,15 @@ void number_held(Sample& s) {
 void hold_grains(Sample& s) {
   for (std::size_t h = 0; h < s.held.size(); ++h) {
     const HeldGrain& held = s.held[h];
-    const auto side = static_cast<std::size_t>(held.side), k = static_cast<std::size_t>(s.held_disk[h]);
-    const WallBody& body = s.wall[side];
-    const Wall& wall = s.domain.wall[side];
+    const std::int32_t k = s.held_disk[h];
+    const WallBody& body = s.wall[held.side];
+    const Wall& wall = s.domain.wall[held.side];
+    const auto of_side = [&](double normal, double tangential) { return held.side < bottom ? Vec2{normal, tangential} : Vec2{tangential, normal}; };
     DiskRecord& d = s.record[k];
-    const bool upright = held.side < bottom;
-    d.x = held.x + (upright ? wall.position : body.slid);
-    d.y = held.y + (upright ? body.slid : wall.position);
-    d.vx = upright ? wall.velocity : body.drive.slide;
-    d.vy = upright ? body.drive.slide : wall.velocity;
-    s.vx[k] = upright ? body.rate : body.drive.slide;
-    s.vy[k] = upright ? body.drive.slide : body.rate;
+    d.place = held.place + of_side(wall.position, body.slid);
+    d.velocity = of_side(wall.velocity, body.drive.slide);
+    s.vx[k] = of_side(body.rate, body.drive.slide).x;
+    s.vy[k] = of_side(body.rate, body.drive.slide).y;
     s.angle[k] = s.held_angle[h];
     d.omega = s.omega[k] = s.ax[k] = s.ay[k] = s.alpha[k] = 0;
     for (auto& higher : s.higher)
@@ -199,15 +190,43 @@ void hold_grains(Sample& s) {
 }
 
 double list_leeway(const Sample& s) {
-  for (std::size_t side = 0; side < 4; ++side) {
-    const bool periodic = side < bottom ? s.domain.periodic_x : s.domain.periodic_y;
-    const double moved = std::abs(s.domain.wall[side].position - s.listed_domain.wall[side].position);
-    if (!periodic && moved > 0.5 * s.skin) return 0;
-  }
+  for (int side = 0; side < 4; ++side)
+    if (!s.domain.periodic(side) && std::abs(s.domain.wall[side].position - s.listed_domain.wall[side].position) > 0.5 * s.skin) return 0;
   if (farthest_moved(s.listed_domain, s.domain) > 0.5 * s.skin) return 0;
   const CellFrame then = cell_frame(s.listed_domain), now = cell_frame(s.domain);
-  return 0.5 * (s.skin - reach_of(s) * (std::abs(now.width / then.width - 1) * now.periodic_x + std::abs(now.height / then.height - 1) * now.periodic_y +
-                                        std::abs(s.sheared - s.listed_sheared)));
+  const double growth = std::abs(now.x.growth(then.x)) + std::abs(now.y.growth(then.y));
+  return 0.5 * (s.skin - reach_of(s) * (growth + std::abs(s.sheared - s.listed_sheared)));
+}
+
+bool is_marked_as_glued(const Sample& s, std::int32_t a, std::int32_t b) {
+  const auto& zone = s.start.grains.zone;
+  const auto& glued = s.contact.glued_pairs;  // sorted, low index first
+  if (glued.empty()) return zone[a] > 0 && zone[b] > 0;
+  a = grain_of(s, a), b = grain_of(s, b);
+  return std::binary_search(glued.begin(), glued.end(), std::pair{std::min(a, b), std::max(a, b)});
+}
+
+bool is_glued(const Sample& s, std::int32_t a, std::int32_t b) {
+  if (!s.glue || !s.contact.adheres()) return false;
+  return bonds_break(s) ? std::binary_search(s.live_bonds.begin(), s.live_bonds.end(), pair_key(a, b)) : is_marked_as_glued(s, a, b);
+}
+
+Coefficients pair_coefficients(const Sample& s, const DiskRecord& a, const DiskRecord& b) {
+  return s.coefficients.pair(a.material, b.material, a.mass, b.mass, a.radius, b.radius, is_glued(s, a.grain, b.grain));
+}
+
+void bond_touching_pairs(Sample& s) {
+  s.live_bonds.clear();
+  if (s.glue && bonds_break(s)) {
+    for (std::size_t p = 0; p < s.list.pairs; ++p) {
+      const DiskRecord &a = s.record[s.list.i[p]], &b = s.record[s.list.j[p]];
+      const double reach = (1 + 1e-6) * (a.radius + b.radius);
+      const Vec2 d = a.place - b.place;
+      if (dot(d, d) < reach * reach && is_marked_as_glued(s, a.grain, b.grain)) s.live_bonds.push_back(slot_key(s, p));
+    }
+    std::sort(s.live_bonds.begin(), s.live_bonds.end());
+  }
+  for (std::size_t p = 0; p < s.list.pairs; ++p) s.list.strength[p] = pair_coefficients(s, s.record[s.list.i[p]], s.record[s.list.j[p]]).strength;
 }
 
 }  // namespace arenite::dem

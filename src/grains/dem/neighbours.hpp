@@ -12,6 +12,10 @@ void rebuild_list(Sample& sample, const Team& team = Team());
 /// Lists the pairs at the records' present order and places without sorting; what rebuild_list does at its end, and what a restored sample needs.
 void list_contacts(Sample& sample, const Team& team = Team());
 
+/// Puts what has crossed a periodic edge back at the opposite one. Its own velocity is without the affine motion and does not change, that which the
+/// forces see does; across the edges of a sheared cell both go on as the image does that comes in there.
+void wrap_over_sides(Sample& sample, double mass, Vec2& place, double& own_x, Vec2& seen);
+
 /// Finds the inner numbers of the grains that go with rough walls.
 void number_held(Sample& sample);
 
@@ -37,6 +41,10 @@ bool is_marked_as_glued(const Sample& sample, std::int32_t a, std::int32_t b);
 
 /// Grains a and b (caller's indices) attract each other.
 bool is_glued(const Sample& sample, std::int32_t a, std::int32_t b);
+
+/// What the laws need of two disks, and of a disk and a wall.
+Coefficients pair_coefficients(const Sample& sample, const DiskRecord& a, const DiskRecord& b);
+inline Coefficients wall_coefficients(const Sample& s, const DiskRecord& d) { return s.coefficients.wall(d.material, d.mass, d.radius); }
 
 /// Decides anew which listed pairs attract, after glue was switched on or off. Where bonds break for good, the glued pairs that touch now (to a
 /// millionth of their radii) are the bonds there are.

@@ -50,17 +50,17 @@ struct ContactParameters {
   bool operator==(const ContactParameters&) const = default;
 
   bool adheres() const {
-    return std::visit([](const auto& law) { return law.attracts; }, adhesion);
+    return adhesion.visit([](const auto& law) { return law.attracts; });
   }
   /// The normal law is one of materials' E and nu.
   bool takes_moduli() const {
-    return std::visit([]<class N>(const N&) { return ElasticContact<N>; }, normal);
+    return normal.visit([]<class N>(const N&) { return ElasticContact<N>; });
   }
   bool is_cohesive() const {
-    return std::visit([](const auto& law) { return law.acts; }, cohesion);
+    return cohesion.visit([](const auto& law) { return law.acts; });
   }
   bool has_bonds() const {
-    return std::visit([](const auto& law) { return law.bonds; }, bonds);
+    return bonds.visit([](const auto& law) { return law.bonds; });
   }
 };
 

@@ -19,7 +19,7 @@ double Programme::at(double time) const {
 }
 
 const Programme* Programmes::find(int of) const {
-  const auto at = std::find_if(list.begin(), list.end(), [&](const Programme& p) { return p.of == of; });
+  const auto at = std::ranges::find(list, of, &Programme::of);
   return at == list.end() ? nullptr : &*at;
 }
 
@@ -33,14 +33,14 @@ void change_shear_rate(Sample& s, double rate) {
   const bool tracked = s.integration.track_energy;
   const double before = tracked ? energies_of(s).kinetic : 0, middle = 0.5 * (s.domain.wall[bottom].position + s.domain.wall[top].position);
   for (std::size_t k = 0; k < s.count; ++k) {
-    const double faster = (rate - s.shear_rate) * (s.record[k].y - middle);
+    const double faster = (rate - s.shear_rate) * (s.record[k].place.y - middle);
     s.vx[k] += faster;
-    s.record[k].vx += faster;
+    s.record[k].velocity.x += faster;
   }
   for (Body& b : s.body) {
-    const double faster = (rate - s.shear_rate) * (b.y - middle);
-    b.vx += faster;
-    b.seen_x += faster;
+    const double faster = (rate - s.shear_rate) * (b.place.y - middle);
+    b.own.velocity.x += faster;
+    b.seen.velocity.x += faster;
   }
   s.shear_rate = rate;
   place_parts(s);
@@ -49,18 +49,20 @@ void change_shear_rate(Sample& s, double rate) {
 
 namespace {
 
-std::size_t place_of_boundary(const Sample& s, const std::string& name) {
-  const auto& all = s.domain.boundaries;
-  return static_cast<std::size_t>(std::find_if(all.begin(), all.end(), [&](const Boundary& b) { return b.name == name; }) - all.begin());
-}
-
 /// The velocity of the step that begins after this time.
 void drive_boundary(Sample& s, const Programme& p, double middle) {
   if (p.is_of_force()) return;
-  Boundary& boundary = s.domain.boundaries[place_of_boundary(s, p.name)];
+  Boundary& boundary = s.domain.boundaries[index_of(s.domain.boundaries, p.name)];
   const double rate = p.is_of_place() ? (p.at(middle + 0.5 * s.dt) - p.at(middle - 0.5 * s.dt)) / s.dt : p.at(middle);
   double* const velocity[] = {&boundary.velocity.x, &boundary.velocity.y, &boundary.spin};
   *velocity[p.boundary_axis()] = rate;
+}
+
+/// N, of a side under force or pressure.
+double load_of(const Sample& s, const Programme& p, double time) {
+  const double value = p.at(time);
+  if (p.drive() == 1) return value;
+  return value * s.domain.length(p.side()) * s.domain.thickness;
 }
 
 }  // namespace
@@ -70,31 +72,18 @@ void follow_velocities(Sample& s) {
   for (const Programme& p : s.programmes.list) {
     if (p.drives_boundary()) drive_boundary(s, p, time);
     if (p.of == Programme::shear_rate) change_shear_rate(s, p.at(time));
-    if (p.of >= Programme::slide && p.of < Programme::shear_rate) s.wall[static_cast<std::size_t>(p.of - Programme::slide)].drive.slide = p.at(time);
+    if (p.slides_side()) s.wall[p.of - Programme::slide].drive.slide = p.at(time);
     if (!p.drives_side() || p.drive() != 0) continue;
-    const auto side = static_cast<std::size_t>(p.side());
-    const Vec2 inward = inward_normal(p.side());
-    s.wall[side].drive.value = s.wall[side].rate = s.domain.wall[side].velocity = p.at(time) * (inward.x + inward.y);
+    s.wall[p.side()].drive.value = s.wall[p.side()].rate = s.domain.wall[p.side()].velocity = p.at(time) * inward_sign(p.side());
   }
 }
-
-namespace {
-
-/// N, of a side under force or pressure.
-double load_of(const Sample& s, const Programme& p, double time) {
-  const double value = p.at(time);
-  if (p.drive() == 1) return value;
-  return value * (p.side() < bottom ? s.domain.height() : s.domain.width()) * s.domain.thickness;
-}
-
-}  // namespace
 
 void follow_loads(Sample& s) {
   const double time = time_of(s) - s.programmes.begin;
   for (const Programme& p : s.programmes.list) {
-    if (p.drives_side() && p.drive() != 0) s.wall[static_cast<std::size_t>(p.side())].drive.value = load_of(s, p, time);
+    if (p.drives_side() && p.drive() != 0) s.wall[p.side()].drive.value = load_of(s, p, time);
     if (!p.is_of_force()) continue;
-    Vec2& force = s.boundary[place_of_boundary(s, p.name)].force;
+    Vec2& force = s.boundary[index_of(s.domain.boundaries, p.name)].force;
     (p.boundary_axis() == 0 ? force.x : force.y) = p.at(time);
   }
   const Programme *size = s.programmes.find(Programme::gravity_size), *angle = s.programmes.find(Programme::gravity_angle);
@@ -105,12 +94,9 @@ void follow_loads(Sample& s) {
 
 WallDrives under_programmes(const Sample& s, WallDrives drives) {
   for (const Programme& p : s.programmes.list) {
-    if (p.of >= Programme::slide && p.of < Programme::shear_rate) {
-      const auto side = static_cast<std::size_t>(p.of - Programme::slide);
-      drives[side].slide = s.wall[side].drive.slide;
-    }
+    if (p.slides_side()) drives[p.of - Programme::slide].slide = s.wall[p.of - Programme::slide].drive.slide;
     if (!p.drives_side()) continue;
-    const auto side = static_cast<std::size_t>(p.side());
+    const int side = p.side();
     if (p.drive() != 0) drives[side].value = load_of(s, p, time_of(s) - s.programmes.begin);
     else if (s.wall[side].drive.kind == WallDrive::Kind::velocity) drives[side].value = s.wall[side].drive.value;
   }

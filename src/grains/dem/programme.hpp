@@ -26,6 +26,7 @@ struct Programme {
   /// At a time since the stage began, s.
   double at(double time) const;
   bool drives_side() const { return of < slide; }
+  bool slides_side() const { return of >= slide && of < shear_rate; }
   int side() const { return of / drives; }  ///< that is driven
   int drive() const { return of % drives; }
   bool drives_boundary() const { return of >= boundary; }

@@ -8,16 +8,16 @@ namespace {
 double sense(const Sample& s, std::size_t slot) {
   const std::int32_t j = s.list.j[slot];
   if (j < 0) return 1;
-  return s.record[static_cast<std::size_t>(s.list.i[slot])].grain < s.record[static_cast<std::size_t>(j)].grain ? 1 : -1;
+  return s.record[s.list.i[slot]].grain < s.record[j].grain ? 1 : -1;
 }
 
 /// What a rolling law sees of a slot.
 template <class Law> Slip<double> slip_of(const Sample& s, const Law& law, std::size_t slot, double normal_force) {
-  const auto& a = s.record[static_cast<std::size_t>(s.list.i[slot])];
+  const auto& a = s.record[s.list.i[slot]];
   const std::int32_t j = s.list.j[slot];
   double turning = a.omega, radius = a.radius, inertia_of_both = inertia(a);
   if (j >= 0) {
-    const auto& b = s.record[static_cast<std::size_t>(j)];
+    const auto& b = s.record[j];
     turning -= b.omega;
     radius = a.radius * b.radius / (a.radius + b.radius);
     inertia_of_both = inertia(a) * inertia(b) / (inertia(a) + inertia(b));
@@ -38,49 +38,39 @@ double normal_force_of(const Sample& s, std::size_t slot) {
   const SlotForce& force = s.list.force[slot];
   if (!acts(force)) return 0;
   const std::int32_t j = s.list.j[slot];
-  if (j < 0) return dot(Vec2{force.fx, force.fy}, slot_kinematics(s, slot).normal);
-  const auto &a = s.record[static_cast<std::size_t>(s.list.i[slot])], &b = s.record[static_cast<std::size_t>(j)];
-  const Vec2 branch{a.x - b.x, a.y - b.y};
-  return dot(Vec2{force.fx, force.fy}, branch) / norm(branch);
+  if (j < 0) return dot(force.on_i, slot_kinematics(s, slot).normal);
+  const Vec2 branch = s.record[s.list.i[slot]].place - s.record[j].place;
+  return dot(force.on_i, branch) / norm(branch);
 }
 
 }  // namespace
 
-Slip<double> rolling_slip(const Sample& s, std::size_t slot, double normal_force) {
-  return std::visit([&](const auto& law) { return slip_of(s, law, slot, normal_force); }, s.contact.rolling);
-}
-
 void add_rolling_moments(Sample& s, const Team& team) {
   if (std::holds_alternative<NoRolling>(s.contact.rolling)) return;
-  std::visit(
-      [&](const auto& law) {
-        team.for_ranges(s.list.size(), [&](std::size_t begin, std::size_t end) {
-          for (std::size_t p = begin; p < end; ++p) {
-            SlotForce& force = s.list.force[p];
-            double& memory = s.list.rolling_memory[p];
-            const double normal_force = normal_force_of(s, p);
-            if (!(normal_force > 0)) {
-              memory = 0;
-              continue;
-            }
-            const double moment = sense(s, p) * law.moment(slip_of(s, law, p, normal_force), memory);
-            force.torque_i += moment;
-            force.torque_j -= moment;
-          }
-        });
-      },
-      s.contact.rolling);
+  s.contact.rolling.visit([&](const auto& law) {
+    team.for_ranges(s.list.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t p = begin; p < end; ++p) {
+        double& memory = s.list.rolling_memory[p];
+        const double normal_force = normal_force_of(s, p);
+        if (!(normal_force > 0)) {
+          memory = 0;
+          continue;
+        }
+        const double moment = sense(s, p) * law.moment(slip_of(s, law, p, normal_force), memory);
+        s.list.force[p].torque_i += moment;
+        s.list.force[p].torque_j -= moment;
+      }
+    });
+  });
 }
 
 double rolling_energy(const Sample& s) {
   if (s.list.rolling_memory.empty()) return 0;
   double sum = 0;
-  std::visit(
-      [&](const auto& law) {
-        for (std::size_t p = 0; p < s.list.size(); ++p)
-          if (s.list.rolling_memory[p] != 0) sum += law.energy(rolling_slip(s, p, 0), s.list.rolling_memory[p]);
-      },
-      s.contact.rolling);
+  s.contact.rolling.visit([&](const auto& law) {
+    for (std::size_t p = 0; p < s.list.size(); ++p)
+      if (s.list.rolling_memory[p] != 0) sum += law.energy(slip_of(s, law, p, 0), s.list.rolling_memory[p]);
+  });
   return sum;
 }
 

@@ -18,16 +18,17 @@ namespace arenite::dem {
 
 /// What the pair loop reads of a disk: one cache line. Velocities are those that the forces see.
 struct alignas(64) DiskRecord {
-  double x = 0, y = 0, vx = 0, vy = 0, omega = 0, radius = 0, mass = 0;
+  Vec2 place, velocity;
+  double omega = 0, radius = 0, mass = 0;
   std::int32_t material = 0;
   std::int32_t grain = 0;  ///< the caller's index
 };
 static_assert(sizeof(DiskRecord) == 64);
 
-/// The periodic image of a disk, kept as a record behind the disks': `shift` counts cells.
+/// The periodic image of a disk, kept as a record behind the disks'.
 struct Ghost {
   std::int32_t source = 0;
-  std::int32_t shift_x = 0, shift_y = 0;
+  Cells shift;
 };
 
 /// One wall, or one edge of a periodic cell, as a body that moves along its axis.
@@ -61,25 +62,25 @@ struct Element {
 /// A grain that goes with a rough wall: its centre in the wall's own coordinates, which start at `slid` along the wall and at its plane.
 struct HeldGrain {
   std::int32_t grain = 0, side = 0;  ///< the caller's index
-  double x = 0, y = 0;               ///< m
+  Vec2 place;                        ///< m
 };
 
 /// A rigid grain of several disks, which go where it goes.
 struct Body {
-  std::int32_t first = 0, count = 0;              ///< its disks, by their place in Sample::start
-  std::int64_t filled = 0;                        ///< see Shapes; a whole number of words, for a state is told by its bytes
-  double gyration = 0, mass = 0;                  ///< m, kg
-  double x = 0, y = 0, angle = 0;                 ///< of the centre of mass
-  double vx = 0, vy = 0, omega = 0;               ///< integrated velocities, less the affine motion of a periodic cell
-  double seen_x = 0, seen_y = 0, seen_omega = 0;  ///< those that the forces see
+  std::int32_t first = 0, count = 0;  ///< its disks, by their place in Sample::start
+  std::int64_t filled = 0;            ///< see Shapes; a whole number of words, for a state is told by its bytes
+  double gyration = 0, mass = 0;      ///< m, kg
+  Vec2 place;                         ///< of the centre of mass
+  double angle = 0;
+  Motion own, seen;  ///< integrated velocities, less the affine motion of a periodic cell; those that the forces see
   double inertia() const { return mass * gyration * gyration; }
 };
 
 /// A disk of a body, or one for itself.
 struct BodyDisk {
-  std::int32_t grain = 0, body = -1;      ///< the caller's index; -1 for a grain that is a disk
-  double x = 0, y = 0;                    ///< from the centre of mass where the body's angle is 0, m
-  std::int32_t shift_x = 0, shift_y = 0;  ///< periodic cells between the disk and its body's centre
+  std::int32_t grain = 0, body = -1;  ///< the caller's index; -1 for a grain that is a disk
+  Vec2 place;                         ///< from the centre of mass where the body's angle is 0, m
+  Cells shift;                        ///< between the disk and its body's centre
 };
 
 /// Where a disk may touch a polygon: the point of the polygon's core nearest to the disk's centre, seen as a disk of the polygon's rounding that goes
@@ -87,9 +88,9 @@ struct BodyDisk {
 /// energy is a sum over corners of squared distances from convex cores, and the force runs on without a jump from a side over a corner. A boundary's
 /// point that juts out has a foot, too, like a corner without radius.
 struct Foot {
-  std::int32_t touches = 0, body = 0;     ///< inner number of the disk, or boundary_partner of the point; the polygon
-  std::int32_t shift_x = 0, shift_y = 0;  ///< periodic cells from the body's centre to the image that is meant
-  Vec2 lever;                             ///< from the body's centre, m
+  std::int32_t touches = 0, body = 0;  ///< inner number of the disk, or boundary_partner of the point; the polygon
+  Cells shift;                         ///< from the body's centre to the image that is meant
+  Vec2 lever;                          ///< from the body's centre, m
 };
 
 /// Everything that decides the future, and the set-up that follows from it. Disks are kept in an inner order that follows the cells;
@@ -159,27 +160,44 @@ inline std::uint64_t pair_key(std::int32_t a, std::int32_t b) {
 }
 
 inline std::uint64_t slot_key(const Sample& s, std::size_t slot) {
-  const std::int32_t a = s.record[static_cast<std::size_t>(s.list.i[slot])].grain;
+  const std::int32_t a = s.record[s.list.i[slot]].grain;
   const std::int32_t j = s.list.j[slot];
-  return pair_key(a, j < 0 ? j : s.record[static_cast<std::size_t>(s.list.owner[slot])].grain);
+  return pair_key(a, j < 0 ? j : s.record[s.list.owner[slot]].grain);
 }
 
-/// Affine motion of a periodic cell, one direction each: homogeneous between two edges.
-inline AffineMotion affine_between(const Wall& a, const Wall& b) { return {a.position, a.velocity, (b.velocity - a.velocity) / (b.position - a.position)}; }
-inline AffineMotion affine_x(const Domain& d) { return d.periodic_x ? affine_between(d.wall[left], d.wall[right]) : AffineMotion{}; }
-inline AffineMotion affine_y(const Domain& d) { return d.periodic_y ? affine_between(d.wall[bottom], d.wall[top]) : AffineMotion{}; }
-
-/// Where the periodic cell is; maps a place that moves with the cell from an earlier frame. The identity where nothing is periodic.
-struct CellFrame {
-  bool periodic_x = false, periodic_y = false;
-  double left_edge = 0, bottom_edge = 0, width = 1, height = 1;
-  double x_from(const CellFrame& old, double x) const { return periodic_x ? left_edge + (x - old.left_edge) * (width / old.width) : x; }
-  /// Relative growth since an earlier frame.
-  double growth_x(const CellFrame& old) const { return periodic_x ? width / old.width - 1 : 0; }
-  double growth_y(const CellFrame& old) const { return periodic_y ? height / old.height - 1 : 0; }
-  double y_from(const CellFrame& old, double y) const { return periodic_y ? bottom_edge + (y - old.bottom_edge) * (height / old.height) : y; }
+/// Affine motion of a periodic cell: homogeneous between two edges.
+struct CellMotion {
+  AffineMotion x, y;
+  Vec2 at(Vec2 place) const { return {x.at(place.x), y.at(place.y)}; }
 };
-inline CellFrame cell_frame(const Domain& d) { return {d.periodic_x, d.periodic_y, d.wall[left].position, d.wall[bottom].position, d.width(), d.height()}; }
+inline AffineMotion affine_between(const Wall& a, const Wall& b) { return {a.position, a.velocity, (b.velocity - a.velocity) / (b.position - a.position)}; }
+inline CellMotion cell_motion(const Domain& d) {
+  return {d.periodic_x ? affine_between(d.wall[left], d.wall[right]) : AffineMotion{},
+          d.periodic_y ? affine_between(d.wall[bottom], d.wall[top]) : AffineMotion{}};
+}
+
+/// Where the periodic cell is, one direction each; nothing moves with it along a side that is not periodic.
+struct CellAxis {
+  bool periodic = false;
+  double edge = 0, length = 1;
+  /// Takes a place along from an earlier frame.
+  Stretch since(const CellAxis& old) const { return periodic ? Stretch{old.edge, length / old.length, edge} : Stretch{}; }
+  double growth(const CellAxis& old) const { return periodic ? length / old.length - 1 : 0; }
+};
+struct CellFrame {
+  CellAxis x, y;
+};
+inline CellFrame cell_frame(const Domain& d) { return {{d.periodic_x, d.wall[left].position, d.width()}, {d.periodic_y, d.wall[bottom].position, d.height()}}; }
+
+/// From a place to its image some cells on, m, and how fast that moves past it, m/s.
+inline Vec2 image_place(const Sample& s, Cells shift) { return {shift.x * s.domain.width() + shift.y * s.domain.tilt, shift.y * s.domain.height()}; }
+inline Vec2 image_velocity(const Sample& s, Cells shift) {
+  if ((shift.x | shift.y) == 0) return {};
+  const auto& w = s.domain.wall;
+  const double stretch_x = s.domain.periodic_x ? w[right].velocity - w[left].velocity : 0;
+  const double stretch_y = s.domain.periodic_y ? w[top].velocity - w[bottom].velocity : 0;
+  return {shift.x * stretch_x + shift.y * (s.domain.tilt * stretch_x / s.domain.width() + s.shear_rate * s.domain.height()), shift.y * stretch_y};
+}
 
 /// Of a grain (caller's index) that goes with a rough wall; nullptr of any other.
 inline const HeldGrain* find_held(const Sample& s, std::int32_t grain) {
@@ -187,20 +205,45 @@ inline const HeldGrain* find_held(const Sample& s, std::int32_t grain) {
   return at != s.held.end() && at->grain == grain ? &*at : nullptr;
 }
 
+inline double inertia(const DiskRecord& d) { return 0.5 * d.mass * d.radius * d.radius; }
+
 /// The body that a disk of `start` belongs to; -1 for none. The caller's index of its grain.
-inline std::int32_t body_of(const Sample& s, std::int32_t disk) { return s.part.empty() ? -1 : s.part[static_cast<std::size_t>(disk)].body; }
-inline std::int32_t grain_of(const Sample& s, std::int32_t disk) { return s.part.empty() ? disk : s.part[static_cast<std::size_t>(disk)].grain; }
+inline std::int32_t body_of(const Sample& s, std::int32_t disk) { return s.part.empty() ? -1 : s.part[disk].body; }
+inline std::int32_t grain_of(const Sample& s, std::int32_t disk) { return s.part.empty() ? disk : s.part[disk].grain; }
 inline bool is_part(const Sample& s, std::size_t k) { return body_of(s, s.record[k].grain) >= 0; }
 /// Where a disk that is a grain, or the body of one that is not, stands in arrays over the disks of `start` and the bodies behind them.
 inline std::size_t mover_of(const Sample& s, std::int32_t disk) {
   const std::int32_t body = body_of(s, disk);
   return body < 0 ? static_cast<std::size_t>(disk) : s.count + static_cast<std::size_t>(body);
 }
+/// What moves for itself, a disk that is a grain or a body, as it stands in the sample.
+struct Mover {
+  std::int32_t grain = 0;                  ///< the caller's index
+  double mass = 1, inertia = 1, size = 1;  ///< kg, kg m^2, m
+  Vec2 place;
+  double angle = 0;
+  Motion own, seen;  ///< as of Body
+};
+/// Of inner disk k, or, from `count` on, of a body.
+inline Mover mover_at(const Sample& s, std::size_t k) {
+  if (k >= s.count) {
+    const Body& b = s.body[k - s.count];
+    return {s.part[b.first].grain, b.mass, b.inertia(), b.gyration, b.place, b.angle, b.own, b.seen};
+  }
+  const DiskRecord& d = s.record[k];
+  return {grain_of(s, d.grain), d.mass, inertia(d), d.radius, d.place, s.angle[k], {{s.vx[k], s.vy[k]}, s.omega[k]}, {d.velocity, d.omega}};
+}
+/// Calls `see` with their numbers: disks, then bodies.
+template <class See> void each_mover(const Sample& s, const See& see) {
+  for (std::size_t k = 0; k < s.count + s.body.size(); ++k)
+    if (k >= s.count || !is_part(s, k)) see(k);
+}
+
 /// slot_key for the caller's grains.
 inline std::uint64_t grain_key(const Sample& s, std::size_t slot) {
-  const std::int32_t a = s.record[static_cast<std::size_t>(s.list.i[slot])].grain;
+  const std::int32_t a = s.record[s.list.i[slot]].grain;
   const std::int32_t j = s.list.j[slot];
-  return pair_key(grain_of(s, a), j < 0 ? j : grain_of(s, s.record[static_cast<std::size_t>(s.list.owner[slot])].grain));
+  return pair_key(grain_of(s, a), j < 0 ? j : grain_of(s, s.record[s.list.owner[slot]].grain));
 }
 inline Vec2 lever_of(const Sample& s, std::size_t k) { return s.lever.empty() ? Vec2{} : s.lever[k]; }
 inline std::size_t grain_count(const Sample& s) { return s.part.empty() ? s.count : s.given.size(); }
@@ -208,6 +251,7 @@ inline std::size_t grain_count(const Sample& s) { return s.part.empty() ? s.coun
 /// Centres of touching disks, or of disks in the list, are never farther apart, m.
 inline double reach_of(const Sample& s) { return 2.0 * s.largest_radius + s.skin + s.cohesion.reach; }
 
-inline double inertia(const DiskRecord& d) { return 0.5 * d.mass * d.radius * d.radius; }
+/// Of two disks like this one, N/m.
+inline double stiffness_of(const Sample& s, const DiskRecord& d) { return s.coefficients.pair_stiffness(d.material, d.material, d.radius, d.radius); }
 
 }  // namespace arenite::dem

@@ -13,18 +13,35 @@
 namespace arenite::dem {
 namespace {
 
-// "a-dem-04"; changes with what `transfer` lists. States behind a shortened step and those with bonds have more to say: "a-dem-0t", "a-dem-0b",
-// "a-dem-0u" with both.
-constexpr std::uint64_t mark = 0x34302d6d65642d61, mark_shortened = 0x74302d6d65642d61, mark_bonded = 0x62302d6d65642d61, mark_both = 0x75302d6d65642d61;
+/// "a-dem-04"; changes with what `transfer` lists. States behind a shortened step and those with bonds have more to say: "a-dem-0t", "a-dem-0b",
+/// "a-dem-0u" with both.
+constexpr std::uint64_t mark(bool shortened, bool bonded) {
+  constexpr char last[2][2] = {{'4', 'b'}, {'t', 'u'}};
+  return 0x302d6d65642d61 | static_cast<std::uint64_t>(last[shortened][bonded]) << 56;
+}
+
+template <class Archive> void transfer(Archive& a, Vec2& v) { a(v.x), a(v.y); }
+
+template <class Archive> void transfer(Archive& a, bool& truth) {
+  std::uint8_t byte = truth;
+  a(byte);
+  truth = byte != 0;
+}
+
+template <class Archive, class Choice>
+requires std::is_enum_v<Choice>
+void transfer(Archive& a, Choice& choice) {
+  auto number = static_cast<std::int32_t>(choice);
+  a(number);
+  choice = static_cast<Choice>(number);
+}
 
 template <class Archive> void transfer(Archive& a, Wall& wall) {
   for (auto* v : {&wall.position, &wall.velocity, &wall.force, &wall.shear_force}) a(*v);
 }
 
 template <class Archive> void transfer(Archive& a, WallBody& body) {
-  auto kind = static_cast<std::int32_t>(body.drive.kind);
-  a(kind);
-  body.drive.kind = static_cast<WallDrive::Kind>(kind);
+  transfer(a, body.drive.kind);
   for (auto* v : {&body.drive.value, &body.mass, &body.impedance, &body.sample_mass, &body.drift, &body.rate, &body.acceleration}) a(*v);
   for (auto& v : body.higher) a(v);
   auto state = static_cast<std::uint8_t>((body.rough ? 1 : 0) | (body.open ? 2 : 0));
@@ -34,10 +51,8 @@ template <class Archive> void transfer(Archive& a, WallBody& body) {
 }
 
 template <class Archive> void transfer(Archive& a, Boundary& boundary) {
-  std::uint8_t present = boundary.present;
-  a(boundary.points), a(present);
-  boundary.present = present != 0;
-  for (Vec2* v : {&boundary.velocity, &boundary.centre, &boundary.force}) a(v->x), a(v->y);
+  a(boundary.points), transfer(a, boundary.present);
+  for (Vec2* v : {&boundary.velocity, &boundary.centre, &boundary.force}) transfer(a, *v);
   a(boundary.spin), a(boundary.torque);
 }
 
@@ -47,14 +62,9 @@ template <class Archive> void transfer(Archive& a, Energies& e) {
 
 /// One list of members for both ways.
 template <class Archive> void transfer(Archive& a, Sample& s) {
-  std::uint8_t glue = s.glue, settled = s.settled, open = s.balance.open;
-  auto masses = static_cast<std::int32_t>(s.mass_scaling);
-  a(masses), a(s.inertial_number);
-  s.mass_scaling = static_cast<MassScaling>(masses);
-  a(s.step), a(s.lag), a(s.friction), a(s.wall_friction), a(s.drag), a(s.gravity.x), a(s.gravity.y), a(glue), a(settled), a(open);
-  s.glue = glue != 0;
-  s.settled = settled != 0;
-  s.balance.open = open != 0;
+  transfer(a, s.mass_scaling);
+  a(s.inertial_number), a(s.step), a(s.lag), a(s.friction), a(s.wall_friction), a(s.drag);
+  transfer(a, s.gravity), transfer(a, s.glue), transfer(a, s.settled), transfer(a, s.balance.open);
   for (auto& wall : s.domain.wall) transfer(a, wall);
   a(s.domain.tilt);
   for (auto& wall : s.listed_domain.wall) transfer(a, wall);
@@ -64,8 +74,7 @@ template <class Archive> void transfer(Archive& a, Sample& s) {
   for (Domain* domain : {&s.domain, &s.listed_domain})
     for (Boundary& boundary : domain->boundaries) transfer(a, boundary);
   for (BoundaryBody& body : s.boundary)
-    if (body.mass > 0)
-      for (Vec2* v : {&body.force, &body.rate}) a(v->x), a(v->y);
+    if (body.mass > 0) transfer(a, body.force), transfer(a, body.rate);
   for (auto* v : {&s.vx, &s.vy, &s.omega, &s.angle, &s.ax, &s.ay, &s.alpha, &s.listed_x, &s.listed_y}) a(*v);
   for (auto& v : s.higher) a(v);
   a(s.live_bonds);
@@ -87,9 +96,7 @@ template <class Archive> void transfer(Archive& a, std::vector<Bond>& bonds) {
     bonds.resize(count);
   }
   for (Bond& b : bonds) {
-    auto broken = static_cast<std::int32_t>(b.broken);
-    a(b.i), a(b.j), a(broken);
-    b.broken = static_cast<BondBreak>(broken);
+    a(b.i), a(b.j), transfer(a, b.broken);
     for (double* v : {&b.length, &b.normal.x, &b.normal.y, &b.angle_i, &b.angle_j, &b.energy, &b.load, &b.time, &b.place.x, &b.place.y}) a(*v);
   }
 }
@@ -113,11 +120,11 @@ void read_bonds(ByteReader& read, Sample& s, std::vector<std::int32_t>& broken) 
 /// The list as it was built, with what has broken since.
 void list_with_bonds(Sample& s, const std::vector<std::int32_t>& broken) {
   const std::vector<Bond> bonds = s.bonds;
-  for (const std::int32_t b : broken) s.bonds[static_cast<std::size_t>(b)].broken = BondBreak::none;
+  for (const std::int32_t b : broken) s.bonds[b].broken = BondBreak::none;
   list_contacts(s);
   s.bonds = bonds;
   for (std::size_t n = 0; n < s.bond_slots.size(); ++n)
-    if (s.bonds[static_cast<std::size_t>(s.bond_slots[n].bond)].broken != BondBreak::none) end_bond(s, n);
+    if (s.bonds[s.bond_slots[n].bond].broken != BondBreak::none) end_bond(s, n);
 }
 
 /// The slots' contents; their number follows from the list.
@@ -137,7 +144,7 @@ std::vector<std::uint8_t> save_sample(const Sample& sample) {
   auto& s = const_cast<Sample&>(sample);  // the writer does not change what it is given
   const bool shortened = s.dt != s.dt_at_start;
   const bool bonded = !s.bonds.empty();
-  std::uint64_t header[3] = {bonded ? (shortened ? mark_both : mark_bonded) : (shortened ? mark_shortened : mark), s.count, 0};
+  std::uint64_t header[3] = {mark(shortened, bonded), s.count, 0};
   std::memcpy(&header[2], &s.dt_at_start, sizeof s.dt_at_start);
   for (auto& v : header) write(v);
   std::vector<DiskRecord> disks(s.record.begin(), s.record.begin() + static_cast<std::ptrdiff_t>(s.count));
@@ -155,8 +162,8 @@ void restore_sample(Sample& sample, const std::vector<std::uint8_t>& bytes) {
   std::uint64_t header[3] = {}, step = 0;
   for (auto& v : header) read(v);
   std::memcpy(&step, &s.dt_at_start, sizeof step);
-  const bool bonded = header[0] == mark_bonded || header[0] == mark_both, shortened = header[0] == mark_shortened || header[0] == mark_both;
-  if (header[0] != mark && !bonded && !shortened) ByteReader::fail();
+  const bool bonded = header[0] == mark(false, true) || header[0] == mark(true, true), shortened = header[0] == mark(true, bonded);
+  if (header[0] != mark(shortened, bonded)) ByteReader::fail();
   if (header[1] != s.count || header[2] != step)
     throw InputError("the stored state belongs to another sample or time step (" + std::to_string(header[1]) + " grains; here " + std::to_string(s.count) +
                      ")");
@@ -178,10 +185,7 @@ void restore_sample(Sample& sample, const std::vector<std::uint8_t>& bytes) {
   const std::vector<DiskRecord> disks = s.record;
   const Domain domain = s.domain;
   s.domain = s.listed_domain;
-  for (std::size_t k = 0; k < s.count; ++k) {
-    s.record[k].x = s.listed_x[k];
-    s.record[k].y = s.listed_y[k];
-  }
+  for (std::size_t k = 0; k < s.count; ++k) { s.record[k].place = {s.listed_x[k], s.listed_y[k]}; }
   number_held(s);
   list_with_bonds(s, broken);
   const std::size_t slots = s.list.size(), pulls = s.list.pull.size();

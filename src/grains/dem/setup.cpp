@@ -81,17 +81,17 @@ void place_disks(Sample& s) {
   const Grains& g = s.start.grains;
   s.count = g.size();
   s.record.resize(s.count);
-  const AffineMotion mx = affine_x(s.domain), my = affine_y(s.domain);
+  const CellMotion cell = cell_motion(s.domain);
   for (auto* a : {&s.vx, &s.vy, &s.omega, &s.angle, &s.ax, &s.ay, &s.alpha}) a->assign(s.count, 0.0);
   double sum = 0;
   for (std::size_t k = 0; k < s.count; ++k) {
     const double r = g.radius[k];
-    s.record[k] = {g.x[k], g.y[k], g.vx[k], g.vy[k], g.omega[k], r, 0, g.material[k], static_cast<std::int32_t>(k)};
-    s.record[k].mass = own_mass(s, k);
-    s.vx[k] = g.vx[k] - mx.at(g.x[k]);
-    s.vy[k] = g.vy[k] - my.at(g.y[k]);
     s.omega[k] = s.integration.rotations ? g.omega[k] : 0.0;
-    s.record[k].omega = s.omega[k];
+    s.record[k] = {g.centre(k), g.velocity(k), s.omega[k], r, 0, g.material[k], static_cast<std::int32_t>(k)};
+    s.record[k].mass = own_mass(s, k);
+    const Vec2 own = g.velocity(k) - cell.at(g.centre(k));
+    s.vx[k] = own.x;
+    s.vy[k] = own.y;
     s.angle[k] = g.angle[k];
     s.largest_radius = std::max(s.largest_radius, r);
     sum += r;

@@ -12,9 +12,6 @@ namespace {
 
 bool is_ramped(const SideDrive& drive) { return drive.kind == SideDrive::Kind::force; }
 
-/// Length of sample that a side's pressure acts on, m.
-double loaded_length(const Domain& domain, int side) { return side < 2 ? domain.height() : domain.width(); }
-
 std::int64_t ramp_increments(const Stage& stage) {
   return std::any_of(stage.side.begin(), stage.side.end(), is_ramped) ? std::max<std::int64_t>(1, stage.increments) : 1;
 }
@@ -83,12 +80,11 @@ WallDrives drives_for(const Increment& increment, const Domain& domain) {
   WallDrives drives;
   for (int side = 0; side < 4; ++side) {
     const auto& drive = increment.side[side];
-    const Vec2 inward = inward_normal(side);
     switch (drive.kind) {
       case SideDrive::Kind::fixed: drives[side] = {WallDrive::Kind::fixed, 0}; break;
-      case SideDrive::Kind::velocity: drives[side] = {WallDrive::Kind::velocity, drive.value * (inward.x + inward.y)}; break;
+      case SideDrive::Kind::velocity: drives[side] = {WallDrive::Kind::velocity, drive.value * inward_sign(side)}; break;
       case SideDrive::Kind::force: drives[side] = {WallDrive::Kind::force, drive.value}; break;
-      case SideDrive::Kind::pressure: drives[side] = {WallDrive::Kind::force, drive.value * loaded_length(domain, side) * domain.thickness}; break;
+      case SideDrive::Kind::pressure: drives[side] = {WallDrive::Kind::force, drive.value * domain.length(side) * domain.thickness}; break;
     }
     drives[side].slide = domain.wall[side].present ? increment.slide[side] : 0.0;
   }
@@ -99,9 +95,9 @@ std::vector<BoundaryDrive> boundary_drives_for(const Stage& stage, const Domain&
   std::vector<BoundaryDrive> drives;
   for (const Boundary& boundary : domain.boundaries) drives.push_back({{}, 0, mean_point(boundary.points), true});
   for (const BoundaryMotion& motion : stage.boundaries) {
-    const auto at = std::find_if(domain.boundaries.begin(), domain.boundaries.end(), [&](const Boundary& b) { return b.name == motion.name; });
-    if (at == domain.boundaries.end()) throw InputError(fmt::format("stage \"{}\" moves boundary \"{}\", which there is not", stage.name, motion.name));
-    BoundaryDrive& drive = drives[static_cast<std::size_t>(at - domain.boundaries.begin())];
+    const std::size_t at = index_of(domain.boundaries, motion.name);
+    if (at == domain.boundaries.size()) throw InputError(fmt::format("stage \"{}\" moves boundary \"{}\", which there is not", stage.name, motion.name));
+    BoundaryDrive& drive = drives[at];
     drive = {motion.velocity, motion.spin, motion.centre.value_or(drive.centre), !motion.absent, motion.mass.value_or(0), motion.force};
   }
   return drives;

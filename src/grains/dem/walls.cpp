@@ -12,16 +12,21 @@ bool is_steady(const WallDrives& drives) {
   return std::any_of(drives.begin(), drives.end(), [](const auto& d) { return d.kind == WallDrive::Kind::velocity; });
 }
 
+double servo_damping(const Sample& s, std::size_t side) {
+  const WallBody& body = s.wall[side];
+  const double carried = std::max(s.domain.wall[side].force, 0.0);
+  const double share = carried >= body.drive.value ? 1.0 : carried / body.drive.value;
+  const double length = side < bottom ? s.domain.width() : s.domain.height();
+  const double yielding = std::sqrt(std::max(body.drive.value, 0.0) * body.sample_mass / length) / s.inertial_number;
+  return std::min(body.impedance, yielding) * share;
+}
+
 }  // namespace
 
 void tune_servo(Sample& s) {
   double mass = 0, stiffness = 0;
-  for (std::size_t k = 0; k < s.count; ++k) {
-    const auto& d = s.record[k];
-    if (!is_part(s, k)) mass += d.mass;
-    stiffness += s.coefficients.pair_stiffness(d.material, d.material, d.radius, d.radius) / static_cast<double>(s.count);
-  }
-  for (const Body& b : s.body) mass += b.mass;
+  each_mover(s, [&](std::size_t k) { mass += mover_at(s, k).mass; });
+  for (std::size_t k = 0; k < s.count; ++k) stiffness += stiffness_of(s, s.record[k]) / static_cast<double>(s.count);
   const double layers = std::sqrt(static_cast<double>(std::max<std::size_t>(grain_count(s), 1)));
   const double aspect = s.domain.width() / s.domain.height();
   for (std::size_t side = 0; side < 4; ++side) {
@@ -50,19 +55,6 @@ void apply_drives(Sample& s, const WallDrives& drives) {
     s.domain.wall[side].velocity = body.rate;
   }
 }
-
-namespace {
-
-double servo_damping(const Sample& s, std::size_t side) {
-  const WallBody& body = s.wall[side];
-  const double carried = std::max(s.domain.wall[side].force, 0.0);
-  const double share = carried >= body.drive.value ? 1.0 : carried / body.drive.value;
-  const double length = side < bottom ? s.domain.width() : s.domain.height();
-  const double yielding = std::sqrt(std::max(body.drive.value, 0.0) * body.sample_mass / length) / s.inertial_number;
-  return std::min(body.impedance, yielding) * share;
-}
-
-}  // namespace
 
 double servo_braking(const Sample& s, std::size_t side, double velocity) {
   if (s.wall[side].drive.kind != WallDrive::Kind::force) return 0;

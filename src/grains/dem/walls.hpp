@@ -34,7 +34,4 @@ double servo_braking(const Sample& sample, std::size_t side, double velocity);
 /// Lets the walls' drift follow their velocity over the step just made.
 void follow_drift(Sample& sample);
 
-/// +1 if the wall's way into the sample is along +x or +y.
-constexpr double inward_sign(std::size_t side) { return side % 2 == 0 ? 1.0 : -1.0; }
-
 }  // namespace arenite::dem

@@ -51,7 +51,7 @@ void for_points_near(const Packing& packing, std::size_t g, const Grid& grid, co
   const geometry::Rectangle extent = around(grains.centre(g), grains.centre(g), reach);
   for_each_image(packing.domain, extent, grid.bounds, [&](const ImageShift& image) {
     const Vec2 centre = grains.centre(g) + image.shift;
-    const Vec2 velocity = Vec2{grains.vx[g], grains.vy[g]} + image_velocity(packing.domain, choice, image);
+    const Vec2 velocity = grains.velocity(g) + image_velocity(packing.domain, choice, image);
     for_points_in(grid, moved(extent, image.shift), [&](std::size_t k, Vec2 point) {
       if (const Vec2 d = point - centre; dot(d, d) < reach * reach) visit(k, d, velocity);
     });
@@ -101,7 +101,7 @@ void add_contacts(const Packing& packing, const Kernel& kernel, CoarseFields& fi
   const Contacts& contacts = packing.contacts;
   const double length = packing.domain.thickness;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
-    const Vec2 start = packing.grains.centre(static_cast<std::size_t>(contacts.i[c])), force = contacts.force_on_i(c) / length;
+    const Vec2 start = packing.grains.centre(contacts.i[c]), force = contacts.force_on_i(c) / length;
     const Vec2 branch = contacts.branch(c);
     const Tensor2 moment = outer(force, branch);
     const geometry::Rectangle extent = around(start, start + branch, kernel.reach());

@@ -1,4 +1,4 @@
-#include "grains/fields/cohesion_numbers.hpp"
+#include "grains/fields/flow_numbers.hpp"
 
 #include <algorithm>
 #include <array>

@@ -25,18 +25,15 @@ struct Candidate {
   std::int8_t side_of_i = 0, side_of_j = 0;
 };
 
-std::int32_t other_end(const Contacts& contacts, std::int32_t c, std::int32_t g) {
-  const auto k = static_cast<std::size_t>(c);
-  return contacts.i[k] == g ? contacts.j[k] : contacts.i[k];
-}
+std::int32_t other_end(const Contacts& contacts, std::int32_t c, std::int32_t g) { return contacts.i[c] == g ? contacts.j[c] : contacts.i[c]; }
 
 /// Contacts that may join two highly loaded grains, the straightest first.
 std::vector<Candidate> candidates(const Contacts& contacts, const std::vector<GrainCompression>& grains, double threshold, double least_cosine) {
   std::vector<Candidate> found;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     if (contacts.is_wall(c) || contacts.fn[c] <= 0) continue;
-    const GrainCompression& a = grains[static_cast<std::size_t>(contacts.i[c])];
-    const GrainCompression& b = grains[static_cast<std::size_t>(contacts.j[c])];
+    const GrainCompression& a = grains[contacts.i[c]];
+    const GrainCompression& b = grains[contacts.j[c]];
     if (!(a.major > threshold && b.major > threshold)) continue;
     const double at_i = dot(a.direction, -contacts.normal(c)), at_j = dot(b.direction, contacts.normal(c));
     if (std::abs(at_i) < least_cosine || std::abs(at_j) < least_cosine) continue;
@@ -50,8 +47,8 @@ std::vector<Links> linked(const Contacts& contacts, const std::vector<Candidate>
   std::vector<Links> links(grains, Links{-1, -1});
   for (const Candidate& k : list) {
     const auto c = static_cast<std::size_t>(k.contact);
-    auto& at_i = links[static_cast<std::size_t>(contacts.i[c])][static_cast<std::size_t>(k.side_of_i)];
-    auto& at_j = links[static_cast<std::size_t>(contacts.j[c])][static_cast<std::size_t>(k.side_of_j)];
+    auto& at_i = links[contacts.i[c]][k.side_of_i];
+    auto& at_j = links[contacts.j[c]][k.side_of_j];
     if (at_i < 0 && at_j < 0) at_i = at_j = k.contact;
   }
   return links;
@@ -64,7 +61,7 @@ std::vector<std::int32_t> follow(const Contacts& contacts, const std::vector<Lin
     const std::int32_t next = other_end(contacts, by, chain.back());
     if (next == start) break;
     chain.push_back(next);
-    const Links& l = links[static_cast<std::size_t>(next)];
+    const Links& l = links[next];
     by = l[0] == by ? l[1] : l[0];
   }
   return chain;
@@ -78,7 +75,7 @@ void collect(const Contacts& contacts, const std::vector<Links>& links, std::siz
       const bool linked_twice = links[g][0] >= 0 && links[g][1] >= 0, linked_once = links[g][0] >= 0 || links[g][1] >= 0;
       if (seen[g] || !linked_once || linked_twice != rings) continue;
       auto chain = follow(contacts, links, static_cast<std::int32_t>(g), std::max(links[g][0], links[g][1]));
-      for (const std::int32_t k : chain) seen[static_cast<std::size_t>(k)] = 1;
+      for (const std::int32_t k : chain) seen[k] = 1;
       if (chain.size() < least) continue;
       result.histogram.resize(std::max(result.histogram.size(), chain.size() + 1), 0);
       ++result.histogram[chain.size()];
@@ -106,8 +103,8 @@ std::vector<GrainCompression> grain_compressions(const Packing& packing) {
   const Contacts& contacts = packing.contacts;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     if (contacts.fn[c] == 0 && contacts.ft[c] == 0) continue;
-    out[static_cast<std::size_t>(contacts.i[c])].loaded = true;
-    if (!contacts.is_wall(c)) out[static_cast<std::size_t>(contacts.j[c])].loaded = true;
+    out[contacts.i[c]].loaded = true;
+    if (!contacts.is_wall(c)) out[contacts.j[c]].loaded = true;
   }
   return out;
 }
@@ -148,8 +145,8 @@ StrongClusters strong_clusters(const Packing& packing, double factor) {
   for (std::size_t c = 0; c < contacts.size(); ++c)
     if (strong(c)) sets.join(contacts.i[c], contacts.j[c]), ++result.contacts;
   for (std::size_t c = 0; c < contacts.size(); ++c)
-    if (strong(c)) ++bonds[static_cast<std::size_t>(sets.find(contacts.i[c]))];
-  for (std::size_t g = 0; g < members.size(); ++g) ++members[static_cast<std::size_t>(sets.find(static_cast<std::int32_t>(g)))];
+    if (strong(c)) ++bonds[sets.find(contacts.i[c])];
+  for (std::size_t g = 0; g < members.size(); ++g) ++members[sets.find(static_cast<std::int32_t>(g))];
   result.share = pushing > 0 ? static_cast<double>(result.contacts) / pushing : unknown;
 
   std::vector<std::size_t> roots;
@@ -162,7 +159,7 @@ StrongClusters strong_clusters(const Packing& packing, double factor) {
     result.grains.push_back(members[root]);
     result.contacts_of.push_back(bonds[root]);
   }
-  for (std::size_t g = 0; g < members.size(); ++g) result.of[g] = number[static_cast<std::size_t>(sets.find(static_cast<std::int32_t>(g)))];
+  for (std::size_t g = 0; g < members.size(); ++g) result.of[g] = number[sets.find(static_cast<std::int32_t>(g))];
   return result;
 }
 

@@ -32,7 +32,7 @@ std::vector<std::size_t> largest_set(const Grains& g, double gap) {
   for (const auto& p : geometry::close_pairs(g.x, g.y, g.radius, {*x0 - rim, *y0 - rim, *x1 - *x0 + 2 * rim, *y1 - *y0 + 2 * rim, false, false}, gap))
     sets.join(p.i, p.j);
   std::vector<std::vector<std::size_t>> members(g.size());
-  for (std::size_t k = 0; k < g.size(); ++k) members[static_cast<std::size_t>(sets.find(static_cast<std::int32_t>(k)))].push_back(k);
+  for (std::size_t k = 0; k < g.size(); ++k) members[sets.find(static_cast<std::int32_t>(k))].push_back(k);
   return *std::max_element(members.begin(), members.end(), [](const auto& a, const auto& b) { return a.size() < b.size(); });
 }
 
@@ -55,7 +55,7 @@ void trace_rim(const Body& body, double width, FreeSurface& surface) {
     const double first = (body.x[k] - body.radius[k] - surface.left) / width - 0.5, last = (body.x[k] + body.radius[k] - surface.left) / width - 0.5;
     for (auto c = static_cast<std::ptrdiff_t>(std::max(0.0, std::ceil(first))); c <= last && c < static_cast<std::ptrdiff_t>(columns); ++c) {
       const double off = surface.left + (static_cast<double>(c) + 0.5) * width - body.x[k];
-      auto& highest = rim[static_cast<std::size_t>(c)];
+      auto& highest = rim[c];
       highest = std::max(highest, body.y[k] + std::sqrt(std::max(0.0, body.radius[k] * body.radius[k] - off * off)));
     }
   }

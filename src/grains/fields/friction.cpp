@@ -29,10 +29,8 @@ std::vector<int> blocks_of(const Packing& packing) {
   const bool known = packing.domain.width() > 0 && packing.domain.height() > 0;
   const texture::BlockGrid blocks{texture::box_of(packing.domain), known ? texture::blocks_per_side(packing.grains.size()) : 1};
   std::vector<int> block(contacts.size());
-  for (std::size_t c = 0; c < block.size(); ++c) {
-    const Vec2 point = packing.grains.centre(static_cast<std::size_t>(contacts.i[c])) + contacts.lever_i(c);
-    block[c] = blocks.per_side > 1 ? blocks.block_of(wrapped(packing.domain, point)) : static_cast<int>(c);
-  }
+  for (std::size_t c = 0; c < block.size(); ++c)
+    block[c] = blocks.block_of(wrapped(packing.domain, packing.grains.centre(contacts.i[c]) + contacts.lever_i(c)), c);
   return block;
 }
 
@@ -41,7 +39,7 @@ statistics::Curve density_of(const FrictionState& state, const statistics::Items
   for (const std::size_t c : known) ++count[static_cast<std::size_t>(std::min<double>(bins - 1, state.mobilisation[c] * bins))];
   statistics::Curve curve;
   for (int k = 0; k < bins && !known.empty(); ++k) {
-    const double scale = bins / static_cast<double>(known.size()), n = count[static_cast<std::size_t>(k)];
+    const double scale = bins / static_cast<double>(known.size()), n = count[k];
     curve.x.push_back((k + 0.5) / bins);
     curve.y.push_back(n * scale);
     curve.error.push_back(std::sqrt(n) * scale);

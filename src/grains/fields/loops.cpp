@@ -6,74 +6,42 @@
 #include <utility>
 
 #include "core/joined_sets.hpp"
-#include "statistics/estimate.hpp"
+#include "grains/texture/view.hpp"
 
 namespace arenite::fields {
 namespace {
 
 /// Contacts as pairs of half-edges: 2 e leaves i for j, 2 e + 1 leaves j for i.
 struct Network {
-  std::vector<std::int32_t> from;        ///< grain that a half-edge leaves
-  std::vector<Vec2> step;                ///< to the centre of its other grain, m
-  std::vector<std::int32_t> next;        ///< half-edge that follows on the walk with the loop on the left
-  std::vector<std::uint8_t> in_network;  ///< by grain
+  std::vector<std::int32_t> from;      ///< grain that a half-edge leaves
+  std::vector<Vec2> step;              ///< to the centre of its other grain, m
+  std::vector<std::int32_t> next;      ///< half-edge that follows on the walk with the loop on the left
+  std::vector<std::uint8_t> left_out;  ///< by grain
 
   std::size_t edges() const { return from.size() / 2; }
 };
 
-/// Contacts that are left when grains with fewer than two of them go, one after the other.
-std::vector<std::uint8_t> kept_contacts(const Contacts& contacts, std::vector<std::uint8_t>& in_network, bool bearing_only) {
-  std::vector<std::uint8_t> kept(contacts.size());
-  std::vector<std::vector<std::size_t>> of(in_network.size());
-  std::vector<std::size_t> degree(in_network.size(), 0), leaving;
-  for (std::size_t c = 0; c < contacts.size(); ++c) {
-    kept[c] = !contacts.is_wall(c) && (!bearing_only || contacts.fn[c] != 0);
-    if (!kept[c]) continue;
-    for (const std::int32_t g : {contacts.i[c], contacts.j[c]}) {
-      of[static_cast<std::size_t>(g)].push_back(c);
-      ++degree[static_cast<std::size_t>(g)];
-    }
-  }
-  const auto leave = [&](std::size_t g) {
-    in_network[g] = 0;
-    leaving.push_back(g);
-  };
-  for (std::size_t g = 0; g < degree.size(); ++g)
-    if (degree[g] < 2) leave(g);
-  while (!leaving.empty()) {
-    const std::size_t g = leaving.back();
-    leaving.pop_back();
-    for (const std::size_t c : of[g]) {
-      if (!kept[c]) continue;
-      kept[c] = 0;
-      const auto other = static_cast<std::size_t>(contacts.i[c]) == g ? contacts.j[c] : contacts.i[c];
-      if (--degree[static_cast<std::size_t>(other)] < 2 && in_network[static_cast<std::size_t>(other)]) leave(static_cast<std::size_t>(other));
-    }
-  }
-  return kept;
-}
-
 Network network_of(const Packing& packing, bool bearing_only) {
   const Contacts& contacts = packing.contacts;
   Network net;
-  net.in_network.assign(packing.grains.size(), 1);
-  const auto kept = kept_contacts(contacts, net.in_network, bearing_only);
+  const auto counts = [&](std::size_t c) { return !contacts.is_wall(c) && (!bearing_only || contacts.fn[c] != 0); };
+  net.left_out = texture::loose_grains(packing, 2, counts);
   std::vector<std::vector<std::int32_t>> leaving(packing.grains.size());
   for (std::size_t c = 0; c < contacts.size(); ++c) {
-    if (!kept[c]) continue;
+    if (!counts(c) || net.left_out[contacts.i[c]] || net.left_out[contacts.j[c]]) continue;
     const Vec2 branch = contacts.branch(c);
     for (const auto& [grain, step] : {std::pair{contacts.i[c], branch}, std::pair{contacts.j[c], -branch}}) {
-      leaving[static_cast<std::size_t>(grain)].push_back(static_cast<std::int32_t>(net.from.size()));
+      leaving[grain].push_back(static_cast<std::int32_t>(net.from.size()));
       net.from.push_back(grain);
       net.step.push_back(step);
     }
   }
   net.next.resize(net.from.size());
   for (auto& around : leaving) {
-    const auto direction = [&](std::int32_t h) { return std::atan2(net.step[static_cast<std::size_t>(h)].y, net.step[static_cast<std::size_t>(h)].x); };
+    const auto direction = [&](std::int32_t h) { return std::atan2(net.step[h].y, net.step[h].x); };
     std::sort(around.begin(), around.end(), [&](std::int32_t a, std::int32_t b) { return std::pair{direction(a), a} < std::pair{direction(b), b}; });
     // Who comes in against the half-edge h goes on by the one before it, counter-clockwise order.
-    for (std::size_t k = 0; k < around.size(); ++k) net.next[static_cast<std::size_t>(around[k] ^ 1)] = around[(k + around.size() - 1) % around.size()];
+    for (std::size_t k = 0; k < around.size(); ++k) net.next[around[k] ^ 1] = around[(k + around.size() - 1) % around.size()];
   }
   return net;
 }
@@ -118,12 +86,12 @@ Loops find_loops(const Packing& packing, bool bearing_only) {
   const Network net = network_of(packing, bearing_only);
   Loops loops;
   loops.contacts = net.edges();
-  loops.grains = static_cast<std::size_t>(std::count(net.in_network.begin(), net.in_network.end(), 1));
+  loops.grains = static_cast<std::size_t>(std::count(net.left_out.begin(), net.left_out.end(), 0));
   loops.rattlers = packing.grains.size() - loops.grains;
   JoinedSets sets(packing.grains.size());
   for (std::size_t h = 0; h < net.from.size(); h += 2) sets.join(net.from[h], net.from[h + 1]);
   for (std::size_t g = 0; g < packing.grains.size(); ++g)
-    loops.parts += net.in_network[g] && sets.find(static_cast<std::int32_t>(g)) == static_cast<std::int32_t>(g);
+    loops.parts += !net.left_out[g] && sets.find(static_cast<std::int32_t>(g)) == static_cast<std::int32_t>(g);
 
   const double open = half_the_cell(packing.domain);
   std::vector<std::uint8_t> walked(net.from.size(), 0);

@@ -17,7 +17,7 @@ constexpr std::size_t fewest_small = 10;
 geometry::Box set_box(Domain& domain, double side) {
   for (int s = 0; s < 4; ++s) {
     domain.wall[s] = Wall{};
-    domain.wall[s].present = !(s < 2 ? domain.periodic_x : domain.periodic_y);
+    domain.wall[s].present = !domain.periodic(s);
   }
   domain.wall[right].position = domain.wall[top].position = side;
   domain.tilt = 0;

@@ -37,8 +37,8 @@ class DiskCells {
       const int turns_y = floor_divide(r, grid_.rows), cell_row = r - turns_y * grid_.rows;
       for (int c = column0; c <= column1; ++c) {
         const int turns_x = floor_divide(c, grid_.columns), cell = cell_row * grid_.columns + c - turns_x * grid_.columns;
-        for (std::int32_t k = first_[static_cast<std::size_t>(cell)]; k >= 0; k = member_[static_cast<std::size_t>(k)].next) {
-          const Disk& disk = member_[static_cast<std::size_t>(k)].disk;
+        for (std::int32_t k = first_[cell]; k >= 0; k = member_[k].next) {
+          const Disk& disk = member_[k].disk;
           if (holds(Disk{{disk.centre.x + turns_x * box_.width, disk.centre.y + turns_y * box_.height}, disk.radius})) return true;
         }
       }

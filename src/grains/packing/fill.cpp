@@ -9,7 +9,7 @@
 
 #include "core/error.hpp"
 #include "core/random.hpp"
-#include "geometry/close_pairs.hpp"
+#include "model/periodic_images.hpp"
 
 namespace arenite::packing {
 namespace {
@@ -70,7 +70,7 @@ struct Relaxation {
 
   void add_wall_forces() {
     for (int side = 0; side < 4; ++side) {
-      if (side < 2 ? domain.periodic_x : domain.periodic_y) continue;
+      if (domain.periodic(side)) continue;
       const Vec2 n = inward_normal(side);
       const double offset = domain.wall[side].position * (n.x + n.y);
       for (std::size_t i = 0; i < grains.size(); ++i) {
@@ -103,8 +103,9 @@ struct Relaxation {
 
   void wrap() {
     for (std::size_t i = 0; i < grains.size(); ++i) {
-      if (domain.periodic_x) grains.x[i] -= domain.width() * std::floor((grains.x[i] - domain.wall[left].position) / domain.width());
-      if (domain.periodic_y) grains.y[i] -= domain.height() * std::floor((grains.y[i] - domain.wall[bottom].position) / domain.height());
+      const Vec2 place = wrapped(domain, grains.centre(i));
+      grains.x[i] = place.x;
+      grains.y[i] = place.y;
     }
   }
 };

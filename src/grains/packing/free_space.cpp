@@ -7,7 +7,7 @@
 namespace arenite::packing {
 
 void DiskCells::add(const Disk& disk) {
-  std::int32_t& first = first_[static_cast<std::size_t>(grid_.cell(disk.centre.x, disk.centre.y))];
+  std::int32_t& first = first_[grid_.cell(disk.centre.x, disk.centre.y)];
   member_.push_back({disk, first});
   first = static_cast<std::int32_t>(member_.size()) - 1;
   largest_ = std::max(largest_, disk.radius);

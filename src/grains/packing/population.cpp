@@ -46,9 +46,9 @@ std::vector<std::int64_t> counts_of(const std::vector<Population>& populations, 
 }
 
 std::int32_t material_index(const Materials& materials, const std::string& name) {
-  const auto it = std::find_if(materials.begin(), materials.end(), [&](const Material& m) { return m.name == name; });
-  if (it == materials.end()) throw InputError(fmt::format("population of unknown material \"{}\"; add [materials.{}]", name, name));
-  return static_cast<std::int32_t>(it - materials.begin());
+  const std::size_t index = index_of(materials, name);
+  if (index == materials.size()) throw InputError(fmt::format("population of unknown material \"{}\"; add [materials.{}]", name, name));
+  return static_cast<std::int32_t>(index);
 }
 
 bool lies_inside(Vec2 from_centre, const Region& region) {
@@ -140,7 +140,7 @@ SizeCurve measured_size_curve(const Grains& grains, const Materials& materials, 
   std::vector<std::size_t> order(grains.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::sort(order, {}, [&](std::size_t g) { return grains.radius[g]; });
-  const auto mass = [&](std::size_t g) { return materials[static_cast<std::size_t>(grains.material[g])].density * grains.radius[g] * grains.radius[g]; };
+  const auto mass = [&](std::size_t g) { return materials[grains.material[g]].density * grains.radius[g] * grains.radius[g]; };
   double total = 0;
   for (const std::size_t g : order) total += mass(g);
   SizeCurve curve;

@@ -56,8 +56,8 @@ Estimate neighbours(const View& view) {
   std::vector<std::set<std::int32_t>> touched(view.packing.grains.size());
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     if (contacts.is_wall(c)) continue;
-    touched[static_cast<std::size_t>(contacts.i[c])].insert(contacts.j[c]);
-    touched[static_cast<std::size_t>(contacts.j[c])].insert(contacts.i[c]);
+    touched[contacts.i[c]].insert(contacts.j[c]);
+    touched[contacts.j[c]].insert(contacts.i[c]);
   }
   return mean(view.grains, view.grain_block, [&](std::size_t g) { return static_cast<double>(touched[g].size()); });
 }

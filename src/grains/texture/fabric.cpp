@@ -67,9 +67,9 @@ std::vector<double> evaluate(const std::vector<double>& s, double load_axis) {
   r[theta_c] = phase(second, 2);
   r[a_c_signed] = 2 * (second * std::polar(1.0, -2 * load_axis)).real();
   for (int k = 0; k < 3; ++k) {
-    const Complex z{s[static_cast<std::size_t>(c2 + 2 * k)] / n, s[static_cast<std::size_t>(s2 + 2 * k)] / n};
-    r[static_cast<std::size_t>(amplitude2 + 2 * k)] = std::abs(z);
-    r[static_cast<std::size_t>(phase2 + 2 * k)] = phase(z, 2 * (k + 1));
+    const Complex z{s[c2 + 2 * k] / n, s[s2 + 2 * k] / n};
+    r[amplitude2 + 2 * k] = std::abs(z);
+    r[phase2 + 2 * k] = phase(z, 2 * (k + 1));
   }
   if (n > 3) fit_forces(s, r);
   return r;

@@ -17,22 +17,13 @@ std::vector<std::array<int, 2>> count_neighbours(const Packing& packing, const P
   const auto add = [&](std::size_t image, std::size_t neighbour) {
     if (image >= count.size()) return;  // an image's own neighbours are counted with its grain
     for (std::size_t k = 0; k < 2; ++k)
-      if (material[static_cast<std::size_t>(images.of[neighbour])] == classes[k]) ++count[image][k];
+      if (material[images.of[neighbour]] == classes[k]) ++count[image][k];
   };
   for (const auto [i, j] : images.close_pairs(gap)) {
-    add(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
-    add(static_cast<std::size_t>(j), static_cast<std::size_t>(i));
+    add(i, j);
+    add(j, i);
   }
   return count;
-}
-
-bool holds(const geometry::Rectangle& window, Vec2 p) { return p.x >= window.x_min && p.x <= window.x_max && p.y >= window.y_min && p.y <= window.y_max; }
-
-std::vector<int> blocks_of(const PeriodicImages& images, std::size_t grains, std::size_t counted, const geometry::Rectangle& window) {
-  const BlockGrid blocks{window, blocks_per_side(counted)};
-  std::vector<int> block(grains);
-  for (std::size_t g = 0; g < grains; ++g) block[g] = blocks.per_side > 1 ? blocks.block_of({images.x[g], images.y[g]}) : static_cast<int>(g);
-  return block;
 }
 
 /// ll, ls, sl, ss, l, s and their mean, from the number of large grains and of their neighbours, then the same of small.
@@ -55,13 +46,15 @@ GapCoordination gap_coordination(const Packing& packing, double gap, int large, 
   GapCoordination z;
   Items counted;
   for (std::size_t g = 0; g < neighbours.size(); ++g) {
-    if (window && !holds(*window, {images.x[g], images.y[g]})) continue;
+    if (window && !window->holds({images.x[g], images.y[g]})) continue;
     z.large += material[g] == large;
     z.small += material[g] == small;
     if (material[g] == large || material[g] == small) counted.push_back(g);
   }
   if (counted.empty()) return z;
-  const auto block = blocks_of(images, neighbours.size(), counted.size(), window.value_or(box_of(packing.domain)));
+  const BlockGrid blocks{window.value_or(box_of(packing.domain)), blocks_per_side(counted.size())};
+  std::vector<int> block;
+  for (std::size_t g = 0; g < neighbours.size(); ++g) block.push_back(blocks.block_of({images.x[g], images.y[g]}, g));
   const auto add = [&](std::size_t g, double* sums) {
     double* own = material[g] == large ? sums : sums + 3;
     own[0] += 1;

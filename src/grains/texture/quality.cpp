@@ -13,28 +13,24 @@ double median_resultant(const View& view) {
   const auto& contacts = view.pairs();
   std::vector<Vec2> sum(view.packing.grains.size());
   std::vector<int> count(sum.size(), 0);
+  const auto push = [&](std::int32_t grain, Vec2 force) {
+    sum[grain] += force;
+    ++count[grain];
+  };
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const Vec2 f = contacts.force_on_i(c);
-    sum[static_cast<std::size_t>(contacts.i[c])] += f;
-    ++count[static_cast<std::size_t>(contacts.i[c])];
-    if (contacts.is_wall(c)) continue;
-    sum[static_cast<std::size_t>(contacts.j[c])] -= f;
-    ++count[static_cast<std::size_t>(contacts.j[c])];
+    push(contacts.i[c], f);
+    if (!contacts.is_wall(c)) push(contacts.j[c], -f);
   }
-  for (const Bond& bond : view.packing.bonds) {
-    if (bond.broken != BondBreak::none) continue;
-    const Vec2 f = force_on_i(view.packing, bond);
-    sum[static_cast<std::size_t>(bond.i)] += f;
-    sum[static_cast<std::size_t>(bond.j)] -= f;
-    for (const std::int32_t g : {bond.i, bond.j}) ++count[static_cast<std::size_t>(g)];
-  }
-  for (const CohesivePair& pair : view.packing.cohesive) {
-    if (!acts_across_gap(pair)) continue;
-    const Vec2 f = force_on_i(view.packing, pair);
-    sum[static_cast<std::size_t>(pair.i)] += f;
-    sum[static_cast<std::size_t>(pair.j)] -= f;
-    for (const std::int32_t g : {pair.i, pair.j}) ++count[static_cast<std::size_t>(g)];
-  }
+  const auto push_both = [&](const auto& link) {
+    const Vec2 f = force_on_i(view.packing, link);
+    push(link.i, f);
+    push(link.j, -f);
+  };
+  for (const Bond& bond : view.packing.bonds)
+    if (bond.broken == BondBreak::none) push_both(bond);
+  for (const CohesivePair& pair : view.packing.cohesive)
+    if (acts_across_gap(pair)) push_both(pair);
   const Vec2 gravity = view.options.gravity;
   if (gravity.x != 0 || gravity.y != 0)
     for (std::size_t g = 0; g < sum.size(); ++g) sum[g] += mass_of(view.packing, g) * gravity;

@@ -20,7 +20,7 @@ void measure_solid_fraction(const View& view, Texture& texture) {
     if (area == 0) continue;
     for (int b = 0; b < blocks.count(); ++b) {
       const auto block = blocks.block(b);
-      fraction[static_cast<std::size_t>(b)] += covered_area(domain, grains.centre(g), grains.radius[g], block) / block.area();
+      fraction[b] += covered_area(domain, grains.centre(g), grains.radius[g], block) / block.area();
     }
   }
   texture.solid_fraction = {covered / blocks.bounds.area(), standard_error(fraction)};

@@ -21,9 +21,8 @@ Tensor2 moment_of(const Packing& packing, const CohesivePair& pair) {
 
 /// Where the branch of a bond or pull touches grain i.
 template <class Link> Vec2 middle_of(const Packing& packing, const Link& link) {
-  const auto i = static_cast<std::size_t>(link.i);
   const Vec2 branch = branch_of(packing, link);
-  return packing.grains.centre(i) - packing.grains.radius[i] / norm(branch) * branch;
+  return packing.grains.centre(link.i) - packing.grains.radius[link.i] / norm(branch) * branch;
 }
 
 /// Calls `see` for each bond and each cohesive pair.
@@ -43,11 +42,9 @@ TensorEstimate whole_stress(const View& view) {
   const BlockGrid blocks{box_of(domain), std::max(2, view.blocks.per_side)};
   const double volume = domain.area() * domain.thickness;
   std::vector<Tensor2> density(static_cast<std::size_t>(blocks.count()));
-  for (std::size_t c = 0; c < view.pairs().size(); ++c)
-    density[static_cast<std::size_t>(blocks.block_of(view.contact_point(c)))] += blocks.count() / volume * moment_of(view.pairs(), c);
-  each_link(view.packing, [&](const auto& link) {
-    density[static_cast<std::size_t>(blocks.block_of(middle_of(view.packing, link)))] += blocks.count() / volume * moment_of(view.packing, link);
-  });
+  for (std::size_t c = 0; c < view.pairs().size(); ++c) density[blocks.block_of(view.contact_point(c))] += blocks.count() / volume * moment_of(view.pairs(), c);
+  each_link(view.packing,
+            [&](const auto& link) { density[blocks.block_of(middle_of(view.packing, link))] += blocks.count() / volume * moment_of(view.packing, link); });
   Tensor2 sum = internal_moment(view.pairs());
   sum += link_moment(view.packing);
   return {1 / volume * sum, block_error(density)};
@@ -63,8 +60,7 @@ TensorEstimate inner_stress(const View& view, const std::vector<Tensor2>& moment
   for (std::size_t g = 0; g < grains.size(); ++g) {
     const double r = grains.radius[g], disk = std::numbers::pi * r * r;
     for (int b = 0; b < blocks.count(); ++b)
-      if (const double area = covered_area(domain, grains.centre(g), r, blocks.block(b)); area > 0)
-        density[static_cast<std::size_t>(b)] += area / disk / volume * moments[g];
+      if (const double area = covered_area(domain, grains.centre(g), r, blocks.block(b)); area > 0) density[b] += area / disk / volume * moments[g];
   }
   Tensor2 mean;
   for (const Tensor2& d : density) mean += 1.0 / blocks.count() * d;
@@ -117,22 +113,21 @@ std::vector<Tensor2> grain_moments(const Packing& packing) {
   std::vector<Tensor2> moments(packing.grains.size());
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const Vec2 f = contacts.force_on_i(c);
-    moments[static_cast<std::size_t>(contacts.i[c])] += outer(f, contacts.lever_i(c));
-    if (!contacts.is_wall(c)) moments[static_cast<std::size_t>(contacts.j[c])] += outer(-f, contacts.lever_j(c));
+    moments[contacts.i[c]] += outer(f, contacts.lever_i(c));
+    if (!contacts.is_wall(c)) moments[contacts.j[c]] += outer(-f, contacts.lever_j(c));
   }
   each_link(packing, [&](const auto& link) {
-    const auto i = static_cast<std::size_t>(link.i), j = static_cast<std::size_t>(link.j);
-    const double ri = packing.grains.radius[i], rj = packing.grains.radius[j];
+    const double ri = packing.grains.radius[link.i], rj = packing.grains.radius[link.j];
     const Tensor2 moment = moment_of(packing, link);
-    moments[i] += ri / (ri + rj) * moment;
-    moments[j] += rj / (ri + rj) * moment;
+    moments[link.i] += ri / (ri + rj) * moment;
+    moments[link.j] += rj / (ri + rj) * moment;
   });
   return moments;
 }
 
 double mass_of(const Packing& packing, std::size_t g) {
   const double r = packing.grains.radius[g];
-  const double density = packing.materials.at(static_cast<std::size_t>(packing.grains.material[g])).density;
+  const double density = packing.materials.at(packing.grains.material[g]).density;
   return density * std::numbers::pi * r * r * packing.domain.thickness;
 }
 
@@ -141,7 +136,7 @@ Tensor2 wall_moment(const Packing& packing, Vec2 gravity) {
   const Grains& grains = packing.grains;
   Tensor2 sum;
   for (std::size_t c = 0; c < contacts.size(); ++c)
-    if (contacts.is_wall(c)) sum += outer(contacts.force_on_i(c), grains.centre(static_cast<std::size_t>(contacts.i[c])) + contacts.lever_i(c));
+    if (contacts.is_wall(c)) sum += outer(contacts.force_on_i(c), grains.centre(contacts.i[c]) + contacts.lever_i(c));
   if (gravity.x == 0 && gravity.y == 0) return sum;
   for (std::size_t g = 0; g < grains.size(); ++g) sum += mass_of(packing, g) * outer(gravity, grains.centre(g));
   return sum;

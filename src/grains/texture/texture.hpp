@@ -39,10 +39,9 @@ struct Options {
 };
 
 /// Where the statistics are taken: the box without the border, or all grains where there is no box.
-struct Window {
-  bool known = false;                                 ///< false: no box
-  double x_min = 0, x_max = 0, y_min = 0, y_max = 0;  ///< m
-  double border = 0;                                  ///< strip left out along walls, m
+struct Window : geometry::Rectangle {
+  bool known = false;  ///< false: no box
+  double border = 0;   ///< strip left out along walls, m
 };
 
 /// Solid fraction of windows of growing area and random place (T Fig. 3.6); all arrays have one length.

@@ -15,43 +15,11 @@ Window inner_window(const Domain& d, double border, bool has_box) {
   if (!has_box) return {};
   const double bx = d.periodic_x ? 0 : border, by = d.periodic_y ? 0 : border;
   const geometry::Rectangle box = box_of(d);
-  return {true, box.x_min + bx, box.x_max - bx, box.y_min + by, box.y_max - by, std::max(bx, by)};
-}
-
-/// Grains that carry nothing: those with fewer force-bearing contacts than asked, found by taking them away again and again, since a grain that leans
-/// on a rattler alone is one too.
-std::vector<std::uint8_t> find_rattlers(const Packing& packing, int least) {
-  const auto& contacts = packing.contacts;
-  const std::size_t n = packing.grains.size();
-  std::vector<std::vector<std::int32_t>> partners(n);
-  std::vector<int> bearing(n, 0);
-  for (std::size_t c = 0; c < contacts.size(); ++c) {
-    if (contacts.fn[c] == 0) continue;
-    const auto i = static_cast<std::size_t>(contacts.i[c]);
-    ++bearing[i];
-    if (contacts.is_wall(c)) continue;
-    const auto j = static_cast<std::size_t>(contacts.j[c]);
-    ++bearing[j];
-    partners[i].push_back(contacts.j[c]);
-    partners[j].push_back(contacts.i[c]);
-  }
-  std::vector<std::uint8_t> rattler(n, 0);
-  std::vector<std::size_t> open;
-  for (std::size_t g = 0; g < n; ++g)
-    if (bearing[g] < least) open.push_back(g);
-  while (!open.empty()) {
-    const std::size_t g = open.back();
-    open.pop_back();
-    if (rattler[g]) continue;
-    rattler[g] = 1;
-    for (const std::int32_t p : partners[g])
-      if (--bearing[static_cast<std::size_t>(p)] < least && !rattler[static_cast<std::size_t>(p)]) open.push_back(static_cast<std::size_t>(p));
-  }
-  return rattler;
+  return {{box.x_min + bx, box.x_max - bx, box.y_min + by, box.y_max - by}, true, std::max(bx, by)};
 }
 
 geometry::Rectangle bounds_of(const View& view) {
-  if (view.window.known) return {view.window.x_min, view.window.x_max, view.window.y_min, view.window.y_max};
+  if (view.window.known) return view.window;
   const Grains& g = view.packing.grains;
   if (g.size() == 0) return {};
   const auto [x0, x1] = std::minmax_element(g.x.begin(), g.x.end());
@@ -101,6 +69,34 @@ std::vector<Sorting> sortings(const View& view) {
 
 }  // namespace
 
+std::vector<std::uint8_t> loose_grains(const Packing& packing, int least, const std::function<bool(std::size_t)>& counts) {
+  const Contacts& contacts = packing.contacts;
+  const std::size_t n = packing.grains.size();
+  std::vector<std::vector<std::int32_t>> partners(n);
+  std::vector<int> bearing(n, 0);
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    if (!counts(c)) continue;
+    ++bearing[contacts.i[c]];
+    if (contacts.is_wall(c)) continue;
+    ++bearing[contacts.j[c]];
+    partners[contacts.i[c]].push_back(contacts.j[c]);
+    partners[contacts.j[c]].push_back(contacts.i[c]);
+  }
+  std::vector<std::uint8_t> loose(n, 0);
+  std::vector<std::size_t> open;
+  for (std::size_t g = 0; g < n; ++g)
+    if (bearing[g] < least) open.push_back(g);
+  while (!open.empty()) {
+    const std::size_t g = open.back();
+    open.pop_back();
+    if (loose[g]) continue;
+    loose[g] = 1;
+    for (const std::int32_t p : partners[g])
+      if (--bearing[p] < least && !loose[p]) open.push_back(p);
+  }
+  return loose;
+}
+
 geometry::Rectangle box_of(const Domain& d) { return {d.wall[left].position, d.wall[right].position, d.wall[bottom].position, d.wall[top].position}; }
 
 Items known(const Items& items, const std::vector<double>& values) {
@@ -149,16 +145,15 @@ View::View(const Packing& p, const Options& o) : packing(p), options(o) {
   }
   considered.assign(all.size(), 0);
   for (const std::size_t g : grains) considered[g] = 1;
-  rattler = find_rattlers(packing, options.rattler_contacts);
+  rattler = loose_grains(packing, options.rattler_contacts, [&](std::size_t c) { return pairs().fn[c] != 0; });
 
   blocks = {bounds_of(*this), blocks_per_side(grains.size())};
-  const bool cut = blocks.per_side > 1;  // a sample too small to be cut: every item is its own block
-  for (std::size_t g = 0; g < all.size(); ++g) grain_block.push_back(cut ? blocks.block_of(wrapped(domain, all.centre(g))) : static_cast<int>(g));
+  for (std::size_t g = 0; g < all.size(); ++g) grain_block.push_back(blocks.block_of(wrapped(domain, all.centre(g)), g));
   double sum = 0;
   std::size_t pushing = 0;
   for (std::size_t c = 0; c < pairs().size(); ++c) {
     const Vec2 point = contact_point(c);
-    contact_block.push_back(cut ? blocks.block_of(point) : static_cast<int>(c));
+    contact_block.push_back(blocks.block_of(point, c));
     if (pairs().is_wall(c) || !inside(point)) continue;
     contacts.push_back(c);
     if (pairs().fn[c] > 0) {
@@ -170,10 +165,7 @@ View::View(const Packing& p, const Options& o) : packing(p), options(o) {
   load_axis = options.load_axis.value_or(compression_axis(packing));
 }
 
-Vec2 View::contact_point(std::size_t c) const {
-  const Vec2 centre = packing.grains.centre(static_cast<std::size_t>(pairs().i[c]));
-  return wrapped(packing.domain, centre + pairs().lever_i(c));
-}
+Vec2 View::contact_point(std::size_t c) const { return wrapped(packing.domain, packing.grains.centre(pairs().i[c]) + pairs().lever_i(c)); }
 
 std::string View::material_name(int m) const {
   const auto index = static_cast<std::size_t>(m);
@@ -196,7 +188,7 @@ ByName<Items> contacts_by_type(const View& view) {
       for (std::size_t b = a; b < by.kinds.size(); ++b) {
         Items items;
         for (const std::size_t c : view.contacts) {
-          const int i = by.kind[static_cast<std::size_t>(view.pairs().i[c])], j = by.kind[static_cast<std::size_t>(view.pairs().j[c])];
+          const int i = by.kind[view.pairs().i[c]], j = by.kind[view.pairs().j[c]];
           if (std::min(i, j) == by.kinds[a] && std::max(i, j) == by.kinds[b]) items.push_back(c);
         }
         if (!items.empty()) sets.emplace_back(by.names[a] + "-" + by.names[b], std::move(items));

@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,8 @@ struct BlockGrid {
     };
     return along(p.y, bounds.y_min, bounds.height()) * per_side + along(p.x, bounds.x_min, bounds.width());
   }
+  /// That of an item there; where the rectangle is too small to be cut every item is its own.
+  int block_of(Vec2 p, std::size_t item) const { return per_side > 1 ? block_of(p) : static_cast<int>(item); }
   geometry::Rectangle block(int b) const {
     const double w = bounds.width() / per_side, h = bounds.height() / per_side;
     const int column = b % per_side, row = b / per_side;
@@ -77,6 +80,10 @@ ByName<Items> contacts_by_type(const View& view);
 
 /// Named sets of considered grains: "all", by material, by zone ("dry", "glued") where there are zones.
 ByName<Items> grains_by_type(const View& view);
+
+/// Grains that carry nothing, 1 each: those with fewer than `least` of the contacts that count, found by taking them away again and again, since a grain
+/// that leans on one of them alone is one too.
+std::vector<std::uint8_t> loose_grains(const Packing& packing, int least, const std::function<bool(std::size_t)>& counts);
 
 /// The items whose value is known, and the mean over these; NaN if there are none.
 Items known(const Items& items, const std::vector<double>& values);

@@ -47,16 +47,8 @@ bool move_bodies(Sample& sample, const SweepTask& task, const Team& team);
 /// Puts the disks of all bodies where these are, with their velocity.
 void place_parts(Sample& sample);
 
-/// Force on a body by its disks' contacts, N, and their torque about its centre, N m.
-struct BodyLoad {
-  Vec2 force;
-  double torque = 0;
-};
-BodyLoad load_on(const Sample& sample, const Body& body);
-
-/// Velocity now, without the affine motion; see motion_of.
-Motion motion_of(const Sample& sample, const Body& body);
-double kinetic_energy(const Sample& sample, const Body& body);
+/// On a mover by its contacts.
+Load load_on(const Sample& sample, std::size_t mover);
 
 /// From the centre of the grain of j, or the wall, to that of i, where `branch` joins the disks, m.
 Vec2 between_centres(const Sample& sample, std::size_t slot, Vec2 branch);
@@ -86,12 +78,7 @@ Vec2 partner_lever(const Sample& sample, std::size_t slot);
 /// Torque of a slot on j about the point that partner_lever leads to, N m.
 double own_torque_j(const Sample& sample, std::size_t slot);
 
-/// All that moves for itself, for the bounds of the step: disks of `record` (one of a body counts for nothing, with mass 1), then bodies.
-struct Mover {
-  double mass = 1, inertia = 1, size = 1;  ///< kg, kg m^2, m
-};
-std::vector<Mover> movers_of(const Sample& sample);
-/// Where the body of inner disk k, or the disk itself, stands among them.
+/// The mover that inner disk k is, or is a part of.
 std::size_t moving(const Sample& sample, std::int32_t k);
 
 /// Contacts in six directions around each of a body's disks, less those within it, or of polygons that meet each side with a side of their own, two at
@@ -104,8 +91,8 @@ Crowd crowd_around(const Sample& sample, const Body& body);
 /// The least mass that a contact of a body feels, its rotation included, kg.
 double lightest_mass(const Sample& sample, const Body& body);
 
-/// Place, angle and velocity of a body's grain; the affine motion is that of the cell now.
-void put_body(const Sample& sample, const Body& body, const AffineMotion& along_x, const AffineMotion& along_y, Grains& grains);
+/// Gives a grain this place, angle and motion.
+void put_grain(Grains& grains, std::size_t grain, Vec2 place, double angle, const Motion& motion);
 
 /// Where the arms begin of the contact that was added last, which is the slot's, perhaps with i and j swapped.
 void add_levers(const Sample& sample, std::size_t slot, bool swapped, Contacts& contacts);

@@ -17,14 +17,9 @@ Core core_of(const Sample& s, std::size_t body) {
 
 }  // namespace
 
-Vec2 image_shift(const Sample& s, int shift_x, int shift_y) { return {shift_x * s.domain.width() + shift_y * s.domain.tilt, shift_y * s.domain.height()}; }
+Vec2 corner_of(const Sample& s, std::size_t d) { return s.record[s.part_disk[d]].place - image_place(s, s.part[d].shift); }
 
-Vec2 corner_of(const Sample& s, std::size_t d) {
-  const DiskRecord& r = s.record[static_cast<std::size_t>(s.part_disk[d])];
-  return Vec2{r.x, r.y} - image_shift(s, s.part[d].shift_x, s.part[d].shift_y);
-}
-
-double rounding_of(const Sample& s, std::int32_t body) { return s.start.grains.radius[static_cast<std::size_t>(s.body[static_cast<std::size_t>(body)].first)]; }
+double rounding_of(const Sample& s, std::int32_t body) { return s.start.grains.radius[s.body[body].first]; }
 
 double largest_core(const Sample& s) {
   double reach = 0;
@@ -42,13 +37,12 @@ std::vector<Core> all_cores(const Sample& s, double reach) {
     const Core own = core_of(s, b);
     for (int iy = -up; iy <= up; ++iy)
       for (int ix = -across; ix <= across; ++ix) {
-        const Vec2 by = image_shift(s, ix, iy), at = own.middle + by;
+        const Vec2 by = image_place(s, {ix, iy}), at = own.middle + by;
         const bool near_x = !s.domain.periodic_x || (at.x > w[left].position - reach && at.x < w[right].position + reach);
         const bool near_y = !s.domain.periodic_y || (at.y > w[bottom].position - reach && at.y < w[top].position + reach);
         if (!near_x || !near_y) continue;
         Core& core = cores.emplace_back(own);
-        core.shift_x = ix;
-        core.shift_y = iy;
+        core.shift = {ix, iy};
         core.middle = at;
         for (Vec2& p : core.corner) p += by;
       }
@@ -57,8 +51,8 @@ std::vector<Core> all_cores(const Sample& s, double reach) {
 }
 
 void refuse_inside(const Sample& s, const std::string& what, const Core& core) {
-  const Body& b = s.body[static_cast<std::size_t>(core.body)];
-  const auto id = s.given.id[static_cast<std::size_t>(s.part[static_cast<std::size_t>(b.first)].grain)];
+  const Body& b = s.body[core.body];
+  const auto id = s.given.id[s.part[b.first].grain];
   const std::string where = what + " lies within polygon " + std::to_string(id);
   if (s.step == 0) throw InputError(where + " before the first step; place the grains farther apart");
   throw CannotGoOn(where + " at step " + std::to_string(s.step) + "; stiffer contacts, rounder corners or a gentler load are needed");

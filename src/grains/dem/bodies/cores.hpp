@@ -4,20 +4,19 @@
 #include <string>
 #include <vector>
 
+#include "geometry/rectangle.hpp"
 #include "grains/dem/sample.hpp"
 
 namespace arenite::dem {
 
 /// The core of a polygon, the convex polygon of its corners' centres, in one periodic image: where its corners are, m.
 struct Core {
-  std::int32_t body = 0, shift_x = 0, shift_y = 0;
+  std::int32_t body = 0;
+  Cells shift;
   Vec2 middle;
   double reach = 0;  ///< of its widened rim from the middle
   std::vector<Vec2> corner;
 };
-
-/// The way to the image some cells on, m.
-Vec2 image_shift(const Sample& sample, int shift_x, int shift_y);
 
 /// The corner where its body's own image is, from the record.
 Vec2 corner_of(const Sample& sample, std::size_t disk);
@@ -42,7 +41,7 @@ template <class Corner> Nearest nearest_on(std::size_t corners, Corner corner, V
   Vec2 from = corner(corners - 1);
   for (std::size_t k = 0; k < corners; ++k) {
     const Vec2 to = corner(k), along = to - from, way = place - from;
-    const Vec2 foot = from + std::clamp(dot(way, along) / dot(along, along), 0.0, 1.0) * along;
+    const Vec2 foot = geometry::nearest_on_segment(from, to, place);
     if (const double d = dot(place - foot, place - foot); d < least) least = d, found.place = foot;
     if (cross(along, way) <= 0) found.inside = false;
     from = to;

@@ -18,21 +18,45 @@ void find_cores(const Sample& s, const std::vector<Core>& cores, const geometry:
                 std::vector<std::int32_t>& near) {
   near.clear();
   const DiskRecord& d = s.record[k];
-  const Vec2 place{d.x, d.y};
-  const std::int32_t row = grid.row(d.y), column = grid.column(d.x), own = body_of(s, d.grain);
-  for (std::int32_t r = std::max(row - 1, 0); r <= std::min(row + 1, grid.rows - 1); ++r)
-    for (std::int32_t c = std::max(column - 1, 0); c <= std::min(column + 1, grid.columns - 1); ++c) {
-      const auto cell = static_cast<std::size_t>(r * grid.columns + c);
-      for (std::int32_t q = cells.first[cell]; q < cells.first[cell + 1]; ++q) {
-        const std::int32_t at = cells.item[static_cast<std::size_t>(q)];
-        const Core& core = cores[static_cast<std::size_t>(at)];
-        if (core.body == own || norm(place - core.middle) > core.reach + d.radius + s.skin) continue;
-        const Nearest found = nearest_on(core, place);
-        if (found.inside) refuse_inside(s, "grain " + std::to_string(s.given.id[static_cast<std::size_t>(grain_of(s, d.grain))]), core);
-        if (norm(place - found.place) < d.radius + rounding_of(s, core.body) + s.skin) near.push_back(at);
-      }
-    }
+  const std::int32_t own = body_of(s, d.grain);
+  cells.for_near(grid, d.place.x, d.place.y, [&](std::int32_t at) {
+    const Core& core = cores[at];
+    if (core.body == own || norm(d.place - core.middle) > core.reach + d.radius + s.skin) return;
+    const Nearest found = nearest_on(core, d.place);
+    if (found.inside) refuse_inside(s, "grain " + std::to_string(s.given.id[grain_of(s, d.grain)]), core);
+    if (norm(d.place - found.place) < d.radius + rounding_of(s, core.body) + s.skin) near.push_back(at);
+  });
   std::sort(near.begin(), near.end());
+}
+
+/// In which periodic cell a place lies, counted from the one of now.
+Cells cell_of(const Domain& domain, Vec2 place) {
+  Cells cell;
+  if (domain.periodic_x) cell.x = static_cast<std::int32_t>(std::floor((place.x - domain.wall[left].position) / domain.width()));
+  if (domain.periodic_y) cell.y = static_cast<std::int32_t>(std::floor((place.y - domain.wall[bottom].position) / domain.height()));
+  return cell;
+}
+
+/// The record of a foot where it is now; its polygon's place nearest to what it touches.
+void place_foot(const Sample& s, Foot& foot, DiskRecord& at) {
+  const Body& b = s.body[foot.body];
+  const std::int32_t source = s.part_disk[b.first];
+  const Vec2 place = is_boundary(foot.touches) ? touched_point(s, foot.touches) : s.record[foot.touches].place;
+  // That place as the polygon's own image sees it, from the centre of the polygon: what levers are counted from.
+  const Vec2 by = image_place(s, foot.shift), centre = corner_of(s, b.first) - s.lever[source];
+  const auto lever = [&](std::size_t n) { return s.lever[s.part_disk[b.first + n]]; };
+  foot.lever = nearest_on(static_cast<std::size_t>(b.count), lever, place - by - centre).place;
+  at = s.record[source];
+  at.place = centre + foot.lever + by;
+  // Along x before along y: the sums that results so far were made with.
+  at.velocity = b.seen.velocity + b.seen.omega * perpendicular(foot.lever) + image_velocity(s, {foot.shift.x, 0}) + image_velocity(s, {0, foot.shift.y});
+  at.omega = b.seen.omega;
+}
+
+/// Torques about the disks of a foot's polygon that take them, by the ways from there to the foot, where the slot's force acts.
+double shifted_torque_i(const Sample& s, std::size_t slot, const Foot& foot) { return cross(foot.lever - s.lever[s.list.i[slot]], s.list.force[slot].on_i); }
+double shifted_torque_j(const Sample& s, std::size_t slot, const Foot& foot) {
+  return cross(foot.lever - s.lever[s.list.owner[slot]], -s.list.force[slot].on_i);
 }
 
 }  // namespace
@@ -54,8 +78,8 @@ std::vector<Foot> find_feet(const Sample& s, const Team& team) {
       for (std::size_t k = block * disks_of_block; k < std::min(s.count, (block + 1) * disks_of_block); ++k) {
         find_cores(s, cores, grid, cells, k, near);
         for (const std::int32_t at : near) {
-          const Core& core = cores[static_cast<std::size_t>(at)];
-          blocks[block].push_back({static_cast<std::int32_t>(k), core.body, core.shift_x, core.shift_y, {}});
+          const Core& core = cores[at];
+          blocks[block].push_back({static_cast<std::int32_t>(k), core.body, core.shift, {}});
         }
       }
   });
@@ -64,21 +88,6 @@ std::vector<Foot> find_feet(const Sample& s, const Team& team) {
   return feet;
 }
 
-namespace {
-
-/// In which periodic cell a place lies, counted from the one of now.
-struct CellOf {
-  int x = 0, y = 0;
-};
-CellOf cell_of(const Domain& domain, Vec2 place) {
-  CellOf cell;
-  if (domain.periodic_x) cell.x = static_cast<int>(std::floor((place.x - domain.wall[left].position) / domain.width()));
-  if (domain.periodic_y) cell.y = static_cast<int>(std::floor((place.y - domain.wall[bottom].position) / domain.height()));
-  return cell;
-}
-
-}  // namespace
-
 std::vector<Foot> find_point_feet(const Sample& s) {
   std::vector<Foot> feet;
   const double largest = s.element.empty() ? 0 : largest_core(s);
@@ -86,52 +95,22 @@ std::vector<Foot> find_point_feet(const Sample& s) {
   const std::vector<Core> cores = all_cores(s, largest + s.skin);
   for (std::size_t e = 0; e < s.element.size(); ++e) {
     const Element& element = s.element[e];
-    const Boundary& boundary = s.domain.boundaries[static_cast<std::size_t>(element.boundary)];
+    const Boundary& boundary = s.domain.boundaries[element.boundary];
     if (element.segment || !boundary.present) continue;
     const auto point = static_cast<std::size_t>(element.point);
     if (point + 1 == boundary.points.size() && goes_through_sides(s.domain, boundary)) continue;
-    const CellOf cell = cell_of(s.domain, boundary.points[point]);
-    const Vec2 place = boundary.points[point] - image_shift(s, cell.x, cell.y);
+    const Cells cell = cell_of(s.domain, boundary.points[point]);
+    const Vec2 place = boundary.points[point] - image_place(s, cell);
     for (const Core& core : cores) {
       if (norm(place - core.middle) > core.reach + s.skin) continue;
       const Nearest found = nearest_on(core, place);
       if (found.inside) refuse_inside(s, "a point of the boundary \"" + boundary.name + "\"", core);
       if (norm(place - found.place) < rounding_of(s, core.body) + s.skin && juts_out(s.domain, boundary, point, boundary.points[point] + (found.place - place)))
-        feet.push_back({boundary_partner(static_cast<int>(e)), core.body, core.shift_x + cell.x, core.shift_y + cell.y, {}});
+        feet.push_back({boundary_partner(static_cast<int>(e)), core.body, {core.shift.x + cell.x, core.shift.y + cell.y}, {}});
     }
   }
   return feet;
 }
-
-namespace {
-
-/// The record of a foot where it is now; its polygon's place nearest to what it touches.
-void place_foot(const Sample& s, Foot& foot, DiskRecord& at) {
-  const double stretch_x = s.domain.periodic_x ? s.domain.wall[right].velocity - s.domain.wall[left].velocity : 0;
-  const double stretch_y = s.domain.periodic_y ? s.domain.wall[top].velocity - s.domain.wall[bottom].velocity : 0;
-  const Body& b = s.body[static_cast<std::size_t>(foot.body)];
-  const auto source = static_cast<std::size_t>(s.part_disk[static_cast<std::size_t>(b.first)]);
-  Vec2 place;
-  if (is_boundary(foot.touches)) {
-    place = touched_point(s, foot.touches);
-  } else {
-    const DiskRecord& d = s.record[static_cast<std::size_t>(foot.touches)];
-    place = {d.x, d.y};
-  }
-  // That place as the polygon's own image sees it, from the centre of the polygon: what levers are counted from.
-  const Vec2 by = image_shift(s, foot.shift_x, foot.shift_y), centre = corner_of(s, static_cast<std::size_t>(b.first)) - s.lever[source];
-  const auto lever = [&](std::size_t n) { return s.lever[static_cast<std::size_t>(s.part_disk[static_cast<std::size_t>(b.first) + n])]; };
-  foot.lever = nearest_on(static_cast<std::size_t>(b.count), lever, place - by - centre).place;
-  at = s.record[source];
-  at.x = centre.x + foot.lever.x + by.x;
-  at.y = centre.y + foot.lever.y + by.y;
-  at.vx = b.seen_x - b.seen_omega * foot.lever.y + foot.shift_x * stretch_x +
-          foot.shift_y * (s.domain.tilt * stretch_x / s.domain.width() + s.shear_rate * s.domain.height());
-  at.vy = b.seen_y + b.seen_omega * foot.lever.x + foot.shift_y * stretch_y;
-  at.omega = b.seen_omega;
-}
-
-}  // namespace
 
 void refresh_feet(Sample& s) {
   const std::size_t behind = s.count + s.ghost.size(), first = behind - s.foot.size();
@@ -143,27 +122,10 @@ const Foot* foot_of(const Sample& s, std::size_t slot) {
   if (s.foot.empty() || slot >= s.list.pairs) return nullptr;
   const auto first = static_cast<std::int32_t>(s.count + s.ghost.size() - s.foot.size());
   const std::int32_t j = s.list.j[slot];
-  return j >= first ? &s.foot[static_cast<std::size_t>(j - first)] : nullptr;
+  return j >= first ? &s.foot[j - first] : nullptr;
 }
 
 const Foot* point_foot_of(const Sample& s, std::size_t slot) { return slot < s.list.polygons ? nullptr : &s.point_foot[slot - s.list.polygons]; }
-
-namespace {
-
-/// Torque about a disk of a foot's polygon by the way from that disk to the foot, where a force acts.
-double shifted_torque(const Sample& s, std::int32_t disk, const Foot& foot, Vec2 force) {
-  return cross(foot.lever - s.lever[static_cast<std::size_t>(disk)], force);
-}
-double shifted_torque_i(const Sample& s, std::size_t slot, const Foot& foot) {
-  const SlotForce& f = s.list.force[slot];
-  return shifted_torque(s, s.list.i[slot], foot, {f.fx, f.fy});
-}
-double shifted_torque_j(const Sample& s, std::size_t slot, const Foot& foot) {
-  const SlotForce& f = s.list.force[slot];
-  return shifted_torque(s, s.list.owner[slot], foot, {-f.fx, -f.fy});
-}
-
-}  // namespace
 
 void take_torques_to_owners(Sample& s, const Team& team) {
   const std::size_t feet = s.foot.size(), first = s.list.pairs - feet;
@@ -178,7 +140,7 @@ void take_torques_to_owners(Sample& s, const Team& team) {
 
 Vec2 own_lever(const Sample& s, std::size_t slot) {
   const Foot* foot = point_foot_of(s, slot);
-  return foot ? foot->lever : lever_of(s, static_cast<std::size_t>(s.list.i[slot]));
+  return foot ? foot->lever : lever_of(s, s.list.i[slot]);
 }
 
 double own_torque_i(const Sample& s, std::size_t slot) {
@@ -189,7 +151,7 @@ double own_torque_i(const Sample& s, std::size_t slot) {
 Vec2 partner_lever(const Sample& s, std::size_t slot) {
   if (s.part.empty() || s.list.j[slot] < 0) return {};
   const Foot* foot = foot_of(s, slot);
-  return foot ? foot->lever : s.lever[static_cast<std::size_t>(s.list.owner[slot])];
+  return foot ? foot->lever : s.lever[s.list.owner[slot]];
 }
 
 double own_torque_j(const Sample& s, std::size_t slot) {
@@ -201,9 +163,9 @@ int rows_between(const Sample& s, std::size_t slot) {
   const std::int32_t j = s.list.j[slot], n = static_cast<std::int32_t>(s.count);
   if (j < 0) return 0;
   const Foot* foot = foot_of(s, slot);
-  int rows = foot ? foot->shift_y : j >= n ? s.ghost[static_cast<std::size_t>(j - n)].shift_y : 0;
+  int rows = foot ? foot->shift.y : j >= n ? s.ghost[j - n].shift.y : 0;
   if (s.part.empty()) return rows;
-  const auto shift = [&](std::int32_t k) { return s.part[static_cast<std::size_t>(s.record[static_cast<std::size_t>(k)].grain)].shift_y; };
+  const auto shift = [&](std::int32_t k) { return s.part[s.record[k].grain].shift.y; };
   if (!foot) rows += shift(s.list.owner[slot]);
   return rows - shift(s.list.i[slot]);
 }

@@ -9,8 +9,8 @@ namespace arenite::dem {
 namespace {
 
 bool is_disk(const Shapes& shapes, std::size_t g) {
-  const auto d = static_cast<std::size_t>(shapes.first[g]);
-  return shapes.first[g + 1] - shapes.first[g] == 1 && shapes.x[d] == 0 && shapes.y[d] == 0;
+  const std::int32_t d = shapes.first[g];
+  return shapes.first[g + 1] - d == 1 && shapes.x[d] == 0 && shapes.y[d] == 0;
 }
 
 /// Corners of a filled shape turn counter-clockwise and have one radius.
@@ -22,6 +22,22 @@ bool is_convex(const Shape& shape) {
     sound = cross(next - here, after - next) > 0 && shape.radius[k] == shape.radius[0];
   }
   return sound;
+}
+
+double radius_of(const Sample& s, std::int32_t d) { return s.start.grains.radius[d]; }
+
+/// Whether a point, from the body's centre at angle 0, lies within a disk of it other than `own`.
+bool is_within(const Sample& s, const Body& b, std::int32_t own, Vec2 point) {
+  for (std::int32_t d = b.first; d < b.first + b.count; ++d)
+    if (d != own && norm(point - s.part[d].place) < (1 - 1e-9) * radius_of(s, d)) return true;
+  return false;
+}
+
+void add_contact(Crowd& crowd, Vec2 centre, double radius, Vec2 n) {
+  const double normal = cross(centre, n), tangential = dot(centre, n) + radius;
+  crowd.contacts += 1;
+  crowd.normal_levers += normal * normal;
+  crowd.tangential_levers += tangential * tangential;
 }
 
 }  // namespace
@@ -61,18 +77,13 @@ Packing disks_of(const Packing& from) {
   disks.resize(shapes.x.size());
   for (std::size_t k = 0; k < g.size(); ++k) {
     const Vec2 by = direction(g.angle[k]);
-    for (auto d = static_cast<std::size_t>(shapes.first[k]); d < static_cast<std::size_t>(shapes.first[k + 1]); ++d) {
-      const Vec2 arm = turned({shapes.x[d], shapes.y[d]}, by), v = g.omega[k] * perpendicular(arm);
+    for (std::int32_t d = shapes.first[k]; d < shapes.first[k + 1]; ++d) {
+      const Vec2 arm = turned({shapes.x[d], shapes.y[d]}, by);
       disks.id[d] = g.id[k];
-      disks.x[d] = g.x[k] + arm.x;
-      disks.y[d] = g.y[k] + arm.y;
       disks.radius[d] = shapes.radius[d];
       disks.material[d] = g.material[k];
-      disks.angle[d] = g.angle[k];
-      disks.vx[d] = g.vx[k] + v.x;
-      disks.vy[d] = g.vy[k] + v.y;
-      disks.omega[d] = g.omega[k];
       disks.zone[d] = g.zone[k];
+      put_grain(disks, d, g.centre(k) + arm, g.angle[k], {g.velocity(k) + g.omega[k] * perpendicular(arm), g.omega[k]});
     }
   }
   return packing;
@@ -83,12 +94,11 @@ void make_bodies(Sample& s, const Grains& given) {
   if (shapes.empty()) return;
   s.given = given;
   s.part.resize(shapes.x.size());
-  const AffineMotion mx = affine_x(s.domain), my = affine_y(s.domain);
+  const CellMotion cell = cell_motion(s.domain);
   for (std::size_t g = 0; g < given.size(); ++g) {
     const bool single = is_disk(shapes, g);
     const auto body = single ? -1 : static_cast<std::int32_t>(s.body.size());
-    for (auto d = static_cast<std::size_t>(shapes.first[g]); d < static_cast<std::size_t>(shapes.first[g + 1]); ++d)
-      s.part[d] = {static_cast<std::int32_t>(g), body, shapes.x[d], shapes.y[d]};
+    for (std::int32_t d = shapes.first[g]; d < shapes.first[g + 1]; ++d) s.part[d] = {static_cast<std::int32_t>(g), body, {shapes.x[d], shapes.y[d]}, {}};
     if (single) continue;
     Body& b = s.body.emplace_back();
     b.first = shapes.first[g];
@@ -96,14 +106,10 @@ void make_bodies(Sample& s, const Grains& given) {
     b.filled = shapes.filled[g];
     b.gyration = shapes.gyration[g];
     b.mass = own_mass_of(s, b);
-    b.x = given.x[g];
-    b.y = given.y[g];
+    b.place = given.centre(g);
     b.angle = given.angle[g];
-    b.seen_x = given.vx[g];
-    b.seen_y = given.vy[g];
-    b.vx = b.seen_x - mx.at(b.x);
-    b.vy = b.seen_y - my.at(b.y);
-    b.omega = b.seen_omega = s.integration.rotations ? given.omega[g] : 0.0;
+    b.seen = {given.velocity(g), s.integration.rotations ? given.omega[g] : 0.0};
+    b.own = {b.seen.velocity - cell.at(b.place), b.seen.omega};
   }
   s.part_disk.resize(s.part.size());
   for (std::size_t d = 0; d < s.part.size(); ++d) s.part_disk[d] = static_cast<std::int32_t>(d);
@@ -118,18 +124,18 @@ double skin_of_bodies(const Sample& s) {
 
 double cell_for_bodies(const Sample& s) {
   double reach = 0;
-  for (std::size_t d = 0; d < s.part.size(); ++d) reach = std::max(reach, norm(Vec2{s.part[d].x, s.part[d].y}) + s.start.grains.radius[d]);
+  for (std::size_t d = 0; d < s.part.size(); ++d) reach = std::max(reach, norm(s.part[d].place) + s.start.grains.radius[d]);
   return 4 * reach + 2 * s.skin;
 }
 
 double own_mass_of(const Sample& s, const Body& b) {
-  const auto g = static_cast<std::size_t>(s.part[static_cast<std::size_t>(b.first)].grain);
+  const auto g = static_cast<std::size_t>(s.part[b.first].grain);
   const double r = s.given.radius[g];
-  return s.start.materials[static_cast<std::size_t>(s.given.material[g])].density * std::numbers::pi * r * r * s.domain.thickness;
+  return s.start.materials[s.given.material[g]].density * std::numbers::pi * r * r * s.domain.thickness;
 }
 
 void take_masses(Sample& s) {
-  for (Body& b : s.body) b.mass = s.record[static_cast<std::size_t>(s.part_disk[static_cast<std::size_t>(b.first)])].mass;
+  for (Body& b : s.body) b.mass = s.record[s.part_disk[b.first]].mass;
 }
 
 bool has_single_disks(const Sample& s) {
@@ -141,9 +147,37 @@ bool has_single_disks(const Sample& s) {
 bool is_of_slot(const Sample& s, const Contacts& c, std::size_t q, std::size_t slot) {
   if (s.part.empty() || c.off_i_x.empty()) return true;
   Vec2 i = own_lever(s, slot), j = partner_lever(s, slot);
-  if (s.list.j[slot] >= 0 && grain_of(s, s.record[static_cast<std::size_t>(s.list.i[slot])].grain) != c.i[q]) std::swap(i, j);
-  const double near = 1e-6 * s.given.radius[static_cast<std::size_t>(c.i[q])];
+  if (s.list.j[slot] >= 0 && grain_of(s, s.record[s.list.i[slot]].grain) != c.i[q]) std::swap(i, j);
+  const double near = 1e-6 * s.given.radius[c.i[q]];
   return norm(i - Vec2{c.off_i_x[q], c.off_i_y[q]}) <= near && norm(j - Vec2{c.off_j_x[q], c.off_j_y[q]}) <= near;
+}
+
+std::size_t moving(const Sample& s, std::int32_t k) {
+  const std::int32_t body = body_of(s, s.record[k].grain);
+  return body < 0 ? static_cast<std::size_t>(k) : s.count + static_cast<std::size_t>(body);
+}
+
+Crowd crowd_around(const Sample& s, const Body& b) {
+  constexpr int directions = 6;
+  Crowd crowd;
+  for (std::int32_t k = 0; k < b.count; ++k) {
+    const std::int32_t d = b.first + k, next = b.first + (k + 1) % b.count;
+    const Vec2 here = s.part[d].place, there = s.part[next].place;
+    for (int q = 0; q < directions && !b.filled; ++q)
+      if (const Vec2 n = direction(2 * std::numbers::pi * (q + 0.5) / directions); !is_within(s, b, d, here + radius_of(s, d) * n))
+        add_contact(crowd, here, radius_of(s, d), n);
+    if (!b.filled) continue;
+    const Vec2 n = -perpendicular(there - here) / norm(there - here);
+    for (const Vec2& end : {here, there})
+      for (int times = 0; times < 2; ++times) add_contact(crowd, end, radius_of(s, d), n);
+  }
+  return crowd;
+}
+
+double lightest_mass(const Sample& s, const Body& b) {
+  double lever = 0;
+  for (std::int32_t d = b.first; d < b.first + b.count; ++d) lever = std::max(lever, norm(s.part[d].place));
+  return s.integration.rotations ? 1 / (1 / b.mass + lever * lever / b.inertia()) : b.mass;
 }
 
 }  // namespace arenite::dem

@@ -16,6 +16,16 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 bool is_finite(Vec2 v) { return std::isfinite(v.x) && std::isfinite(v.y); }
 
+/// Whether two elements follow each other along one boundary, perhaps with a third between them that was skipped within a step.
+bool follow(const Sample& s, std::int32_t j, std::int32_t k) {
+  const Boundary& boundary = boundary_of(s, j);
+  if (boundary_index(s, k) != boundary_index(s, j)) return false;
+  const bool through = goes_through_sides(s.domain, boundary);
+  const auto round = static_cast<std::int32_t>(2 * (boundary.points.size() - (through ? 1 : 0)));
+  const std::int32_t apart = std::abs(j - k);
+  return (boundary.closed || through ? std::min(apart, round - apart) : apart) <= 2;
+}
+
 }  // namespace
 
 std::vector<Element> elements_of(const Domain& domain) {
@@ -106,20 +116,6 @@ double fastest_point(const Domain& domain) {
   return fastest;
 }
 
-namespace {
-
-/// Whether two elements follow each other along one boundary, perhaps with a third between them that was skipped within a step.
-bool follow(const Sample& s, std::int32_t j, std::int32_t k) {
-  const Boundary& boundary = boundary_of(s, j);
-  if (boundary_index(s, k) != boundary_index(s, j)) return false;
-  const bool through = goes_through_sides(s.domain, boundary);
-  const auto round = static_cast<std::int32_t>(2 * (boundary.points.size() - (through ? 1 : 0)));
-  const std::int32_t apart = std::abs(j - k);
-  return (boundary.closed || through ? std::min(apart, round - apart) : apart) <= 2;
-}
-
-}  // namespace
-
 void hand_over_memories(Sample& s) {
   ContactList& list = s.list;
   if (s.element.empty()) return;
@@ -153,7 +149,7 @@ void check_crossings(const Sample& s) {
   for (std::size_t p = s.list.pairs; p < s.list.polygons; ++p) {
     if (!is_boundary(s.list.j[p]) || !has_crossed(s, p)) continue;
     const Boundary& now = boundary_of(s, s.list.j[p]);
-    const auto id = s.start.grains.id[static_cast<std::size_t>(s.record[static_cast<std::size_t>(s.list.i[p])].grain)];
+    const auto id = s.start.grains.id[s.record[s.list.i[p]].grain];
     throw CannotGoOn(
         fmt::format("grain {} has gone through the boundary \"{}\" at step {}; a smaller time step or a gentler load is needed", id, now.name, s.step));
   }
@@ -170,28 +166,23 @@ void sum_boundary_forces(Sample& s) {
     const SlotForce& f = list.force[p];
     if (!is_boundary(list.j[p]) || !acts(f)) continue;
     Boundary& boundary = s.domain.boundaries[boundary_index(s, list.j[p])];
-    const Vec2 force{f.fx, f.fy}, place = touched_place(s, p, slot_kinematics(s, p));
-    boundary.force -= force;
-    boundary.torque += f.torque_j - cross(place - boundary.centre, force);
+    boundary.force -= f.on_i;
+    boundary.torque += f.torque_j - cross(touched_place(s, p, slot_kinematics(s, p)) - boundary.centre, f.on_i);
   }
 }
 
 void check_still_cell(const Sample& s, const WallDrives& drives, bool sheared) {
   if (s.boundary.empty()) return;
-  for (int side = 0; side < 4; ++side) {
-    const bool periodic = side < bottom ? s.domain.periodic_x : s.domain.periodic_y;
-    if (periodic && drives[static_cast<std::size_t>(side)].kind != WallDrive::Kind::fixed)
+  for (int side = 0; side < 4; ++side)
+    if (s.domain.periodic(side) && drives[side].kind != WallDrive::Kind::fixed)
       throw InputError(
           fmt::format("the {} side is periodic and cannot move, for boundaries would not fit the cell any more; leave it fixed", side_names[side]));
-  }
   if (sheared) throw InputError("a periodic cell with boundaries cannot be sheared; move the boundaries, or a wall");
 }
 
 void apply_open(Sample& s) {
-  for (std::size_t side = 0; side < 4; ++side) {
-    const bool periodic = side < bottom ? s.domain.periodic_x : s.domain.periodic_y;
-    s.domain.wall[side].present = s.listed_domain.wall[side].present = s.start.domain.wall[side].present && !periodic && !s.wall[side].open;
-  }
+  for (int side = 0; side < 4; ++side)
+    s.domain.wall[side].present = s.listed_domain.wall[side].present = s.start.domain.wall[side].present && !s.domain.periodic(side) && !s.wall[side].open;
 }
 
 }  // namespace arenite::dem

@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "core/problems.hpp"
+#include "geometry/rectangle.hpp"
 #include "grains/dem/sample.hpp"
 
 // Boundaries of straight segments that move as they are told. A contact with one is a slot like a wall's, joined with an element: a point or a segment.
@@ -28,11 +29,8 @@ class NearElements {
   void find(const DiskRecord& disk, std::vector<std::int32_t>& near) const;
 
  private:
-  struct Box {
-    Vec2 low, high;
-  };
   const Sample& sample_;
-  std::vector<Box> box_;  ///< around each boundary
+  std::vector<geometry::Rectangle> box_;  ///< around each boundary
 };
 
 /// Moves and turns the boundaries by a time, s.
@@ -78,7 +76,7 @@ void check_still_cell(const Sample& sample, const WallDrives& drives, bool shear
 void apply_open(Sample& sample);
 
 /// The boundary of a partner that is an element of one.
-inline const Element& touched_element(const Sample& s, std::int32_t j) { return s.element[static_cast<std::size_t>(element_of(j))]; }
+inline const Element& touched_element(const Sample& s, std::int32_t j) { return s.element[element_of(j)]; }
 inline std::size_t boundary_index(const Sample& s, std::int32_t j) { return static_cast<std::size_t>(touched_element(s, j).boundary); }
 inline const Boundary& boundary_of(const Sample& s, std::int32_t j) { return s.domain.boundaries[boundary_index(s, j)]; }
 

@@ -17,8 +17,7 @@ Ends segment_at(const Boundary& boundary, std::size_t point) { return {boundary.
 Vec2 nearest_of(const Boundary& boundary, const Element& element, Vec2 place) {
   const auto [a, b] = segment_at(boundary, static_cast<std::size_t>(element.point));
   if (!element.segment) return a;
-  const Vec2 along = b - a;
-  return a + std::clamp(dot(place - a, along) / dot(along, along), 0.0, 1.0) * along;
+  return geometry::nearest_on_segment(a, b, place);
 }
 
 /// A place as the image of an element that is nearest to it sees it; itself where nothing is periodic.
@@ -61,6 +60,23 @@ bool is_beyond(const Domain& domain, const Boundary& boundary, std::size_t point
   return ways.out == Vec2{} || dot(way, ways.out) <= 0;
 }
 
+/// What follows of a disk that lies against a place of a boundary; `along` is a direction in it.
+void lean_on_boundary(Kinematics& c, const Sample& s, const DiskRecord& d, const Boundary& boundary, Vec2 place, Vec2 along) {
+  const double distance = norm(c.branch);
+  c.overlap = d.radius - distance;
+  if (!(c.overlap > 0)) return;
+  c.normal = distance > 0 ? c.branch / distance : perpendicular(along) / norm(along);
+  lean_on(c, d, distance, d.velocity - boundary.velocity - boundary.spin * perpendicular(place - boundary.centre), s.contact.arms);
+}
+
+/// On which side of a segment a place is, +1 or -1; 0 where it lies beyond an end.
+int side_of(const Ends& segment, Vec2 place) {
+  const Vec2 along = segment.to - segment.from, way = place - segment.from;
+  const double share = dot(way, along);
+  if (!(share > 0 && share < dot(along, along))) return 0;
+  return cross(along, way) > 0 ? 1 : -1;
+}
+
 }  // namespace
 
 bool goes_through_sides(const Domain& domain, const Boundary& boundary) {
@@ -82,57 +98,36 @@ bool juts_out(const Domain& domain, const Boundary& boundary, std::size_t point,
 }
 
 NearElements::NearElements(const Sample& sample) : sample_(sample) {
-  for (const Boundary& boundary : sample.domain.boundaries) {
-    Box box{boundary.points.front(), boundary.points.front()};
-    for (const Vec2& p : boundary.points) {
-      box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
-      box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
-    }
-    box_.push_back(box);
-  }
+  for (const Boundary& boundary : sample.domain.boundaries) box_.push_back(geometry::bounds(boundary.points));
 }
 
 void NearElements::find(const DiskRecord& d, std::vector<std::int32_t>& near) const {
   near.clear();
   const Domain& domain = sample_.domain;
   const double reach = d.radius + sample_.skin;
-  const Vec2 place{d.x, d.y};
   std::size_t first = 0;
   for (std::size_t b = 0; b < box_.size(); ++b) {
     const Boundary& boundary = domain.boundaries[b];
-    const Box& box = box_[b];
+    const geometry::Rectangle& box = box_[b];
     const std::size_t end = first + 2 * boundary.points.size();
-    const bool far_x = !domain.periodic_x && (d.x < box.low.x - reach || d.x > box.high.x + reach);
-    const bool far_y = !domain.periodic_y && (d.y < box.low.y - reach || d.y > box.high.y + reach);
+    const bool far_x = !domain.periodic_x && (d.place.x < box.x_min - reach || d.place.x > box.x_max + reach);
+    const bool far_y = !domain.periodic_y && (d.place.y < box.y_min - reach || d.place.y > box.y_max + reach);
     // An open boundary has no segment behind its last point, which is the first one's image where the boundary goes through the sides.
     const std::size_t last = end - (boundary.closed ? 0 : goes_through_sides(domain, boundary) ? 2 : 1);
     for (std::size_t e = first; boundary.present && !far_x && !far_y && e < last; ++e) {
-      const Vec2 seen = seen_from(domain, boundary, sample_.element[e], place), way = seen - nearest_of(boundary, sample_.element[e], seen);
+      const Vec2 seen = seen_from(domain, boundary, sample_.element[e], d.place), way = seen - nearest_of(boundary, sample_.element[e], seen);
       if (dot(way, way) < reach * reach) near.push_back(static_cast<std::int32_t>(e));
     }
     first = end;
   }
 }
 
-namespace {
-
-/// What follows of a disk that lies against a place of a boundary; `along` is a direction in it.
-void lean_on_boundary(Kinematics& c, const Sample& s, const DiskRecord& d, const Boundary& boundary, Vec2 place, Vec2 along) {
-  const double distance = norm(c.branch);
-  c.overlap = d.radius - distance;
-  if (!(c.overlap > 0)) return;
-  c.normal = distance > 0 ? c.branch / distance : perpendicular(along) / norm(along);
-  lean_on(c, d, distance, Vec2{d.vx, d.vy} - boundary.velocity - boundary.spin * perpendicular(place - boundary.centre), s.contact.arms);
-}
-
-}  // namespace
-
 Kinematics element_kinematics(const Sample& s, const DiskRecord& d, std::int32_t number) {
   Kinematics c;
-  const Element& element = s.element[static_cast<std::size_t>(number)];
-  const Boundary& boundary = s.domain.boundaries[static_cast<std::size_t>(element.boundary)];
+  const Element& element = s.element[number];
+  const Boundary& boundary = s.domain.boundaries[element.boundary];
   const auto point = static_cast<std::size_t>(element.point);
-  const Vec2 place = seen_from(s.domain, boundary, element, {d.x, d.y});
+  const Vec2 place = seen_from(s.domain, boundary, element, d.place);
   const auto [a, b] = segment_at(boundary, point);
   const Vec2 along = b - a;
   Vec2 foot = a;
@@ -150,35 +145,22 @@ Kinematics element_kinematics(const Sample& s, const DiskRecord& d, std::int32_t
 
 Kinematics point_kinematics(const Sample& s, const DiskRecord& foot, std::int32_t number) {
   Kinematics c;
-  const Element& element = s.element[static_cast<std::size_t>(number)];
-  const Boundary& boundary = s.domain.boundaries[static_cast<std::size_t>(element.boundary)];
+  const Element& element = s.element[number];
+  const Boundary& boundary = s.domain.boundaries[element.boundary];
   const auto [here, next] = segment_at(boundary, static_cast<std::size_t>(element.point));
-  c.branch = seen_from(s.domain, boundary, element, {foot.x, foot.y}) - here;
+  c.branch = seen_from(s.domain, boundary, element, foot.place) - here;
   lean_on_boundary(c, s, foot, boundary, here, next - here);
   return c;
 }
 
 Vec2 touched_point(const Sample& s, std::int32_t partner) {
   const Element& element = touched_element(s, partner);
-  return s.domain.boundaries[static_cast<std::size_t>(element.boundary)].points[static_cast<std::size_t>(element.point)];
+  return s.domain.boundaries[element.boundary].points[element.point];
 }
 
 Vec2 touched_place(const Sample& s, std::size_t slot, const Kinematics& c) {
-  const DiskRecord& d = touching_disk(s, slot);
-  return seen_from(s.domain, boundary_of(s, s.list.j[slot]), touched_element(s, s.list.j[slot]), {d.x, d.y}) - c.branch;
+  return seen_from(s.domain, boundary_of(s, s.list.j[slot]), touched_element(s, s.list.j[slot]), touching_disk(s, slot).place) - c.branch;
 }
-
-namespace {
-
-/// On which side of a segment a place is, +1 or -1; 0 where it lies beyond an end.
-int side_of(const Ends& segment, Vec2 place) {
-  const Vec2 along = segment.to - segment.from, way = place - segment.from;
-  const double share = dot(way, along);
-  if (!(share > 0 && share < dot(along, along))) return 0;
-  return cross(along, way) > 0 ? 1 : -1;
-}
-
-}  // namespace
 
 bool has_crossed(const Sample& s, std::size_t slot) {
   const Element& element = touched_element(s, s.list.j[slot]);
@@ -186,7 +168,7 @@ bool has_crossed(const Sample& s, std::size_t slot) {
   const Boundary &now = s.domain.boundaries[b], &then = s.listed_domain.boundaries[b];
   if (!element.segment || !now.present) return false;
   const Vec2 listed{s.listed_x[k], s.listed_y[k]}, before = seen_from(s.domain, then, element, listed);
-  const Vec2 place = before + (Vec2{s.record[k].x, s.record[k].y} - listed);
+  const Vec2 place = before + (s.record[k].place - listed);
   return side_of(segment_at(then, point), before) * side_of(segment_at(now, point), place) < 0;
 }
 

@@ -31,17 +31,12 @@ namespace {
 
 std::size_t grains_beyond(const Sample& s, int side) {
   std::size_t count = 0;
-  const double plane = s.domain.wall[static_cast<std::size_t>(side)].position;
-  for (std::size_t k = 0; k < s.count; ++k) {
-    const double place = side < bottom ? s.record[k].x : s.record[k].y;
-    count += side % 2 == 0 ? place < plane : place > plane;
-  }
+  for (std::size_t k = 0; k < s.count; ++k) count += s.domain.depth(side, s.record[k].place) < 0;
   return count;
 }
 
 void check_opening(const Sample& s, int side, bool open) {
-  const bool periodic = side < bottom ? s.domain.periodic_x : s.domain.periodic_y;
-  if (open && periodic) throw InputError(fmt::format("the {} side is periodic and has no wall that could be open", side_names[side]));
+  if (open && s.domain.periodic(side)) throw InputError(fmt::format("the {} side is periodic and has no wall that could be open", side_names[side]));
   if (const std::size_t beyond = grains_beyond(s, side); !open && beyond > 0)
     throw InputError(fmt::format("the {} wall cannot come back, for {} grains lie beyond it; leave that side open", side_names[side], beyond));
 }
@@ -53,11 +48,9 @@ void hold_nearest(Sample& s) {
     const DiskRecord& d = s.record[k];
     const HeldGrain* before = find_held(s, d.grain);
     for (int side = 0; side < 4; ++side) {
-      const WallBody& body = s.wall[static_cast<std::size_t>(side)];
-      const double plane = s.domain.wall[static_cast<std::size_t>(side)].position;
-      const double distance = inward_sign(static_cast<std::size_t>(side)) * ((side < bottom ? d.x : d.y) - plane);
-      if (!body.rough || (before ? before->side != side : distance > 1.5 * d.radius)) continue;
-      held.push_back(side < bottom ? HeldGrain{d.grain, side, d.x - plane, d.y - body.slid} : HeldGrain{d.grain, side, d.x - body.slid, d.y - plane});
+      const double plane = s.domain.wall[side].position, slid = s.wall[side].slid;
+      if (!s.wall[side].rough || (before ? before->side != side : s.domain.depth(side, d.place) > 1.5 * d.radius)) continue;
+      held.push_back({d.grain, side, d.place - (side < bottom ? Vec2{plane, slid} : Vec2{slid, plane})});
       break;
     }
   }
@@ -71,9 +64,7 @@ void hold_nearest(Sample& s) {
 
 void Engine::set_rough(const std::array<bool, 4>& rough) {
   Sample& s = machine_->sample;
-  bool changed = false;
-  for (std::size_t side = 0; side < 4; ++side) changed |= rough[side] != s.wall[side].rough;
-  if (!changed) return;
+  if (std::ranges::equal(rough, s.wall, {}, {}, &WallBody::rough)) return;
   if (!s.part.empty()) throw InputError("rough walls hold disks only; take smooth walls with friction for clumps and polygons");
   synchronise(s);
   for (std::size_t side = 0; side < 4; ++side) s.wall[side].rough = rough[side] && s.domain.wall[side].present;
@@ -83,14 +74,9 @@ void Engine::set_rough(const std::array<bool, 4>& rough) {
 
 void Engine::set_open(const std::array<bool, 4>& open) {
   Sample& s = machine_->sample;
-  bool changed = false;
-  for (int side = 0; side < 4; ++side) {
-    const auto at = static_cast<std::size_t>(side);
-    if (open[at] == s.wall[at].open) continue;
-    check_opening(s, side, open[at]);
-    changed = true;
-  }
-  if (!changed) return;
+  if (std::ranges::equal(open, s.wall, {}, {}, &WallBody::open)) return;
+  for (int side = 0; side < 4; ++side)
+    if (open[side] != s.wall[side].open) check_opening(s, side, open[side]);
   synchronise(s);
   for (std::size_t side = 0; side < 4; ++side) {
     s.wall[side].open = open[side];
@@ -136,12 +122,12 @@ void Engine::set_programmes(Programmes programmes) {
   WallDrives drives;
   bool sheared = false;
   for (const Programme& p : programmes.list) {
-    if (p.drives_side()) drives[static_cast<std::size_t>(p.side())].kind = WallDrive::Kind::velocity;
+    if (p.drives_side()) drives[p.side()].kind = WallDrive::Kind::velocity;
     sheared |= p.of == Programme::shear_rate;
     if (!p.drives_boundary()) continue;
-    const auto at = std::find_if(boundaries.begin(), boundaries.end(), [&](const Boundary& b) { return b.name == p.name; });
-    if (at == boundaries.end()) throw InputError(fmt::format("a programme drives boundary \"{}\", which there is not", p.name));
-    BoundaryBody& body = s.boundary[static_cast<std::size_t>(at - boundaries.begin())];
+    const std::size_t at = index_of(boundaries, p.name);
+    if (at == boundaries.size()) throw InputError(fmt::format("a programme drives boundary \"{}\", which there is not", p.name));
+    BoundaryBody& body = s.boundary[at];
     if (p.is_of_force() != (body.mass > 0) && p.boundary_axis() < 2)
       throw InputError(fmt::format("boundary \"{}\" {} a mass; a table can give {}", p.name, body.mass > 0 ? "has" : "has not",
                                    body.mass > 0 ? "the force on it" : "where it is or how fast"));
@@ -156,16 +142,11 @@ void Engine::set_programmes(Programmes programmes) {
 Amount Engine::below(double height) const {
   const Sample& s = machine_->sample;
   Amount amount;
-  for (std::size_t k = 0; k < s.count; ++k)
-    if (s.record[k].y < height && !is_part(s, k)) {
-      ++amount.grains;
-      amount.mass += own_mass(s, k);
-    }
-  for (const Body& b : s.body)
-    if (b.y < height) {
-      ++amount.grains;
-      amount.mass += own_mass_of(s, b);
-    }
+  each_mover(s, [&](std::size_t k) {
+    if (!(mover_at(s, k).place.y < height)) return;
+    ++amount.grains;
+    amount.mass += k < s.count ? own_mass(s, k) : own_mass_of(s, s.body[k - s.count]);
+  });
   return amount;
 }
 

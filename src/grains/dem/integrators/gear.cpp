@@ -51,8 +51,8 @@ class Start {
  public:
   explicit Start(Sample& sample) : s(sample), here(s.domain) {
     for (std::size_t k = 0; k < s.count; ++k) {
-      path.push_back({s.record[k].x, s.vx[k], 0});
-      path.push_back({s.record[k].y, s.vy[k], 0});
+      path.push_back({s.record[k].place.x, s.vx[k], 0});
+      path.push_back({s.record[k].place.y, s.vy[k], 0});
       path.push_back({s.angle[k], s.omega[k], 0});
     }
     for (std::size_t side = 0; side < 4; ++side) path.push_back({here.wall[side].position, s.wall[side].rate, 0});
@@ -103,17 +103,16 @@ class Start {
     }
     move_boundaries(s, t);
     const CellFrame before = cell_frame(here), after = cell_frame(s.domain);
-    const AffineMotion mx = affine_x(s.domain), my = affine_y(s.domain);
+    const Stretch moved_x = after.x.since(before.x), moved_y = after.y.since(before.y);
+    const CellMotion cell = cell_motion(s.domain);
     for (std::size_t k = 0; k < s.count; ++k) {
       DiskRecord& d = s.record[k];
       const Path &x = path[3 * k], &y = path[3 * k + 1];
-      d.x = after.x_from(before, x.value) + (x.at(t) - x.value);
-      d.y = after.y_from(before, y.value) + (y.at(t) - y.value);
-      d.vx = x.rate_at(t) + mx.at(d.x);
-      d.vy = y.rate_at(t) + my.at(d.y);
+      d.place = {moved_x.apply(x.value) + (x.at(t) - x.value), moved_y.apply(y.value) + (y.at(t) - y.value)};
+      d.velocity = Vec2{x.rate_at(t), y.rate_at(t)} + cell.at(d.place);
       d.omega = path[3 * k + 2].rate_at(t);
     }
-    if (s.domain.periodic_x) s.domain.tilt *= after.width / before.width;
+    if (s.domain.periodic_x) s.domain.tilt *= after.x.length / before.x.length;
     s.domain.tilt += t * s.shear_rate * s.domain.height();
     refresh_ghosts(s);
     compute_forces(s);
@@ -123,8 +122,8 @@ class Start {
   std::vector<double> accelerations() const {
     std::vector<double> a;
     for (std::size_t k = 0; k < s.count; ++k) {
-      const auto [ax, ay, alpha] = acceleration_of(s, k);
-      a.insert(a.end(), {ax, ay, alpha});
+      const auto [linear, alpha] = acceleration_of(s, k);
+      a.insert(a.end(), {linear.x, linear.y, alpha});
     }
     for (std::size_t side = 0; side < 4; ++side) a.push_back(wall_acceleration(s, side, s.domain.wall[side].velocity));
     return a;
@@ -135,8 +134,8 @@ class Start {
     for (std::size_t p = 0; p < s.list.size(); ++p) {
       const bool before = acts(force[p]), now = acts(s.list.force[p]);
       if (before == now) continue;
-      rough[static_cast<std::size_t>(s.list.i[p])] = 1;
-      if (s.list.owner[p] >= 0) rough[static_cast<std::size_t>(s.list.owner[p])] = 1;
+      rough[s.list.i[p]] = 1;
+      if (s.list.owner[p] >= 0) rough[s.list.owner[p]] = 1;
     }
   }
 

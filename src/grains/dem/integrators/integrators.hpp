@@ -50,7 +50,7 @@ class DiskSweep {
   /// Moves the disks and what goes with the cell. False if the contact list has become stale.
   bool run(Kernel::Sweep loop, const Team& team);
 
-  SweepTask task;  ///< `kick` and `ahead` are the integrator's to fill in
+  SweepTask task{};  ///< `kick` and `ahead` are the integrator's to fill in
 
  private:
   Sample& sample_;

@@ -1,30 +1,27 @@
 #include "grains/dem/integrators/motion.hpp"
 
-#include "grains/dem/forces.hpp"
+#include "grains/dem/bodies/bodies.hpp"
 #include "grains/dem/integrators/integrators.hpp"
 #include "grains/dem/walls.hpp"
 
 namespace arenite::dem {
 
 Acceleration acceleration_of(const Sample& s, std::size_t k) {
-  if (find_held(s, s.record[k].grain)) return {0, 0, 0};
-  const Load load = contact_load(s.list, k);
-  const DiskRecord& d = s.record[k];
-  const AffineMotion mx = affine_x(s.domain), my = affine_y(s.domain);
-  return {load.fx / d.mass + s.gravity.x - s.drag * (d.vx - mx.at(d.x)), load.fy / d.mass + s.gravity.y - s.drag * (d.vy - my.at(d.y)),
-          s.integration.rotations ? load.torque / inertia(d) : 0.0};
+  if (k < s.count && find_held(s, s.record[k].grain)) return {};
+  const Load load = load_on(s, k);
+  const Mover m = mover_at(s, k);
+  return {load.force / m.mass + s.gravity - s.drag * (m.seen.velocity - cell_motion(s.domain).at(m.place)),
+          s.integration.rotations ? load.torque / m.inertia : 0.0};
 }
 
 Motion motion_of(const Sample& s, std::size_t k) {
-  if (const Integrator& scheme = integrator_of(s); scheme.corrects()) {
-    if (!s.settled) return {s.vx[k], s.vy[k], s.omega[k]};
-    const Acceleration a = acceleration_of(s, k);
-    const double share = 0.5 * scheme.velocity_share * s.dt;
-    return {s.vx[k] + share * (a.ax - s.ax[k]), s.vy[k] + share * (a.ay - s.ay[k]), s.omega[k] + share * (a.alpha - s.alpha[k])};
-  }
-  if (s.lag == 0) return {s.vx[k], s.vy[k], s.omega[k]};
+  const Motion own = mover_at(s, k).own;
+  const Integrator& scheme = integrator_of(s);
+  if (scheme.corrects() ? !s.settled : s.lag == 0) return own;
   const Acceleration a = acceleration_of(s, k);
-  return {s.vx[k] + s.lag * a.ax, s.vy[k] + s.lag * a.ay, s.omega[k] + s.lag * a.alpha};
+  if (!scheme.corrects()) return {own.velocity + s.lag * a.linear, own.omega + s.lag * a.alpha};
+  const double share = 0.5 * scheme.velocity_share * s.dt;
+  return {own.velocity + share * (a.linear - Vec2{s.ax[k], s.ay[k]}), own.omega + share * (a.alpha - s.alpha[k])};
 }
 
 double time_behind(const Sample& s) {
@@ -33,16 +30,15 @@ double time_behind(const Sample& s) {
 }
 
 Vec2 velocity_beside(const Sample& s, std::size_t i, std::size_t j, Vec2 image) {
-  const AffineMotion mx = affine_x(s.domain), my = affine_y(s.domain);
-  return {s.vx[i] + mx.at(s.record[i].x) - s.vx[j] - mx.at(s.record[j].x) - image.x, s.vy[i] + my.at(s.record[i].y) - s.vy[j] - my.at(s.record[j].y) - image.y};
+  const CellMotion cell = cell_motion(s.domain);
+  return Vec2{s.vx[i], s.vy[i]} + cell.at(s.record[i].place) - Vec2{s.vx[j], s.vy[j]} - cell.at(s.record[j].place) - image;
 }
 
 Vec2 place_of(const Sample& s, std::size_t k) {
-  const Vec2 place{s.record[k].x, s.record[k].y};
+  const Vec2 place = mover_at(s, k).place;
   const Integrator& scheme = integrator_of(s);
   if (!scheme.corrects() || !s.settled) return place;
-  const Acceleration a = acceleration_of(s, k);
-  return place + 0.5 * scheme.position_share * s.dt * s.dt * Vec2{a.ax - s.ax[k], a.ay - s.ay[k]};
+  return place + 0.5 * scheme.position_share * s.dt * s.dt * (acceleration_of(s, k).linear - Vec2{s.ax[k], s.ay[k]});
 }
 
 double wall_rate(const Sample& s, std::size_t side) {

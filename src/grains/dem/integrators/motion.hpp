@@ -1,21 +1,20 @@
 #pragma once
-#include "grains/dem/sample.hpp"
+#include "grains/dem/forces.hpp"
 
 namespace arenite::dem {
 
 // Where disks and walls are and how they move at one time. Integrators keep velocities half a step behind (Verlet) or a predicted state (Gear), which
 // is brought to the time of the positions here.
 
-/// Acceleration of inner disk k by contacts, gravity and drag, m/s^2; that of its turning, rad/s^2, as third.
+/// Acceleration by contacts, gravity and drag, m/s^2, and that of the turning, rad/s^2.
 struct Acceleration {
-  double ax, ay, alpha;
+  Vec2 linear;
+  double alpha = 0;
 };
+/// Of a mover (sample.hpp); 0 of a disk that goes with a wall.
 Acceleration acceleration_of(const Sample& sample, std::size_t k);
 
-/// Velocity of inner disk k, m/s, without the affine motion; its turning, rad/s, as third.
-struct Motion {
-  double vx, vy, omega;
-};
+/// Motion of a mover, without the affine motion.
 Motion motion_of(const Sample& sample, std::size_t k);
 
 /// How long the integrated velocities are behind the forces, s: half a step, or nothing where a scheme has just begun.
@@ -23,7 +22,7 @@ double time_behind(const Sample& sample);
 /// Integrated velocity of disk i beside disk j, or beside an image of j that moves past it so, m/s.
 Vec2 velocity_beside(const Sample& sample, std::size_t i, std::size_t j, Vec2 image);
 
-/// Place of inner disk k, m.
+/// Place of a mover, m.
 Vec2 place_of(const Sample& sample, std::size_t k);
 
 /// Velocity and position of a wall (or edge of a periodic cell), m/s and m along +x or +y.

@@ -38,65 +38,35 @@ template <int extrapolation> bool verlet(Sample& s, const Team& team) {
 const Integrator velocity_verlet{{"velocity_verlet", "second order, the most robust"}, verlet<1>, nullptr, 0, 0, 0.5, 0.25, 1, 2};
 const Integrator leapfrog{{"leapfrog", "second order, velocities half a step off"}, verlet<0>, nullptr, 0, 0, 1, 0.25, 0.5, 2};
 
-namespace {
-
-/// Where the cell has taken places in x (or y) since `then`.
-Stretch stretch_x(const CellFrame& then, const CellFrame& now) {
-  if (!now.periodic_x) return {};
-  return {then.left_edge, now.width / then.width, now.left_edge};
-}
-Stretch stretch_y(const CellFrame& then, const CellFrame& now) {
-  if (!now.periodic_y) return {};
-  return {then.bottom_edge, now.height / then.height, now.bottom_edge};
-}
-
-}  // namespace
-
-DiskSweep::DiskSweep(Sample& s)
-    : task{s.record.data(),
-           s.list.force.data(),
-           s.list.group.data(),
-           s.list.first.data(),
-           s.vx.data(),
-           s.vy.data(),
-           s.omega.data(),
-           s.angle.data(),
-           s.ax.data(),
-           s.ay.data(),
-           s.alpha.data(),
-           {},
-           s.listed_x.data(),
-           s.listed_y.data(),
-           {},
-           {},
-           s.dt,
-           0,
-           0,
-           s.drag,
-           s.integration.rotations ? 1.0 : 0.0,
-           0,
-           0,
-           0},
-      sample_(s),
-      before_(cell_frame(s.domain)) {
+DiskSweep::DiskSweep(Sample& s) : sample_(s), before_(cell_frame(s.domain)) {
+  task.record = s.record.data();
+  task.force = s.list.force.data();
+  task.group = s.list.group.data();
+  task.first = s.list.first.data();
+  task.vx = s.vx.data();
+  task.vy = s.vy.data();
+  task.omega = s.omega.data();
+  task.angle = s.angle.data();
+  task.ax = s.ax.data();
+  task.ay = s.ay.data();
+  task.alpha = s.alpha.data();
   for (std::size_t n = 0; n < s.higher.size(); ++n) task.higher[n] = s.higher[n].data();
-  task.x.gravity = s.gravity.x;
-  task.y.gravity = s.gravity.y;
-  task.x.before = affine_x(s.domain);
-  task.y.before = affine_y(s.domain);
+  task.listed_x = s.listed_x.data();
+  task.listed_y = s.listed_y.data();
+  const CellMotion motion = cell_motion(s.domain);
+  task.x = {s.gravity.x, motion.x, {}, {}, {}, 0};
+  task.y = {s.gravity.y, motion.y, {}, {}, {}, 0};
+  task.dt = s.dt;
+  task.drag = s.drag;
+  task.turning = s.integration.rotations ? 1.0 : 0.0;
 }
 
 bool DiskSweep::run(Kernel::Sweep loop, const Team& team) {
   Sample& s = sample_;
   const CellFrame after = cell_frame(s.domain), listed = cell_frame(s.listed_domain);
-  task.x.after = affine_x(s.domain);
-  task.y.after = affine_y(s.domain);
-  task.x.moved = stretch_x(before_, after);
-  task.y.moved = stretch_y(before_, after);
-  task.x.listed = stretch_x(listed, after);
-  task.y.listed = stretch_y(listed, after);
-  task.x.growth = after.growth_x(before_);
-  task.y.growth = after.growth_y(before_);
+  const CellMotion motion = cell_motion(s.domain);
+  task.x = {task.x.gravity, task.x.before, motion.x, after.x.since(before_.x), after.x.since(listed.x), after.x.growth(before_.x)};
+  task.y = {task.y.gravity, task.y.before, motion.y, after.y.since(before_.y), after.y.since(listed.y), after.y.growth(before_.y)};
   move_boundaries(s, s.dt);
   s.sheared += s.dt * s.shear_rate;
   task.listed_shear = s.sheared - s.listed_sheared;
@@ -108,7 +78,7 @@ bool DiskSweep::run(Kernel::Sweep loop, const Team& team) {
     team.for_ranges(s.count, [&](std::size_t begin, std::size_t end) {
       if (!loop(task, begin, end)) near = false;
     });
-  if (s.domain.periodic_x) s.domain.tilt *= after.width / before_.width;
+  if (s.domain.periodic_x) s.domain.tilt *= after.x.length / before_.x.length;
   s.domain.tilt += s.dt * s.shear_rate * s.domain.height();
   for (WallBody& body : s.wall) body.slid += s.dt * body.drive.slide;
   hold_grains(s);

@@ -28,8 +28,8 @@ template <int W, bool damped> ARENITE_INLINE bool bond_batch(const BondTask& t, 
   const std::int32_t *i = t.i + p, *j = t.j + p;
   const V zero(0.0), one(1.0);
   V xi, yi, xj, yj;
-  gather<W>([=](int k) { return &t.record[i[k]].x; }, xi, yi);
-  gather<W>([=](int k) { return &t.record[j[k]].x; }, xj, yj);
+  gather<W>([=](int k) { return &t.record[i[k]].place.x; }, xi, yi);
+  gather<W>([=](int k) { return &t.record[j[k]].place.x; }, xj, yj);
   const V dx = xi - xj - column(beam_image_x), dy = yi - yj - column(beam_image_y);
   const V squared = dx * dx + dy * dy, distance = sqrt(squared), inverse = distance * (one / squared);
   const V nx = inverse * dx, ny = inverse * dy, nx0 = column(beam_nx), ny0 = column(beam_ny);
@@ -46,8 +46,8 @@ template <int W, bool damped> ARENITE_INLINE bool bond_batch(const BondTask& t, 
 
   if constexpr (damped) {
     V vxi, vyi, vxj, vyj, wi, wj, spare;
-    gather<W>([=](int k) { return &t.record[i[k]].vx; }, vxi, vyi);
-    gather<W>([=](int k) { return &t.record[j[k]].vx; }, vxj, vyj);
+    gather<W>([=](int k) { return &t.record[i[k]].velocity.x; }, vxi, vyi);
+    gather<W>([=](int k) { return &t.record[j[k]].velocity.x; }, vxj, vyj);
     gather<W>([=](int k) { return &t.record[i[k]].omega; }, wi, spare);
     gather<W>([=](int k) { return &t.record[j[k]].omega; }, wj, spare);
     const V ux = vxi - vxj - column(beam_image_vx), uy = vyi - vyj - column(beam_image_vy);
@@ -56,7 +56,7 @@ template <int W, bool damped> ARENITE_INLINE bool bond_batch(const BondTask& t, 
     moment = moment + column(beam_bending_damping) * (wi - wj);
   }
   const V along = shear * length * inverse;
-  scatter<W>([=](int k) { return &t.force[p + static_cast<std::size_t>(k)].fx; }, zero - tension * nx - along * ny, along * nx - tension * ny);
+  scatter<W>([=](int k) { return &t.force[p + static_cast<std::size_t>(k)].on_i.x; }, zero - tension * nx - along * ny, along * nx - tension * ny);
   scatter<W>([=](int k) { return &t.force[p + static_cast<std::size_t>(k)].torque_i; }, zero - shear * arm_i - moment, moment - shear * arm_j);
   bool any = false;
   for (int k = 0; k < W; ++k) {

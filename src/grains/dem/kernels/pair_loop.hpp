@@ -10,8 +10,8 @@ template <int W> struct DiskPack {
   Pack<W> x, y, vx, vy, omega, radius;
 
   ARENITE_INLINE DiskPack(const DiskRecord* record, const std::int32_t* index) {
-    gather<W>([=](int k) { return &record[index[k]].x; }, x, y);
-    gather<W>([=](int k) { return &record[index[k]].vx; }, vx, vy);
+    gather<W>([=](int k) { return &record[index[k]].place.x; }, x, y);
+    gather<W>([=](int k) { return &record[index[k]].velocity.x; }, vx, vy);
     gather<W>([=](int k) { return &record[index[k]].omega; }, omega, radius);
   }
 };
@@ -52,7 +52,7 @@ ARENITE_INLINE void pair_batch(const PairTask& t, const ContactLaws& shared, con
   const V fn = select(touching_now, f.normal, zero), ft = select(touching_now, f.tangential, zero);
   if constexpr (N::remembers) select(touching_now, memory.normal, zero).store(t.normal_memory + p);
   if constexpr (F::remembers) select(touching_now, memory.slip, zero).store(t.memory + p);
-  scatter<W>([=](int k) { return &t.force[p + static_cast<std::size_t>(k)].fx; }, fn * nx - ft * ny, fn * ny + ft * nx);
+  scatter<W>([=](int k) { return &t.force[p + static_cast<std::size_t>(k)].on_i.x; }, fn * nx - ft * ny, fn * ny + ft * nx);
   scatter<W>([=](int k) { return &t.force[p + static_cast<std::size_t>(k)].torque_i; }, zero - arm_i * ft, zero - arm_j * ft);
 }
 

@@ -10,7 +10,7 @@ namespace arenite::dem {
 ARENITE_INLINE Pack<4> sum_of_groups(const SweepTask& t, std::size_t q) {
   Pack<4> total(0.0);
   for (auto g = static_cast<std::size_t>(t.first[q]); g < static_cast<std::size_t>(t.first[q + 1]); g += 4) {
-    const auto at = [&](std::size_t n) { return Pack<4>::load(&t.force[t.group[g + n]].fx); };
+    const auto at = [&](std::size_t n) { return Pack<4>::load(&t.force[t.group[g + n]].on_i.x); };
     total = total + ((at(0) + at(1)) + (at(2) + at(3)));
   }
   return total;
@@ -43,8 +43,8 @@ template <int W> struct MotionPack {
     const LoadPack<W> load(t, k);
     const DiskRecord* d = t.record + k;
     V vx, vy, omega, mass, spare;
-    gather<W>([=](int n) { return &d[n].x; }, x, y);
-    gather<W>([=](int n) { return &d[n].vx; }, vx, vy);
+    gather<W>([=](int n) { return &d[n].place.x; }, x, y);
+    gather<W>([=](int n) { return &d[n].velocity.x; }, vx, vy);
     gather<W>([=](int n) { return &d[n].omega; }, omega, radius);
     gather<W>([=](int n) { return &d[n].mass; }, mass, spare);
     const V inverse = V(1.0) / mass;
@@ -59,8 +59,8 @@ template <int W>
 ARENITE_INLINE typename Pack<W>::Bits place(const SweepTask& t, std::size_t k, const MotionPack<W>& m, Pack<W> x, Pack<W> y, Pack<W> vx, Pack<W> vy,
                                             Pack<W> omega) {
   DiskRecord* d = t.record + k;
-  scatter<W>([=](int n) { return &d[n].x; }, x, y);
-  scatter<W>([=](int n) { return &d[n].vx; }, vx + t.x.after.at(x), vy + t.y.after.at(y));
+  scatter<W>([=](int n) { return &d[n].place.x; }, x, y);
+  scatter<W>([=](int n) { return &d[n].velocity.x; }, vx + t.x.after.at(x), vy + t.y.after.at(y));
   scatter<W>([=](int n) { return &d[n].omega; }, omega, m.radius);
   const Pack<W> y_then = t.y.listed.apply(Pack<W>::load(t.listed_y + k));
   const Pack<W> dx = x - t.x.listed.apply(Pack<W>::load(t.listed_x + k)) - Pack<W>(t.listed_shear) * (y_then - Pack<W>(t.middle));

@@ -105,8 +105,10 @@ concept CohesionLaw = ContactLaw<L> && requires(const L law, double v) {
 /// One law of a family, with its own parameters.
 template <class... Law> struct OneOf : std::variant<Law...> {
   using std::variant<Law...>::variant;
+  /// Calls `see` with the law by its type.
+  template <class See> decltype(auto) visit(See&& see) const { return std::visit(see, *this); }
   std::string_view word() const {
-    return std::visit([](const auto& law) { return law.word.word; }, *this);
+    return visit([](const auto& law) { return law.word.word; });
   }
   friend bool operator==(const OneOf& a, const OneOf& b) { return static_cast<const std::variant<Law...>&>(a) == static_cast<const std::variant<Law...>&>(b); }
 };

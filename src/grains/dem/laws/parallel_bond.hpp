@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "grains/dem/laws/parts.hpp"
-#include "model/bond.hpp"
+#include "model/links.hpp"
 
 namespace arenite::dem {
 
