@@ -61,9 +61,9 @@ imaging::CircleOptions circle_options(const Arguments& a, double pixel, const st
 imaging::FoundCircles find(const FloatImage& image, const imaging::CircleOptions& options) {
   imaging::FoundCircles found = imaging::find_circles(image, options);
   if (found.grains.size() == 0) throw InputError("no grains were found; give their radii by --radii, --contrast bright or dark, or a lower --least-score");
-  if (found.report.material_members.size() < options.materials)
+  if (found.report.materials.size() < options.materials)
     throw InputError("--materials names " + std::to_string(options.materials) + " materials, but the grains show only " +
-                     std::to_string(found.report.material_members.size()) + " brightnesses; name fewer, or give another --channel");
+                     std::to_string(found.report.materials.size()) + " brightnesses; name fewer, or give another --channel");
   return found;
 }
 

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "core/vec.hpp"
+
 namespace arenite {
 
 /// What the pixels of a film are.
@@ -131,6 +133,10 @@ struct GrainMotion {
   std::vector<double> cos_x, sin_x, cos_y, sin_y;
   std::vector<double> error;  ///< standard error of each of the four
   std::size_t size() const { return cos_x.size(); }
+  /// From its mean place, where the phase 2 pi f t has this cosine and sine.
+  Vec2 at(std::size_t grain, double cosine, double sine) const {
+    return {cos_x[grain] * cosine + sin_x[grain] * sine, cos_y[grain] * cosine + sin_y[grain] * sine};
+  }
 };
 
 /// Peak-to-peak change of temperature and stress of every grain between the smallest and the largest load, as a film shows it.

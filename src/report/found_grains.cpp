@@ -17,7 +17,7 @@ std::string material_name(const FoundGrains& g, std::int32_t k) {
   const auto at = static_cast<std::size_t>(k);
   if (k < 0) return "";
   if (at < g.materials.size()) return g.materials[at];
-  return g.found.report.material_members.size() > 1 ? fmt::format("class{}", k + 1) : std::string();
+  return g.found.report.materials.size() > 1 ? fmt::format("class{}", k + 1) : std::string();
 }
 
 /// Length in the table's unit.
@@ -51,7 +51,7 @@ void draw_circle(io::ColourPicture& out, Vec2 centre, double radius, const Colou
 std::string grains_csv(const FoundGrains& g) {
   const char* unit = g.pixel > 0 ? "mm" : "px";
   const PictureGrains& p = g.found.grains;
-  const bool named = !g.materials.empty() || g.found.report.material_members.size() > 1;
+  const bool named = !g.materials.empty() || g.found.report.materials.size() > 1;
   std::string out = fmt::format("id,x,y,radius{},position_error,radius_error,brightness,score\n-,{u},{u},{u}{},{u},{u},-,-\n", named ? ",material" : "",
                                 named ? ",-" : "", fmt::arg("u", unit));
   for (std::size_t k = 0; k < p.size(); ++k)
@@ -70,13 +70,13 @@ std::string grains_text(const FoundGrains& g) {
   const auto line = [&](const char* name, const std::string& value) { out += fmt::format("{:<16}{}\n", name, value); };
   if (g.frames > 1) line("picture", fmt::format("mean of {} frames", g.frames));
   if (g.replaced > 0) line("bad pixels", fmt::format("{} replaced by good neighbours", g.replaced));
-  for (std::size_t c = 0; c < r.class_radius.size(); ++c)
-    line("size", fmt::format("radius {:.2f} pixels{}: {} grains", r.class_radius[c],
-                             g.pixel > 0 ? fmt::format(" = {:.3g} mm", length(g, r.class_radius[c])) : "", r.class_members[c]));
-  for (std::size_t m = 0; m < r.material_brightness.size(); ++m) {
+  for (std::size_t c = 0; c < r.sizes.size(); ++c)
+    line("size", fmt::format("radius {:.2f} pixels{}: {} grains", r.sizes.mean[c], g.pixel > 0 ? fmt::format(" = {:.3g} mm", length(g, r.sizes.mean[c])) : "",
+                             r.sizes.members[c]));
+  for (std::size_t m = 0; m < r.materials.size(); ++m) {
     const std::string name = material_name(g, static_cast<std::int32_t>(m));
-    line("material", fmt::format("{}{}brightness {:.5g} +- {:.2g}: {} grains", name, name.empty() ? "" : ", ", r.material_brightness[m], r.material_spread[m],
-                                 r.material_members[m]));
+    line("material", fmt::format("{}{}brightness {:.5g} +- {:.2g}: {} grains", name, name.empty() ? "" : ", ", r.materials.mean[m], r.materials.spread[m],
+                                 r.materials.members[m]));
   }
   line("errors",
        fmt::format("{:.3f} pixels of a centre, {:.3f} of a radius (medians)", median(g.found.grains.position_error), median(g.found.grains.radius_error)));
@@ -105,14 +105,14 @@ std::string grains_json(const FoundGrains& g) {
             {"median_position_error_px", median(p.position_error)},
             {"median_radius_error_px", median(p.radius_error)}};
   j["sizes"] = Numbers::list();
-  for (std::size_t c = 0; c < r.class_radius.size(); ++c)
-    j["sizes"].push_back({{"radius_px", r.class_radius[c]}, {"spread_px", r.class_spread[c]}, {"grains", r.class_members[c]}});
+  for (std::size_t c = 0; c < r.sizes.size(); ++c)
+    j["sizes"].push_back({{"radius_px", r.sizes.mean[c]}, {"spread_px", r.sizes.spread[c]}, {"grains", r.sizes.members[c]}});
   j["materials"] = Numbers::list();
-  for (std::size_t m = 0; m < r.material_brightness.size(); ++m)
+  for (std::size_t m = 0; m < r.materials.size(); ++m)
     j["materials"].push_back({{"name", material_name(g, static_cast<std::int32_t>(m))},
-                              {"brightness", r.material_brightness[m]},
-                              {"spread", r.material_spread[m]},
-                              {"grains", r.material_members[m]}});
+                              {"brightness", r.materials.mean[m]},
+                              {"spread", r.materials.spread[m]},
+                              {"grains", r.materials.members[m]}});
   j["by_grain"] = {{"column_px", p.x},
                    {"row_px", p.y},
                    {"radius_px", p.radius},

@@ -111,8 +111,8 @@ void refuse_overlapping(const std::string& file, const Grains& grains) {
     for (std::size_t j = 0; j < i; ++j) {
       const double overlap = grains.radius[i] + grains.radius[j] - norm(grains.centre(i) - grains.centre(j));
       if (overlap > most_overlap * std::min(grains.radius[i], grains.radius[j]))
-        problems.add(fmt::format("grains {} and {} overlap by {:.3g} mm, more than load presses grains together; correct their centres or radii", grains.id[j],
-                                 grains.id[i], 1e3 * overlap));
+        problems.add("grains {} and {} overlap by {:.3g} mm, more than load presses grains together; correct their centres or radii", grains.id[j],
+                     grains.id[i], 1e3 * overlap);
     }
   }
   problems.raise();

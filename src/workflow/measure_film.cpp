@@ -67,7 +67,7 @@ class Measurement {
     std::size_t best = 0;
     double most = -2;
     for (std::size_t k = 0; k < pictures.size(); ++k) {
-      const double along = pictures.cosine[k] * std::cos(phase) + pictures.sine[k] * std::sin(phase);
+      const double along = pictures.phases[k][1] * std::cos(phase) + pictures.phases[k][2] * std::sin(phase);
       if (along > most) most = along, best = k;
     }
     return best;
@@ -97,8 +97,7 @@ class Measurement {
     for (int round = 0; round < 3; ++round) {
       r.motion = thermography::grain_motion(pictures, middle, {.threads = options_.threads});
       for (std::size_t i = 0; i < r.grains.size(); ++i) {
-        const double x = r.motion.cos_x[i] * std::cos(largest) + r.motion.sin_x[i] * std::sin(largest);
-        const double y = r.motion.cos_y[i] * std::cos(largest) + r.motion.sin_y[i] * std::sin(largest);
+        const auto [x, y] = r.motion.at(i, std::cos(largest), std::sin(largest));
         middle.x[i] = r.grains.x[i] + x, middle.y[i] = r.grains.y[i] + y;
         loaded_.x[i] = r.grains.x[i] + 2 * x, loaded_.y[i] = r.grains.y[i] + 2 * y;
       }

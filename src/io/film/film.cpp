@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "core/median.hpp"
+#include "core/text.hpp"
 #include "io/disk/refuse.hpp"
 #include "io/disk/store_file.hpp"
 #include "io/film/formats.hpp"
@@ -168,9 +169,7 @@ bool looks_like_film(const std::filesystem::path& path) {
 }
 
 std::string other_recording(const std::filesystem::path& path, std::string_view head) {
-  std::string ending = path.extension().string();
-  for (char& c : ending) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
-  const Recording* is = with_ending(ending);
+  const Recording* is = with_ending(lower_case(path.extension().string()));
   for (const Mark& mark : marks)
     if (is == nullptr && head.size() > mark.at && head.substr(mark.at).starts_with(mark.bytes)) is = with_ending(mark.ending);
   if (is == nullptr) return {};

@@ -49,11 +49,8 @@ void part_materials(FoundCircles& found, const CircleOptions& options) {
     how.separation = 0;
     how.least_members = 1;
   }
-  const statistics::Clusters classes = statistics::cluster(found.grains.brightness, how);
-  found.grains.material = classes.of;
-  found.report.material_brightness = classes.mean;
-  found.report.material_spread = classes.spread;
-  found.report.material_members = classes.members;
+  found.report.materials = statistics::cluster(found.grains.brightness, how);
+  found.grains.material = found.report.materials.of;
 }
 
 void count_overlaps(FoundCircles& found) {
@@ -98,9 +95,8 @@ FoundCircles find_circles(const FloatImage& image, const CircleOptions& options)
   found.report.between = search.between;
   found.report.blur = search.model.blur();
   found.report.noise = search.model.noise();
-  found.report.class_radius = search.sizes.mean;
-  found.report.class_spread = search.sizes.spread;
-  found.report.class_members = search.sizes.members;
+  found.report.sizes = search.sizes;
+  found.report.sizes.of = found.grains.size_class;
   part_materials(found, options);
   count_overlaps(found);
   return found;

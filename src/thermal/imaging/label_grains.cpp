@@ -1,7 +1,5 @@
 #include "thermal/imaging/label_grains.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,8 +7,8 @@
 #include <numeric>
 #include <utility>
 
-#include "core/error.hpp"
 #include "core/joined_sets.hpp"
+#include "core/problems.hpp"
 
 namespace arenite::imaging {
 namespace {
@@ -180,7 +178,7 @@ std::vector<std::int32_t> squared_distance(const PhaseMap& map) {
 
 LabelReport label_grains(PhaseMap& map, const LabelOptions& options) {
   if (!(options.smoothing >= 0) || !std::isfinite(options.smoothing))
-    throw InputError(fmt::format("the smoothing of the watershed is {:g} nodes; give zero or more", options.smoothing));
+    throw refusal("the smoothing of the watershed is {:g} nodes; give zero or more", options.smoothing);
   map.grain = options.way == Labelling::components ? connected_particles(map) : watershed(map, options.smoothing);
   std::vector<std::int32_t> number;
   std::vector<std::size_t> nodes;

@@ -27,9 +27,8 @@ void check_pixels(const Packing& packing, const Pixels& pixels) {
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const auto i = static_cast<std::size_t>(contacts.i[c]);
     if (!pixels[i].empty() || (!contacts.is_wall(c) && !pixels[static_cast<std::size_t>(contacts.j[c])].empty())) continue;
-    problems.add(
-        fmt::format("no pixel of the picture sees the contact of grain {} with {}; leave the contact out or lower the margins", packing.grains.id[i],
-                    contacts.is_wall(c) ? std::string("a wall") : fmt::format("grain {}", packing.grains.id[static_cast<std::size_t>(contacts.j[c])])));
+    problems.add("no pixel of the picture sees the contact of grain {} with {}; leave the contact out or lower the margins", packing.grains.id[i],
+                 contacts.is_wall(c) ? std::string("a wall") : fmt::format("grain {}", packing.grains.id[static_cast<std::size_t>(contacts.j[c])]));
   }
   problems.raise();
 }

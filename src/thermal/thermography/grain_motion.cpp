@@ -105,17 +105,17 @@ Left motion_left(const PhasePictures& pictures, const RimPixels& rim, std::size_
   left.normal = Matrix(unknowns, unknowns);
   left.side = Matrix(unknowns, 2);
   if (n < smooth + unknowns) return left;
-  const PixelHarmonics fit(pictures, motion.cos_x[grain], motion.sin_x[grain], motion.cos_y[grain], motion.sin_y[grain]);
+  const PixelHarmonics fit(pictures, motion, grain);
   Matrix part(n, smooth), rest(n, unknowns + 2);
   std::vector<double> mean;
   for (std::size_t p = 0; p < n; ++p) {
     const Followed f = fit.follow(pictures, rim.x[p], rim.y[p]);
-    mean.push_back(f.mean);
+    mean.push_back(f.harmonics[0]);
     const double in = rim.inside[p], x = rim.from_centre_x[p], y = rim.from_centre_y[p];
     const double shape[smooth] = {in, in * x, in * y, in * x * x, in * x * y, in * y * y};
     for (std::size_t k = 0; k < smooth; ++k) part(p, k) = shape[k];
     rest(p, 0) = -f.slope_x, rest(p, 1) = -f.slope_y;
-    rest(p, unknowns) = f.cosine, rest(p, unknowns + 1) = f.sine;
+    rest(p, unknowns) = f.harmonics[1], rest(p, unknowns + 1) = f.harmonics[2];
   }
   for (const OtherRim& o : rim.others) {
     const std::size_t row = o.pixel, column = 2 * static_cast<std::size_t>(std::find(left.grains.begin(), left.grains.end(), o.grain) - left.grains.begin());

@@ -1,13 +1,11 @@
 #include "thermal/thermography/harmonic_fit.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "core/error.hpp"
 #include "core/median.hpp"
+#include "core/problems.hpp"
 
 namespace arenite::thermography {
 namespace {
@@ -125,10 +123,10 @@ std::vector<double> frame_times(const FilmInfo& film, double frame_rate) {
     time.resize(frames);
     for (std::size_t n = 0; n < frames; ++n) time[n] = static_cast<double>(n) / rate;
   }
-  if (time.size() != frames) throw InputError(fmt::format("the film has {} frames but {} time stamps; correct its stamps", frames, time.size()));
+  if (time.size() != frames) throw refusal("the film has {} frames but {} time stamps; correct its stamps", frames, time.size());
   for (std::size_t n = 1; n < frames; ++n)
     if (!(time[n] > time[n - 1]) || !std::isfinite(time[n]))
-      throw InputError(fmt::format("the time stamp of frame {} is not after that of the frame before it; correct its stamps", n));
+      throw refusal("the time stamp of frame {} is not after that of the frame before it; correct its stamps", n);
   return time;
 }
 

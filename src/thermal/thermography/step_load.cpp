@@ -1,11 +1,9 @@
 #include "thermal/thermography/step_load.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.hpp"
+#include "core/problems.hpp"
 #include "thermal/thermography/harmonic_fit.hpp"
 #include "thermal/thermography/step_sides.hpp"
 
@@ -15,7 +13,7 @@ namespace {
 using statistics::Matrix;
 
 void check(const StepOptions& o) {
-  if (o.drift_order < 0 || o.drift_order > 4) throw InputError(fmt::format("the drift's order is {}; it must be 0 to 4", o.drift_order));
+  if (o.drift_order < 0 || o.drift_order > 4) throw refusal("the drift's order is {}; it must be 0 to 4", o.drift_order);
   if (!(o.rise >= 0) || !(o.window >= 0)) throw InputError("the step's rise and window must not be below 0 s");
 }
 
@@ -163,8 +161,7 @@ void fill(StepMaps& maps, const StepSides& sides, const Sums (&sums)[2]) {
 }
 
 StepSides sides_at(double step, const Matrix& series, const std::vector<double>& time, const StepOptions& o) {
-  if (!(step > time.front() && step < time.back()))
-    throw InputError(fmt::format("the step at {:.6g} s is not within the film, which lasts {:.6g} s", step, time.back()));
+  if (!(step > time.front() && step < time.back())) throw refusal("the step at {:.6g} s is not within the film, which lasts {:.6g} s", step, time.back());
   const double far = o.window > 0 ? o.window : time.back() + 1;
   const auto after_time = [&](double t) { return static_cast<std::size_t>(std::upper_bound(time.begin(), time.end(), t) - time.begin()); };
   const auto from_time = [&](double t) { return static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), t) - time.begin()); };
@@ -185,7 +182,7 @@ StepMaps step_load(FilmSource& film, const StepOptions& o) {
   check(o);
   const std::vector<double> time = frame_times(film.info(), o.frame_rate);
   if (o.time && !(*o.time > time.front() && *o.time < time.back()))
-    throw InputError(fmt::format("the step at {:.6g} s is not within the film, which lasts {:.6g} s", *o.time, time.back()));
+    throw refusal("the step at {:.6g} s is not within the film, which lasts {:.6g} s", *o.time, time.back());
   bool stopped = false;
   const Matrix series = some_pixels(film, [&](double share) {
     stopped = o.progress && !o.progress(share / 2);
