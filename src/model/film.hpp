@@ -61,6 +61,18 @@ class FilmSource {
   virtual const float* values_in_memory() const { return nullptr; }
 };
 
+/// Reads `count` frames from `first` on, at most `at_once` at a time, and calls visit(pixels, n, some) for each `some` of them, of which the first is
+/// number n of the `count`; ends with false where that is false.
+template <class Visit> bool read_frames(FilmSource& film, std::size_t first, std::size_t count, std::size_t at_once, Visit&& visit) {
+  FrameBlock block;
+  for (std::size_t n = 0; n < count; n += at_once) {
+    const std::size_t some = std::min(at_once, count - n);
+    film.read(static_cast<std::int64_t>(first + n), some, block);
+    if (!(block.level.empty() ? visit(block.value.data(), n, some) : visit(block.level.data(), n, some))) return false;
+  }
+  return true;
+}
+
 /// A film in memory: what a virtual camera draws, and what tests look at.
 struct Film : FilmSource {
   FilmInfo about;

@@ -117,14 +117,10 @@ FrameStatistics frame_statistics(FilmSource& film, std::size_t most_frames) {
   Sums sums{std::vector<double>(n), std::vector<double>(n), std::vector<float>(n)};
   constexpr std::size_t most_pixels = std::size_t{1} << 21;
   const std::size_t at_once = std::max<std::size_t>(1, most_pixels / std::max<std::size_t>(1, n));
-  FrameBlock block;
-  for (std::size_t f = 0; f < s.frames; f += at_once) {
-    film.read(static_cast<std::int64_t>(f), std::min(at_once, s.frames - f), block);
-    for (std::size_t k = 0; k < block.frames; ++k) {
-      if (block.level.empty()) add_frame(block.value.data() + k * n, f + k == 0, sums, s);
-      else add_frame(block.level.data() + k * n, f + k == 0, sums, s);
-    }
-  }
+  read_frames(film, 0, s.frames, at_once, [&](const auto* pixels, std::size_t first, std::size_t some) {
+    for (std::size_t k = 0; k < some; ++k) add_frame(pixels + k * n, first + k == 0, sums, s);
+    return true;
+  });
   const auto count = static_cast<double>(s.frames);
   for (std::size_t i = 0; i < n; ++i) {
     s.mean[i] = static_cast<float>(sums.sum[i] / count);

@@ -149,20 +149,16 @@ PhasePictures phase_pictures(FilmSource& film, const LockinMaps& maps, const Loc
   std::vector<float> drift(bins.order * pixels);
   const Team team(options.threads);
   const std::size_t at_once = std::max<std::size_t>(1, (std::size_t{8} << 20) / (pixels * (film.info().floating ? 4 : 2)));
-  FrameBlock block;
-  for (std::size_t n = 0; n < time.size(); n += at_once) {
-    const std::size_t count = std::min(at_once, time.size() - n);
-    film.read(static_cast<std::int64_t>(n), count, block);
+  const auto take = [&](const auto* frames, std::size_t n, std::size_t some) {
     team.for_ranges(pixels, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t k = 0; k < count; ++k) {
+      for (std::size_t k = 0; k < some; ++k) {
         float* sum = result.spline.data() + bins.of_frame[n + k] * pixels;
-        const float* slow = bins.slow.data() + (n + k) * bins.order;
-        if (film.info().floating) add(block.value.data() + k * pixels, maps.mean, slow, bins.order, sum, drift.data(), begin, end);
-        else add(block.level.data() + k * pixels, maps.mean, slow, bins.order, sum, drift.data(), begin, end);
+        add(frames + k * pixels, maps.mean, bins.slow.data() + (n + k) * bins.order, bins.order, sum, drift.data(), begin, end);
       }
     });
-    if (options.progress && !options.progress(static_cast<double>(n + count) / static_cast<double>(time.size()))) return {};
-  }
+    return !options.progress || options.progress(static_cast<double>(n + some) / static_cast<double>(time.size()));
+  };
+  if (!read_frames(film, 0, time.size(), at_once, take)) return {};
   solve_drift(bins, result.spline.data(), pixels, drift.data(), team);
   team.for_each(result.size(), [&](std::size_t b) { finish(maps, bins, drift.data(), b, result.spline.data() + b * pixels); });
   return result;

@@ -25,17 +25,12 @@ Matrix some_pixels(FilmSource& film, const Progress& progress) {
   const std::size_t every = (pixels + most - 1) / most, count = (pixels + every - 1) / every;
   Matrix series(count, frames);
   const std::size_t at_once = std::clamp<std::size_t>((std::size_t{1} << 22) / pixels, 1, 256);
-  FrameBlock block;
-  for (std::size_t n = 0; n < frames; n += at_once) {
-    const std::size_t here = std::min(at_once, frames - n);
-    film.read(static_cast<std::int64_t>(n), here, block);
-    for (std::size_t f = 0; f < here; ++f)
-      for (std::size_t i = 0; i < count; ++i) {
-        const std::size_t at = f * pixels + i * every;
-        series(i, n + f) = block.value.empty() ? static_cast<double>(block.level[at]) : static_cast<double>(block.value[at]);
-      }
-    if (progress && !progress(static_cast<double>(n + here) / static_cast<double>(frames))) return {};
-  }
+  const auto take = [&](const auto* values, std::size_t n, std::size_t some) {
+    for (std::size_t f = 0; f < some; ++f)
+      for (std::size_t i = 0; i < count; ++i) series(i, n + f) = static_cast<double>(values[f * pixels + i * every]);
+    return !progress || progress(static_cast<double>(n + some) / static_cast<double>(frames));
+  };
+  if (!read_frames(film, 0, frames, at_once, take)) return {};
   std::vector<double> noise(count);
   for (std::size_t n = 1; n < frames; ++n)
     for (std::size_t i = 0; i < count; ++i) noise[i] += std::pow(series(i, n) - series(i, n - 1), 2) / (2 * static_cast<double>(frames - 1));
@@ -92,15 +87,10 @@ class Sums {
   /// False if stopped.
   bool pass(FilmSource& film, const StepSide& side, const Team& team, const std::function<bool(std::size_t)>& progress) {
     const std::size_t at_once = std::clamp<std::size_t>((std::size_t{1} << 22) / pixels_, 1, 256);
-    FrameBlock block;
-    for (std::size_t n = 0; n < side.count; n += at_once) {
-      const std::size_t count = std::min(at_once, side.count - n);
-      film.read(static_cast<std::int64_t>(side.first + n), count, block);
-      if (block.value.empty()) add(block.level.data(), n, count, side, team);
-      else add(block.value.data(), n, count, side, team);
-      if (!progress(count)) return false;
-    }
-    return true;
+    return read_frames(film, side.first, side.count, at_once, [&](const auto* frames, std::size_t n, std::size_t some) {
+      add(frames, n, some, side, team);
+      return progress(some);
+    });
   }
 
   double base(std::size_t p) const { return base_[p]; }
