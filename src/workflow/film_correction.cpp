@@ -139,7 +139,6 @@ FilmCorrection make_correction(const recipe::FilmRecipe& recipe, FilmSource& fil
   }
   if (corrects_surfaces(recipe)) made.surfaces = surfaces_of(recipe, band_of(recipe, info, made.notes));
   correction.curve = curve_for(recipe, info, cold, warm, first, made.surfaces);
-  made.kelvin = true;
   return made;
 }
 

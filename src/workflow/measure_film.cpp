@@ -15,11 +15,7 @@ namespace {
 
 class Measurement {
  public:
-  Measurement(const recipe::FilmRecipe& recipe, const FilmRunOptions& options, FilmSource& source)
-      : recipe_(recipe),
-        options_(options),
-        source_(source),
-        place_(place_of(recipe, source.info())) {}
+  Measurement(const recipe::FilmRecipe& recipe, const FilmRunOptions& options, FilmSource& source) : recipe_(recipe), options_(options), source_(source) {}
 
   /// False if it was stopped.
   bool run(FilmResult& r) {
@@ -30,7 +26,7 @@ class Measurement {
     const auto made = make_correction(recipe_, source_);
     for (const auto& note : made.notes) options_.notice(note);
     r.bad = made.bad;
-    r.film.quantity = made.kelvin ? FilmQuantity::kelvin : FilmQuantity::digital_level;
+    r.film.quantity = FilmQuantity::kelvin;
     thermography::CorrectedFilm film(source_, made.correction);
     if (!lock_in(film, r) || !find(film, r)) return false;
     thermography::see_surfaces(r.maps, loaded_, made.surfaces);
@@ -153,7 +149,7 @@ class Measurement {
   const recipe::FilmRecipe& recipe_;
   const FilmRunOptions& options_;
   FilmSource& source_;
-  FilmPlace place_;
+  FilmPlace place_ = place_of(recipe_, source_.info());
   static constexpr double blur_step = 0.1;  // pixels
   LockinMaps wider_;                        ///< with rims taken off as a lens blurred by a step more shows them
   PictureGrains loaded_;                    ///< at the largest load

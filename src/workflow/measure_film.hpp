@@ -28,7 +28,6 @@ struct FilmCorrection {
   thermography::Correction correction;
   std::vector<std::uint8_t> bad;         ///< 1 for pixels that are replaced
   thermography::GrainSurfaces surfaces;  ///< what is left to do where materials are known: their emissivities, if these differ
-  bool kelvin = false;                   ///< what comes out are temperatures
   std::vector<std::string> notes;        ///< what a user should know: constant or saturated pixels
 };
 

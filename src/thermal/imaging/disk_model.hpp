@@ -103,7 +103,11 @@ class DiskModel {
     for (int y = w.y0; y <= w.y1; ++y)
       for (int x = w.x0; x <= w.x1; ++x) visit(x, y, image_.index(x, y));
   }
-  double cover(const Disk& disk, int x, int y, double& edge, double& nx, double& ny) const;
+  /// How a disk covers a pixel: its share C, edge = dC/dr, and the direction (nx, ny) from the centre.
+  struct Cover {
+    double share, edge = 0, nx = 0, ny = 0;
+  };
+  Cover cover(const Disk& disk, int x, int y) const;
   void spread(const Disk& disk, double sign);
   double left(std::size_t pixel) const;
   double alone(const Disk& disk, double x, double y) const;

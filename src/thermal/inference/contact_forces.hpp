@@ -19,14 +19,12 @@ struct InferredForces {
   double expected = 0, expected_error = 0;               ///< number of contacts that are there
   std::vector<double> imbalance;                         ///< |sum of forces| of each grain, N
   int null_space = 0;                                    ///< directions of force that the data do not determine (means only)
-  std::size_t pixels = 0;                                ///< that were used
   double residual = 0;                                   ///< root mean square of data minus fit over the data's and the fields' standard error
   double over_noise = 0;                                 ///< the same over the measured noise alone: chi, 1 where nothing but noise is left
   double over_signal = 0;                                ///< median size of data minus fit over that of the data
   double model_error = 0;                                ///< of the fields, share of a grain's signal, with which `residual` came out
   std::vector<double> factor_scale, factor_scale_error;  ///< one a material: the film asks for a factor so many times larger
   std::vector<float> fitted;                             ///< what the forces make the picture show, K; no number outside grains
-  int iterations = 0;
 };
 
 }  // namespace arenite
