@@ -62,6 +62,7 @@ class DiskModel {
     double x = 0, y = 0, radius = 0, level = 0;
     double prior_radius = 0, prior_error = 0;  ///< what is known of the radius; no prior where the error is 0
     double moved = 1;                          ///< by the last step, pixels
+    double ring = 0;                           ///< radius at which its rim was first seen
   };
   /// Errors of a disk's parameters.
   struct Errors {

@@ -94,7 +94,6 @@ class SearchRounds {
   DiskModel model_;
   statistics::Clusters classes_;
   int rounds_ = 0;               ///< done after the first
-  std::vector<double> ring_;     ///< for each disk the radius at which its rim was seen
   std::vector<Circle> refused_;  ///< taken out at the end of a pass, so that others may take their place
 };
 

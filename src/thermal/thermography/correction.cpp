@@ -82,13 +82,13 @@ std::vector<Replacement> replacements(const std::vector<std::uint8_t>& bad, int 
   std::vector<Replacement> list;
   for (int row = 0; row < height; ++row)
     for (int column = 0; column < width; ++column) {
-      const auto place = [width](int r, int c) { return static_cast<std::uint32_t>(r) * static_cast<std::uint32_t>(width) + static_cast<std::uint32_t>(c); };
-      if (bad[place(row, column)] == 0) continue;
-      Replacement& replacement = list.emplace_back(Replacement{place(row, column), {}});
+      const auto pixel = static_cast<std::uint32_t>(row) * static_cast<std::uint32_t>(width) + static_cast<std::uint32_t>(column);
+      if (bad[pixel] == 0) continue;
+      Replacement& replacement = list.emplace_back(Replacement{pixel, {}});
       for (int reach = 1; reach <= std::max(width, height) && replacement.from.empty(); ++reach)
-        for (int r = std::max(row - reach, 0); r <= std::min(row + reach, height - 1); ++r)
-          for (int c = std::max(column - reach, 0); c <= std::min(column + reach, width - 1); ++c)
-            if (bad[place(r, c)] == 0) replacement.from.push_back(place(r, c));
+        each_pixel_near(column, row, reach, width, height, [&](int, int, std::size_t near) {
+          if (bad[near] == 0) replacement.from.push_back(static_cast<std::uint32_t>(near));
+        });
     }
   return list;
 }

@@ -49,11 +49,9 @@ struct Neighbours {
 
 Neighbours neighbours(const std::vector<float>& picture, int width, int height, int column, int row) {
   Neighbours n;
-  for (int r = std::max(row - 1, 0); r <= std::min(row + 1, height - 1); ++r)
-    for (int c = std::max(column - 1, 0); c <= std::min(column + 1, width - 1); ++c)
-      if (r != row || c != column)
-        n.value[static_cast<std::size_t>(n.count++)] =
-            static_cast<double>(picture[static_cast<std::size_t>(r) * static_cast<std::size_t>(width) + static_cast<std::size_t>(c)]);
+  each_pixel_near(column, row, 1, width, height, [&](int c, int r, std::size_t at) {
+    if (r != row || c != column) n.value[static_cast<std::size_t>(n.count++)] = static_cast<double>(picture[at]);
+  });
   return n;
 }
 
