@@ -166,11 +166,11 @@ InferredForces infer_from_pixels(const ForceProblem& problem, const Thermoelasti
       continue;
     }
     InferredForces out = finish(problem, options, equations, unknowns, placed.touches, placed.force);
-    out.residual = std::sqrt(left.weighed), out.over_noise = std::sqrt(left.over_noise), out.over_signal = left.over_signal;
-    out.model_error = model_error;
-    out.factor_scale = std::move(scale);
-    for (std::size_t m = 0; m < out.factor_scale.size(); ++m) out.factor_scale_error[m] *= out.factor_scale[m];
-    out.fitted = drawn(placed, packing, picture, spread);
+    out.residual = std::sqrt(left.weighed);
+    out.fit.over_noise = std::sqrt(left.over_noise), out.fit.over_signal = left.over_signal, out.fit.model_error = model_error;
+    for (std::size_t m = 0; m < scale.size(); ++m) out.fit.factor_scale_error[m] *= scale[m];
+    out.fit.factor_scale = std::move(scale);
+    out.fit.picture = drawn(placed, packing, picture, spread);
     return out;
   }
 }
