@@ -67,10 +67,10 @@ imaging::FoundCircles find(const FloatImage& image, const imaging::CircleOptions
   return found;
 }
 
-void store(const Arguments& a, const report::FoundGrains& grains, const FloatImage& image) {
+void store(const Arguments& a, const report::FoundGrains& grains) {
   const fs::path folder(a.out);
   workflow::make_folder(folder);
-  io::write_png(folder / "grains.png", report::grains_overlay(image, grains.found.grains));
+  io::write_png(folder / "grains.png", report::grains_overlay(grains));
   io::write_atomically(folder / "grains.json", report::grains_json(grains));
   io::write_atomically(folder / "grains.csv", report::grains_csv(grains));
   if (!a.json) std::printf("\ntable:   %s\npicture: %s\n", (folder / "grains.csv").c_str(), (folder / "grains.png").c_str());
@@ -80,17 +80,17 @@ void find_grains(const Arguments& a) {
   const double pixel = pixel_of(a);
   const std::vector<std::string> materials = a.materials.empty() ? std::vector<std::string>() : parts_of(a.materials);
   const imaging::CircleOptions options = circle_options(a, pixel, materials);
-  workflow::PictureChoice choice;
-  if (a.frame >= 0) choice.frame = a.frame;
+  io::ImageChoice choice;
+  if (a.frame >= 0) choice.slice = a.frame;
   choice.channel = io::parse_channel(a.channel);
   choice.dataset = a.dataset;
   const workflow::GrainPicture picture = workflow::read_grain_picture(a.picture, choice);
   const Vec2 corner = corner_of(a, picture.image);
   try {
     const imaging::FoundCircles found = find(picture.image, options);
-    const report::FoundGrains grains{found, pixel, corner, materials, a.picture, picture.image.width, picture.image.height, picture.frames, picture.replaced};
+    const report::FoundGrains grains{found, picture, pixel, corner, materials, a.picture};
     std::fputs((a.json ? report::grains_json(grains) : report::grains_text(grains)).c_str(), stdout);
-    if (!a.out.empty()) store(a, grains, picture.image);
+    if (!a.out.empty()) store(a, grains);
   } catch (const InputError& error) { throw in_file(error, a.picture); }
 }
 

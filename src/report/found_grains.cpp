@@ -63,13 +63,14 @@ std::string grains_csv(const FoundGrains& g) {
 
 std::string grains_text(const FoundGrains& g) {
   const imaging::CircleReport& r = g.found.report;
-  std::string out = fmt::format("{} grains in {} x {} pixels, {} than what is around them\n", g.found.grains.size(), g.width, g.height,
-                                r.between  ? "brighter and darker"
-                                : r.bright ? "brighter"
-                                           : "darker");
+  std::string out =
+      fmt::format("{} grains in {} x {} pixels, {} than what is around them\n", g.found.grains.size(), g.picture.image.width, g.picture.image.height,
+                  r.between  ? "brighter and darker"
+                  : r.bright ? "brighter"
+                             : "darker");
   const auto line = [&](const char* name, const std::string& value) { out += fmt::format("{:<16}{}\n", name, value); };
-  if (g.frames > 1) line("picture", fmt::format("mean of {} frames", g.frames));
-  if (g.replaced > 0) line("bad pixels", fmt::format("{} replaced by good neighbours", g.replaced));
+  if (g.picture.frames > 1) line("picture", fmt::format("mean of {} frames", g.picture.frames));
+  if (g.picture.replaced > 0) line("bad pixels", fmt::format("{} replaced by good neighbours", g.picture.replaced));
   for (std::size_t c = 0; c < r.sizes.size(); ++c)
     line("size", fmt::format("radius {:.2f} pixels{}: {} grains", r.sizes.mean[c], g.pixel > 0 ? fmt::format(" = {:.3g} mm", length(g, r.sizes.mean[c])) : "",
                              r.sizes.members[c]));
@@ -89,10 +90,10 @@ std::string grains_json(const FoundGrains& g) {
   const imaging::CircleReport& r = g.found.report;
   const PictureGrains& p = g.found.grains;
   Numbers j{{"file", g.file},
-            {"width", g.width},
-            {"height", g.height},
-            {"frames", g.frames},
-            {"bad_pixels_replaced", g.replaced},
+            {"width", g.picture.image.width},
+            {"height", g.picture.image.height},
+            {"frames", g.picture.frames},
+            {"bad_pixels_replaced", g.picture.replaced},
             {"pixel_m", g.pixel > 0 ? Numbers(g.pixel) : Numbers(nullptr)},
             {"corner_px", {g.corner.x, g.corner.y}},
             {"grains", p.size()},
@@ -125,7 +126,9 @@ std::string grains_json(const FoundGrains& g) {
   return to_json(j, 2) + '\n';
 }
 
-io::ColourPicture grains_overlay(const FloatImage& picture, const PictureGrains& grains) {
+io::ColourPicture grains_overlay(const FoundGrains& g) {
+  const FloatImage& picture = g.picture.image;
+  const PictureGrains& grains = g.found.grains;
   const int times = std::clamp(1280 / std::max(1, picture.width), 1, 4);
   io::ColourPicture out{times * picture.width, times * picture.height, {}};
   const auto [low, high] = shown_range(picture);

@@ -24,7 +24,7 @@ std::filesystem::path beside(const recipe::FilmRecipe& recipe, const std::string
 std::optional<FrameStatistics> reference(const recipe::FilmRecipe& recipe, const std::string& file, const FilmInfo& film) {
   if (file.empty()) return std::nullopt;
   const auto path = beside(recipe, file);
-  const auto source = io::open_film(path, reading_of(recipe));
+  const auto source = io::open_film(path, recipe.film.value_or(io::FilmChoice{}));
   if (source->info().width != film.width || source->info().height != film.height)
     throw refusal_at(path.string(), 0, "has frames of {} x {} pixels, and the film of {} x {}; film the reference with the same camera and window",
                      source->info().width, source->info().height, film.width, film.height);
@@ -112,11 +112,6 @@ bool corrects_surfaces(const recipe::FilmRecipe& recipe) {
 }
 
 }  // namespace
-
-io::FilmChoice reading_of(const recipe::FilmRecipe& recipe) {
-  if (!recipe.film) return {};
-  return {.dataset = recipe.film->dataset, .frame_rate = recipe.film->frame_rate, .scale = recipe.film->scale, .offset = recipe.film->offset};
-}
 
 FilmCorrection make_correction(const recipe::FilmRecipe& recipe, FilmSource& film) {
   const FilmInfo& info = film.info();

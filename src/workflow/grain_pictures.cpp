@@ -75,13 +75,13 @@ bool is_photograph(const std::filesystem::path& path) {
   return ending == ".png" || ending == ".jpg" || ending == ".jpeg";
 }
 
-GrainPicture picture_of_film(const std::filesystem::path& path, const PictureChoice& choice) {
+GrainPicture picture_of_film(const std::filesystem::path& path, const io::ImageChoice& choice) {
   const auto film = io::open_film(path, {.dataset = choice.dataset});
   const FilmInfo& info = film->info();
-  if (choice.frame && (*choice.frame < 0 || *choice.frame >= info.frames))
-    throw refusal_at(path.string(), 0, "holds {} frames; there is no frame {} (frames count from 0)", info.frames, *choice.frame);
+  if (choice.slice && (*choice.slice < 0 || *choice.slice >= info.frames))
+    throw refusal_at(path.string(), 0, "holds {} frames; there is no frame {} (frames count from 0)", info.frames, *choice.slice);
   const thermography::FrameStatistics statistics = thermography::frame_statistics(*film);
-  GrainPicture picture{{info.width, info.height, statistics.mean}, static_cast<std::int64_t>(statistics.frames), 0, true};
+  GrainPicture picture{{info.width, info.height, statistics.mean}, static_cast<std::int64_t>(statistics.frames), 0};
   const std::vector<std::uint8_t> bad = thermography::find_bad_pixels(statistics);
   thermography::Correction correction;
   correction.width = info.width;
@@ -89,8 +89,8 @@ GrainPicture picture_of_film(const std::filesystem::path& path, const PictureCho
   correction.bad = thermography::replacements(bad, info.width, info.height);
   picture.replaced = correction.bad.size();
   FrameBlock block;
-  if (choice.frame) {
-    film->read(*choice.frame, 1, block);
+  if (choice.slice) {
+    film->read(*choice.slice, 1, block);
     picture.frames = 1;
   } else {
     block.frames = 1;
@@ -149,10 +149,10 @@ PictureGrains optical_grains(const recipe::FilmRecipe& recipe, const FilmInfo& f
   return grains;
 }
 
-GrainPicture read_grain_picture(const std::filesystem::path& path, const PictureChoice& choice) {
+GrainPicture read_grain_picture(const std::filesystem::path& path, const io::ImageChoice& choice) {
   io::refuse_other_recording(path);
   if (!is_photograph(path) && io::looks_like_film(path)) return picture_of_film(path, choice);
-  return {to_float(io::read_image(path, {.slice = choice.frame, .dataset = choice.dataset, .channel = choice.channel})), 1, 0, false};
+  return {to_float(io::read_image(path, choice)), 1, 0};
 }
 
 }  // namespace arenite::workflow

@@ -31,9 +31,6 @@ struct FilmCorrection {
   std::vector<std::string> notes;        ///< what a user should know: constant or saturated pixels
 };
 
-/// How the film and its references are to be read, where the recipe says it.
-io::FilmChoice reading_of(const recipe::FilmRecipe& recipe);
-
 /// Reads references and curve, and looks at the film's first frames for bad pixels. Throws InputError for references of another size
 /// and films that do not hold what [temperature] says.
 FilmCorrection make_correction(const recipe::FilmRecipe& recipe, FilmSource& film);
@@ -102,24 +99,16 @@ void take_materials(const recipe::FilmRecipe& recipe, const std::string& where, 
 /// Circles of the recipe's radii; those of one class have one radius, which their mean gives better than each by itself. `pixel` of the picture in m.
 imaging::FoundCircles circles_of(const recipe::FilmRecipe& recipe, const FloatImage& picture, double pixel, imaging::CircleOptions options = {});
 
-/// What of a file is looked at for grains.
-struct PictureChoice {
-  std::optional<std::int64_t> frame = {};   ///< of a film, from 0; none: the mean of all frames
-  io::Channel channel = io::Channel::grey;  ///< of a coloured picture
-  std::string dataset = {};                 ///< of an HDF5 file
-};
-
 /// A picture to find grains in.
 struct GrainPicture {
   FloatImage image;
   std::int64_t frames = 1;   ///< that it is the mean of
   std::size_t replaced = 0;  ///< bad pixels that stand replaced by good neighbours
-  bool film = false;
 };
 
-/// Reads a picture or a film; in a film bad pixels (by level, and by noise from eight frames on) are replaced. InputError
-/// for a file that is neither, or a frame that the film does not hold.
-GrainPicture read_grain_picture(const std::filesystem::path& path, const PictureChoice& choice = {});
+/// Reads a picture or a film, whose frames are the choice's slices; without one it is the mean of all. In a film bad pixels (by level, and by noise
+/// from eight frames on) are replaced. InputError for a file that is neither, or a frame that the film does not hold.
+GrainPicture read_grain_picture(const std::filesystem::path& path, const io::ImageChoice& choice);
 
 /// Whether heat stays where it came to be within a cycle of the load.
 struct Adiabatic {
