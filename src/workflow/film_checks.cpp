@@ -23,9 +23,6 @@ std::string Adiabatic::sentence() const {
 
 namespace {
 
-// Dead and hot pixels are some per mille of a detector; a film that shows something has far more that are neither.
-bool nearly_all(std::size_t some, const FilmInfo& film) { return 100 * some >= 99 * film.pixels(); }
-
 /// Hotter than this is no sample of plastics, rock or glass under a press, and a level of a camera.
 constexpr double hottest = 1000;
 /// No grain stays elastic at a stress that warms it by so much.
@@ -123,20 +120,6 @@ void refuse_temperatures(const recipe::FilmRecipe& recipe, const std::filesystem
                      recipe.source_file);
 }
 
-void refuse_saturated(const thermography::FrameStatistics& seen, const FilmInfo& film) {
-  const std::size_t saturated = thermography::doubtful(seen, film.bits).saturated;
-  if (nearly_all(saturated, film))
-    throw refusal("{} of {} pixels reach the top of the camera's range ({}), so what they saw is not known; film with a shorter integration", saturated,
-                  film.pixels(), (1 << film.bits) - 1);
-}
-
-void refuse_constant(const thermography::FrameStatistics& seen, const FilmInfo& film) {
-  const std::size_t constant = thermography::doubtful(seen, film.bits).constant;
-  if (nearly_all(constant, film))
-    throw refusal("{} of {} pixels never change in the first {} frames, not even by noise; give the film as the camera recorded it", constant, film.pixels(),
-                  seen.frames);
-}
-
 std::string no_load_sentence(const LockinMaps& maps, double frequency, std::string_view given_by) {
   if (maps.other_frequency > 0)
     return fmt::format("the film shows only noise at {:.6g} Hz, but an oscillation at {:.4g} Hz; if that is the load, give its frequency ({})", frequency,
@@ -151,18 +134,6 @@ std::string no_load_sentence(const LockinMaps& maps, double frequency, std::stri
 
 void refuse_without_load(const LockinMaps& maps, double given_frequency) {
   if (!thermography::shows_load(maps)) throw InputError(no_load_sentence(maps, given_frequency, "lockin.frequency"));
-}
-
-recipe::Recipe read_companion_recipe(const recipe::FilmRecipe& recipe) {
-  const auto file = (std::filesystem::path(recipe.source_file).parent_path() / recipe.simulation->recipe).string();
-  recipe::Recipe companion = recipe::read_recipe(file);
-  companion.source_file = file;
-  for (const auto& name : {recipe.simulation->low, recipe.simulation->high}) {
-    const auto named = [&](const recipe::Stage& stage) { return stage.name == name; };
-    if (std::none_of(companion.stages.begin(), companion.stages.end(), named))
-      throw refusal_at(file, 0, "has no stage \"{}\", which [simulation] of {} names", name, recipe.source_file);
-  }
-  return companion;
 }
 
 double phase_off(const LockinMaps& maps, double given_cycles) {

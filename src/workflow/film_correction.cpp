@@ -21,6 +21,23 @@ std::filesystem::path beside(const recipe::FilmRecipe& recipe, const std::string
   return std::filesystem::path(recipe.source_file).parent_path() / file;
 }
 
+// Dead and hot pixels are some per mille of a detector; a film that shows something has far more that are neither.
+bool nearly_all(std::size_t some, const FilmInfo& film) { return 100 * some >= 99 * film.pixels(); }
+
+void refuse_saturated(const thermography::FrameStatistics& seen, const FilmInfo& film) {
+  const std::size_t saturated = thermography::doubtful(seen, film.bits).saturated;
+  if (nearly_all(saturated, film))
+    throw refusal("{} of {} pixels reach the top of the camera's range ({}), so what they saw is not known; film with a shorter integration", saturated,
+                  film.pixels(), (1 << film.bits) - 1);
+}
+
+void refuse_constant(const thermography::FrameStatistics& seen, const FilmInfo& film) {
+  const std::size_t constant = thermography::doubtful(seen, film.bits).constant;
+  if (nearly_all(constant, film))
+    throw refusal("{} of {} pixels never change in the first {} frames, not even by noise; give the film as the camera recorded it", constant, film.pixels(),
+                  seen.frames);
+}
+
 std::optional<FrameStatistics> reference(const recipe::FilmRecipe& recipe, const std::string& file, const FilmInfo& film) {
   if (file.empty()) return std::nullopt;
   const auto path = beside(recipe, file);

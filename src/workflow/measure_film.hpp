@@ -125,20 +125,11 @@ struct Adiabatic {
 /// Throws InputError if the film's levels cannot become temperatures in the way that the recipe says.
 void refuse_temperatures(const recipe::FilmRecipe& recipe, const std::filesystem::path& path, const FilmInfo& film);
 
-/// Throws InputError if nearly all pixels of a film reach the top of its range.
-void refuse_saturated(const thermography::FrameStatistics& seen, const FilmInfo& film);
-
-/// Throws InputError if nearly all pixels of a film stay as they are from its first frame on.
-void refuse_constant(const thermography::FrameStatistics& seen, const FilmInfo& film);
-
 /// What to say of maps that show no load, a film without one or at a wrong frequency; `given_by` is the key or option that gives it.
 std::string no_load_sentence(const LockinMaps& maps, double frequency, std::string_view given_by);
 
 /// Throws InputError if the maps hold nothing but noise, or a line of the camera.
 void refuse_without_load(const LockinMaps& maps, double given_frequency);
-
-/// The recipe of the companion simulation. Throws InputError if it has not the stages that [simulation] names.
-recipe::Recipe read_companion_recipe(const recipe::FilmRecipe& recipe);
 
 /// When the film itself says that the load is largest, against what the recipe gives, in cycles from -0.5 to 0.5. A signal
 /// that heat does not blur is in phase with the load everywhere; of the two ends the film takes that at which pixels warm.

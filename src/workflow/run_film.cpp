@@ -7,7 +7,7 @@
 #include <numbers>
 #include <optional>
 
-#include "core/error.hpp"
+#include "core/problems.hpp"
 #include "core/version.hpp"
 #include "io/disk/file.hpp"
 #include "io/disk/store_file.hpp"
@@ -32,6 +32,18 @@ std::string table_of(const FilmResult& film) {
     text += fmt::format("{},{},{},{},{}\n", grains.id[i], grains.x[i], grains.y[i], grains.radius[i],
                         film.packing.materials[static_cast<std::size_t>(grains.material[i])].name);
   return text;
+}
+
+recipe::Recipe read_companion_recipe(const recipe::FilmRecipe& recipe) {
+  const auto file = (std::filesystem::path(recipe.source_file).parent_path() / recipe.simulation->recipe).string();
+  recipe::Recipe companion = recipe::read_recipe(file);
+  companion.source_file = file;
+  for (const auto& name : {recipe.simulation->low, recipe.simulation->high}) {
+    const auto named = [&](const recipe::Stage& stage) { return stage.name == name; };
+    if (std::none_of(companion.stages.begin(), companion.stages.end(), named))
+      throw refusal_at(file, 0, "has no stage \"{}\", which [simulation] of {} names", name, recipe.source_file);
+  }
+  return companion;
 }
 
 recipe::Recipe companion_recipe(const recipe::FilmRecipe& recipe, const fs::path& grains) {

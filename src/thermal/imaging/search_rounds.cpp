@@ -105,7 +105,8 @@ DiskSearch SearchRounds::finish() {
     last = model_.disks();
   }
   find_classes();
-  return {std::move(model_), std::move(classes_), bright_, between_};
+  const double blur = model_.blur(), noise = model_.noise();
+  return {std::move(model_), {.bright = bright_, .between = between_, .blur = blur, .noise = noise, .sizes = std::move(classes_)}};
 }
 
 /// Pixels where a further centre would not collide with the disks found so far.
