@@ -68,11 +68,10 @@ const Scale* taken_for(const std::vector<Scale>& scales, const Scale& one, const
   return nullptr;
 }
 
-std::string unequal(const recipe::FilmRecipe& recipe, const std::vector<Scale>& scales) {
-  const auto [low, high] = std::minmax_element(scales.begin(), scales.end(), [](const Scale& a, const Scale& b) { return a.log < b.log; });
-  const std::string &first = recipe.materials[low->material].name, &second = recipe.materials[high->material].name;
-  const double ratio = std::exp(high->log - low->log);
-  if (taken_for(scales, *low, recipe, 0.5 * (low->log + high->log)))
+std::string unequal(const recipe::FilmRecipe& recipe, const std::vector<Scale>& scales, const Scale& low, const Scale& high) {
+  const std::string &first = recipe.materials[low.material].name, &second = recipe.materials[high.material].name;
+  const double ratio = std::exp(high.log - low.log);
+  if (taken_for(scales, low, recipe, 0.5 * (low.log + high.log)))
     return fmt::format(
         "forces between {0} and {1} agree only if each has the other's thermoelastic factor: the two materials are taken for each other; check their "
         "brightness (or the list of grains) and their factors",
@@ -96,7 +95,7 @@ void add_scales(const recipe::FilmRecipe& recipe, const FilmResult& r, std::vect
   if (scales.empty()) return;
   const auto [low, high] = std::minmax_element(scales.begin(), scales.end(), [](const Scale& a, const Scale& b) { return a.log < b.log; });
   const bool alike = beyond(high->log - low->log, std::hypot(high->error, low->error)) < 0;
-  if (!alike && std::hypot(high->error, low->error) < 1) doubts.push_back(unequal(recipe, scales));
+  if (!alike && std::hypot(high->error, low->error) < 1) doubts.push_back(unequal(recipe, scales, *low, *high));
   if (recipe.container.load_peak_to_peak <= 0) return;
   double sum = 0, weight = 0;
   for (const Scale& s : scales) sum += s.log / (s.error * s.error), weight += 1 / (s.error * s.error);

@@ -151,7 +151,6 @@ void fill(StepMaps& maps, const StepSides& sides, const Sums (&sums)[2]) {
 }
 
 StepSides sides_at(double step, const Matrix& series, const std::vector<double>& time, const StepOptions& o) {
-  if (!(step > time.front() && step < time.back())) throw refusal("the step at {:.6g} s is not within the film, which lasts {:.6g} s", step, time.back());
   const double far = o.window > 0 ? o.window : time.back() + 1;
   const auto after_time = [&](double t) { return static_cast<std::size_t>(std::upper_bound(time.begin(), time.end(), t) - time.begin()); };
   const auto from_time = [&](double t) { return static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), t) - time.begin()); };
