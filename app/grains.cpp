@@ -61,16 +61,16 @@ imaging::CircleOptions circle_options(const GrainsArguments& a, double pixel, co
 imaging::FoundCircles find(const FloatImage& image, const imaging::CircleOptions& options) {
   imaging::FoundCircles found = imaging::find_circles(image, options);
   if (found.grains.size() == 0) throw InputError("no grains were found; give their radii by --radii, --contrast bright or dark, or a lower --least-score");
-  if (found.report.material_members.size() < options.materials)
+  if (found.report.materials.size() < options.materials)
     throw InputError("--materials names " + std::to_string(options.materials) + " materials, but the grains show only " +
-                     std::to_string(found.report.material_members.size()) + " brightnesses; name fewer, or give another --channel");
+                     std::to_string(found.report.materials.size()) + " brightnesses; name fewer, or give another --channel");
   return found;
 }
 
-void store(const GrainsArguments& a, const report::FoundGrains& grains, const FloatImage& image) {
+void store(const GrainsArguments& a, const report::FoundGrains& grains) {
   const fs::path folder(a.out);
   workflow::make_folder(folder);
-  io::write_png(folder / "grains.png", report::grains_overlay(image, grains.found.grains));
+  io::write_png(folder / "grains.png", report::grains_overlay(grains));
   io::write_atomically(folder / "grains.json", report::grains_json(grains));
   io::write_atomically(folder / "grains.csv", report::grains_csv(grains));
   if (!a.json) std::printf("\ntable:   %s\npicture: %s\n", (folder / "grains.csv").c_str(), (folder / "grains.png").c_str());
@@ -80,17 +80,17 @@ void find_grains(const GrainsArguments& a) {
   const double pixel = pixel_of(a);
   const std::vector<std::string> materials = a.materials.empty() ? std::vector<std::string>() : parts_of(a.materials);
   const imaging::CircleOptions options = circle_options(a, pixel, materials);
-  workflow::PictureChoice choice;
-  if (a.frame >= 0) choice.frame = a.frame;
+  io::ImageChoice choice;
+  if (a.frame >= 0) choice.slice = a.frame;
   choice.channel = io::parse_channel(a.channel);
   choice.dataset = a.dataset;
   const workflow::GrainPicture picture = workflow::read_grain_picture(a.picture, choice);
   const Vec2 corner = corner_of(a, picture.image);
   try {
     const imaging::FoundCircles found = find(picture.image, options);
-    const report::FoundGrains grains{found, pixel, corner, materials, a.picture, picture.image.width, picture.image.height, picture.frames, picture.replaced};
+    const report::FoundGrains grains{found, picture, pixel, corner, materials, a.picture};
     std::fputs((a.json ? report::grains_json(grains) : report::grains_text(grains)).c_str(), stdout);
-    if (!a.out.empty()) store(a, grains, picture.image);
+    if (!a.out.empty()) store(a, grains);
   } catch (const InputError& error) { throw in_file(error, a.picture); }
 }
 

@@ -11,6 +11,14 @@
 
 namespace arenite {
 
+/// An error of one sentence that fmt puts together, to be thrown; with the file and line that it is about (line 0: unknown).
+template <class... T> InputError refusal(fmt::format_string<T...> sentence, T&&... values) {
+  return InputError(fmt::format(sentence, std::forward<T>(values)...));
+}
+template <class... T> InputError refusal_at(const std::string& file, int line, fmt::format_string<T...> sentence, T&&... values) {
+  return {file, line, fmt::format(sentence, std::forward<T>(values)...)};
+}
+
 /// Collects what is wrong with one input, so that all of it is reported in one pass; beyond `most` only counted.
 class Problems {
  public:
@@ -22,9 +30,15 @@ class Problems {
     if (++count_ <= most) list_.push_back({file_, line, 0, std::move(message)});
   }
   void add(std::string message) { add(0, std::move(message)); }
+  template <class First, class... T> void add(int line, fmt::format_string<First, T...> text, First&& first, T&&... values) {
+    add(line, fmt::format(text, std::forward<First>(first), std::forward<T>(values)...));
+  }
+  template <class First, class... T> void add(fmt::format_string<First, T...> text, First&& first, T&&... values) {
+    add(0, fmt::format(text, std::forward<First>(first), std::forward<T>(values)...));
+  }
   /// Adds a problem without a line if the input is not `good`.
   template <class... T> void unless(bool good, fmt::format_string<T...> text, T&&... values) {
-    if (!good) add(fmt::format(text, std::forward<T>(values)...));
+    if (!good) add(0, fmt::format(text, std::forward<T>(values)...));
   }
   bool any() const { return count_ > 0; }
   /// Throws InputError if there is any.

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "core/vec.hpp"
+
 namespace arenite {
 
 /// What the pixels of a film are.
@@ -58,6 +60,18 @@ class FilmSource {
   virtual const std::uint16_t* levels_in_memory() const { return nullptr; }
   virtual const float* values_in_memory() const { return nullptr; }
 };
+
+/// Reads `count` frames from `first` on, at most `at_once` at a time, and calls visit(pixels, n, some) for each `some` of them, of which the first is
+/// number n of the `count`; ends with false where that is false.
+template <class Visit> bool read_frames(FilmSource& film, std::size_t first, std::size_t count, std::size_t at_once, Visit&& visit) {
+  FrameBlock block;
+  for (std::size_t n = 0; n < count; n += at_once) {
+    const std::size_t some = std::min(at_once, count - n);
+    film.read(static_cast<std::int64_t>(first + n), some, block);
+    if (!(block.level.empty() ? visit(block.value.data(), n, some) : visit(block.level.data(), n, some))) return false;
+  }
+  return true;
+}
 
 /// A film in memory: what a virtual camera draws, and what tests look at.
 struct Film : FilmSource {
@@ -131,6 +145,10 @@ struct GrainMotion {
   std::vector<double> cos_x, sin_x, cos_y, sin_y;
   std::vector<double> error;  ///< standard error of each of the four
   std::size_t size() const { return cos_x.size(); }
+  /// From its mean place, where the phase 2 pi f t has this cosine and sine.
+  Vec2 at(std::size_t grain, double cosine, double sine) const {
+    return {cos_x[grain] * cosine + sin_x[grain] * sine, cos_y[grain] * cosine + sin_y[grain] * sine};
+  }
 };
 
 /// Peak-to-peak change of temperature and stress of every grain between the smallest and the largest load, as a film shows it.

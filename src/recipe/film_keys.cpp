@@ -100,7 +100,7 @@ void declare(Visitor& v, FilmMaterial& material) {
       material.stiffness, "kN/mm", range::not_negative);
 }
 
-void declare(Visitor& v, ReadingSection& film) {
+void declare(Visitor& v, io::FilmChoice& film) {
   v.number({"frame_rate", "Instead of what the film says; its time stamps are then left aside."}, film.frame_rate, "Hz", range::positive);
   v.number({"scale", "Temperature of one level: pixels become scale times their number, plus offset."}, film.scale, "K", range::positive);
   v.number({"offset", "Temperature of level 0."}, film.offset, "K", range::any);
@@ -211,8 +211,8 @@ void declare(ParameterVisitor& v, FilmRecipe& recipe) {
       {"materials", "Materials of the grains, by name.", true},
       {[&] { return recipe.materials.size(); }, [&](std::size_t n) { recipe.materials.resize(n); },
        [&](Visitor& inner, std::size_t i) { declare(inner, recipe.materials[i]); }, [&](std::size_t i) -> std::string& { return recipe.materials[i].name; }});
-  v.optional_section<ReadingSection>({"film", "What the film does not say about itself, or says wrongly."}, recipe.film,
-                                     [](Visitor& inner, ReadingSection& film) { declare(inner, film); });
+  v.optional_section<io::FilmChoice>({"film", "What the film does not say about itself, or says wrongly."}, recipe.film,
+                                     [](Visitor& inner, io::FilmChoice& film) { declare(inner, film); });
   v.section({"container", "The box that holds the grains.", true}, [&](Visitor& inner) { declare(inner, recipe.container); });
   v.section({"picture", "Where grains are in the film.", true}, [&](Visitor& inner) { declare(inner, recipe.picture); });
   v.section({"lockin", "From the film to the amplitude of every pixel.", true}, [&](Visitor& inner) { declare(inner, recipe.lockin); });

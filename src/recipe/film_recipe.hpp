@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "io/film/film.hpp"
 #include "thermal/camera/camera.hpp"
 
 namespace arenite::recipe {
@@ -16,13 +17,6 @@ struct FilmMaterial {
   double brightness = 0;                  ///< in the picture that grains are found in; only the order counts
   std::optional<double> emissivity = {};  ///< in the camera's band; unless given, that of [temperature]
   double stiffness = 0;                   ///< of its contacts, N/m; 0: not known, alike for all
-};
-
-/// What a film does not say about itself, or says wrongly.
-struct ReadingSection {
-  std::optional<double> frame_rate;     ///< Hz
-  std::optional<double> scale, offset;  ///< K: pixels become scale * number + offset
-  std::string dataset;                  ///< of an HDF5 file that holds several
 };
 
 /// The container that holds the grains; walls are contact partners and carry the load.
@@ -95,8 +89,8 @@ struct FilmRecipe {
   std::string title;
   std::uint64_t seed = 1;
   std::string source_file;
-  std::vector<std::string> notices;  ///< what the reader of the recipe found worth a word
-  std::optional<ReadingSection> film;
+  std::vector<std::string> notices;    ///< what the reader of the recipe found worth a word
+  std::optional<io::FilmChoice> film;  ///< what the film does not say about itself, or says wrongly
   std::vector<FilmMaterial> materials;
   FilmContainer container;
   PictureSection picture;

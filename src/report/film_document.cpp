@@ -82,9 +82,9 @@ PictureGrains circles_of(const FilmResult& r) {
 }
 
 /// Way of each grain from the smallest to the largest load along one axis, pixels: the load goes as cos(2 pi f t - phase).
-std::vector<double> way(const std::vector<double>& cosine, const std::vector<double>& sine, double phase) {
+std::vector<double> way(const GrainMotion& motion, double phase, double Vec2::*axis) {
   std::vector<double> out;
-  for (std::size_t g = 0; g < cosine.size(); ++g) out.push_back(2 * (cosine[g] * std::cos(phase) + sine[g] * std::sin(phase)));
+  for (std::size_t g = 0; g < motion.size(); ++g) out.push_back(2 * (motion.at(g, std::cos(phase), std::sin(phase)).*axis));
   return out;
 }
 
@@ -105,8 +105,8 @@ Numbers grains_of(const FilmResult& r, const workflow::FilmStresses& stresses, N
   reals("temperature", r.peak_to_peak.temperature);
   reals("sigma_hyd", r.peak_to_peak.sigma_hyd);
   reals("error", r.peak_to_peak.error);
-  reals("motion_x", way(r.motion.cos_x, r.motion.sin_x, r.maps.reference_phase));
-  reals("motion_y", way(r.motion.cos_y, r.motion.sin_y, r.maps.reference_phase));
+  reals("motion_x", way(r.motion, r.maps.reference_phase, &Vec2::x));
+  reals("motion_y", way(r.motion, r.maps.reference_phase, &Vec2::y));
   reals("motion_error", r.motion.error);
   if (!stresses.considered.empty()) out["considered"] = block.add_indices(unsigned_copy(stresses.considered));
   return out;

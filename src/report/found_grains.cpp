@@ -17,7 +17,7 @@ std::string material_name(const FoundGrains& g, std::int32_t k) {
   const auto at = static_cast<std::size_t>(k);
   if (k < 0) return "";
   if (at < g.materials.size()) return g.materials[at];
-  return g.found.report.material_members.size() > 1 ? fmt::format("class{}", k + 1) : std::string();
+  return g.found.report.materials.size() > 1 ? fmt::format("class{}", k + 1) : std::string();
 }
 
 /// Length in the table's unit.
@@ -51,7 +51,7 @@ void draw_circle(io::ColourPicture& out, Vec2 centre, double radius, const Colou
 std::string grains_csv(const FoundGrains& g) {
   const char* unit = g.pixel > 0 ? "mm" : "px";
   const PictureGrains& p = g.found.grains;
-  const bool named = !g.materials.empty() || g.found.report.material_members.size() > 1;
+  const bool named = !g.materials.empty() || g.found.report.materials.size() > 1;
   std::string out = fmt::format("id,x,y,radius{},position_error,radius_error,brightness,score\n-,{u},{u},{u}{},{u},{u},-,-\n", named ? ",material" : "",
                                 named ? ",-" : "", fmt::arg("u", unit));
   for (std::size_t k = 0; k < p.size(); ++k)
@@ -63,20 +63,21 @@ std::string grains_csv(const FoundGrains& g) {
 
 std::string grains_text(const FoundGrains& g) {
   const imaging::CircleReport& r = g.found.report;
-  std::string out = fmt::format("{} grains in {} x {} pixels, {} than what is around them\n", g.found.grains.size(), g.width, g.height,
-                                r.between  ? "brighter and darker"
-                                : r.bright ? "brighter"
-                                           : "darker");
+  std::string out =
+      fmt::format("{} grains in {} x {} pixels, {} than what is around them\n", g.found.grains.size(), g.picture.image.width, g.picture.image.height,
+                  r.between  ? "brighter and darker"
+                  : r.bright ? "brighter"
+                             : "darker");
   const auto line = [&](const char* name, const std::string& value) { out += fmt::format("{:<16}{}\n", name, value); };
-  if (g.frames > 1) line("picture", fmt::format("mean of {} frames", g.frames));
-  if (g.replaced > 0) line("bad pixels", fmt::format("{} replaced by good neighbours", g.replaced));
-  for (std::size_t c = 0; c < r.class_radius.size(); ++c)
-    line("size", fmt::format("radius {:.2f} pixels{}: {} grains", r.class_radius[c],
-                             g.pixel > 0 ? fmt::format(" = {:.3g} mm", length(g, r.class_radius[c])) : "", r.class_members[c]));
-  for (std::size_t m = 0; m < r.material_brightness.size(); ++m) {
+  if (g.picture.frames > 1) line("picture", fmt::format("mean of {} frames", g.picture.frames));
+  if (g.picture.replaced > 0) line("bad pixels", fmt::format("{} replaced by good neighbours", g.picture.replaced));
+  for (std::size_t c = 0; c < r.sizes.size(); ++c)
+    line("size", fmt::format("radius {:.2f} pixels{}: {} grains", r.sizes.mean[c], g.pixel > 0 ? fmt::format(" = {:.3g} mm", length(g, r.sizes.mean[c])) : "",
+                             r.sizes.members[c]));
+  for (std::size_t m = 0; m < r.materials.size(); ++m) {
     const std::string name = material_name(g, static_cast<std::int32_t>(m));
-    line("material", fmt::format("{}{}brightness {:.5g} +- {:.2g}: {} grains", name, name.empty() ? "" : ", ", r.material_brightness[m], r.material_spread[m],
-                                 r.material_members[m]));
+    line("material", fmt::format("{}{}brightness {:.5g} +- {:.2g}: {} grains", name, name.empty() ? "" : ", ", r.materials.mean[m], r.materials.spread[m],
+                                 r.materials.members[m]));
   }
   line("errors",
        fmt::format("{:.3f} pixels of a centre, {:.3f} of a radius (medians)", median(g.found.grains.position_error), median(g.found.grains.radius_error)));
@@ -89,10 +90,10 @@ std::string grains_json(const FoundGrains& g) {
   const imaging::CircleReport& r = g.found.report;
   const PictureGrains& p = g.found.grains;
   Numbers j{{"file", g.file},
-            {"width", g.width},
-            {"height", g.height},
-            {"frames", g.frames},
-            {"bad_pixels_replaced", g.replaced},
+            {"width", g.picture.image.width},
+            {"height", g.picture.image.height},
+            {"frames", g.picture.frames},
+            {"bad_pixels_replaced", g.picture.replaced},
             {"pixel_m", g.pixel > 0 ? Numbers(g.pixel) : Numbers(nullptr)},
             {"corner_px", {g.corner.x, g.corner.y}},
             {"grains", p.size()},
@@ -105,14 +106,14 @@ std::string grains_json(const FoundGrains& g) {
             {"median_position_error_px", median(p.position_error)},
             {"median_radius_error_px", median(p.radius_error)}};
   j["sizes"] = Numbers::list();
-  for (std::size_t c = 0; c < r.class_radius.size(); ++c)
-    j["sizes"].push_back({{"radius_px", r.class_radius[c]}, {"spread_px", r.class_spread[c]}, {"grains", r.class_members[c]}});
+  for (std::size_t c = 0; c < r.sizes.size(); ++c)
+    j["sizes"].push_back({{"radius_px", r.sizes.mean[c]}, {"spread_px", r.sizes.spread[c]}, {"grains", r.sizes.members[c]}});
   j["materials"] = Numbers::list();
-  for (std::size_t m = 0; m < r.material_brightness.size(); ++m)
+  for (std::size_t m = 0; m < r.materials.size(); ++m)
     j["materials"].push_back({{"name", material_name(g, static_cast<std::int32_t>(m))},
-                              {"brightness", r.material_brightness[m]},
-                              {"spread", r.material_spread[m]},
-                              {"grains", r.material_members[m]}});
+                              {"brightness", r.materials.mean[m]},
+                              {"spread", r.materials.spread[m]},
+                              {"grains", r.materials.members[m]}});
   j["by_grain"] = {{"column_px", p.x},
                    {"row_px", p.y},
                    {"radius_px", p.radius},
@@ -125,7 +126,9 @@ std::string grains_json(const FoundGrains& g) {
   return to_json(j, 2) + '\n';
 }
 
-io::ColourPicture grains_overlay(const FloatImage& picture, const PictureGrains& grains) {
+io::ColourPicture grains_overlay(const FoundGrains& g) {
+  const FloatImage& picture = g.picture.image;
+  const PictureGrains& grains = g.found.grains;
   const int times = std::clamp(1280 / std::max(1, picture.width), 1, 4);
   io::ColourPicture out{times * picture.width, times * picture.height, {}};
   const auto [low, high] = shown_range(picture);

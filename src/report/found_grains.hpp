@@ -5,19 +5,18 @@
 #include "core/vec.hpp"
 #include "io/image/image.hpp"
 #include "thermal/imaging/circles.hpp"
+#include "workflow/measure_film.hpp"
 
 namespace arenite::report {
 
 /// Grains found in a picture, and how their places count.
 struct FoundGrains {
   const imaging::FoundCircles& found;
+  const workflow::GrainPicture& picture;
   double pixel = 0;                    ///< width of a pixel on the sample, m; 0: not known, lengths are in pixels
   Vec2 corner;                         ///< pixel (column, row) from which x counts to the right and y up
   std::vector<std::string> materials;  ///< names, darkest first; empty: "class1", "class2", ... where there are several
   std::string file;
-  int width = 0, height = 0;  ///< of the picture, pixels
-  std::int64_t frames = 1;
-  std::size_t replaced = 0;  ///< bad pixels
 };
 
 /// Table id, x, y, radius, material (read by packing.method = "file" and `measure`), with standard errors, brightness and
@@ -28,6 +27,6 @@ std::string grains_json(const FoundGrains& grains);
 
 /// The picture in grey with the grains' circles on it, coloured by material; small pictures are drawn up to four times as
 /// large.
-io::ColourPicture grains_overlay(const FloatImage& picture, const PictureGrains& grains);
+io::ColourPicture grains_overlay(const FoundGrains& grains);
 
 }  // namespace arenite::report

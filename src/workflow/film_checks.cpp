@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/error.hpp"
 #include "core/median.hpp"
+#include "core/problems.hpp"
 
 namespace arenite::workflow {
 
@@ -22,9 +22,6 @@ std::string Adiabatic::sentence() const {
 }
 
 namespace {
-
-// Dead and hot pixels are some per mille of a detector; a film that shows something has far more that are neither.
-bool nearly_all(std::size_t some, const FilmInfo& film) { return 100 * some >= 99 * film.pixels(); }
 
 /// Hotter than this is no sample of plastics, rock or glass under a press, and a level of a camera.
 constexpr double hottest = 1000;
@@ -71,11 +68,10 @@ const Scale* taken_for(const std::vector<Scale>& scales, const Scale& one, const
   return nullptr;
 }
 
-std::string unequal(const recipe::FilmRecipe& recipe, const std::vector<Scale>& scales) {
-  const auto [low, high] = std::minmax_element(scales.begin(), scales.end(), [](const Scale& a, const Scale& b) { return a.log < b.log; });
-  const std::string &first = recipe.materials[low->material].name, &second = recipe.materials[high->material].name;
-  const double ratio = std::exp(high->log - low->log);
-  if (taken_for(scales, *low, recipe, 0.5 * (low->log + high->log)))
+std::string unequal(const recipe::FilmRecipe& recipe, const std::vector<Scale>& scales, const Scale& low, const Scale& high) {
+  const std::string &first = recipe.materials[low.material].name, &second = recipe.materials[high.material].name;
+  const double ratio = std::exp(high.log - low.log);
+  if (taken_for(scales, low, recipe, 0.5 * (low.log + high.log)))
     return fmt::format(
         "forces between {0} and {1} agree only if each has the other's thermoelastic factor: the two materials are taken for each other; check their "
         "brightness (or the list of grains) and their factors",
@@ -99,7 +95,7 @@ void add_scales(const recipe::FilmRecipe& recipe, const FilmResult& r, std::vect
   if (scales.empty()) return;
   const auto [low, high] = std::minmax_element(scales.begin(), scales.end(), [](const Scale& a, const Scale& b) { return a.log < b.log; });
   const bool alike = beyond(high->log - low->log, std::hypot(high->error, low->error)) < 0;
-  if (!alike && std::hypot(high->error, low->error) < 1) doubts.push_back(unequal(recipe, scales));
+  if (!alike && std::hypot(high->error, low->error) < 1) doubts.push_back(unequal(recipe, scales, *low, *high));
   if (recipe.container.load_peak_to_peak <= 0) return;
   double sum = 0, weight = 0;
   for (const Scale& s : scales) sum += s.log / (s.error * s.error), weight += 1 / (s.error * s.error);
@@ -115,26 +111,12 @@ void add_scales(const recipe::FilmRecipe& recipe, const FilmResult& r, std::vect
 }  // namespace
 
 void refuse_temperatures(const recipe::FilmRecipe& recipe, const std::filesystem::path& path, const FilmInfo& film) {
-  if (!has_references(recipe)) throw InputError(recipe.source_file, 0, fmt::format("temperature: {}", recipe::needs_references));
+  if (!has_references(recipe)) throw refusal_at(recipe.source_file, 0, "temperature: {}", recipe::needs_references);
   if (recipe.temperature.from == recipe::TemperatureSection::From::film && film.quantity == FilmQuantity::digital_level)
-    throw InputError(path.string(), 0,
-                     fmt::format("says that it holds digital levels, and temperature.from = \"film\" of {} takes them for kelvin; "
-                                 "choose \"references\", \"curve\" or \"radiometry\" there",
-                                 recipe.source_file));
-}
-
-void refuse_saturated(const thermography::FrameStatistics& seen, const FilmInfo& film) {
-  const std::size_t saturated = thermography::doubtful(seen, film.bits).saturated;
-  if (nearly_all(saturated, film))
-    throw InputError(fmt::format("{} of {} pixels reach the top of the camera's range ({}), so what they saw is not known; film with a shorter integration",
-                                 saturated, film.pixels(), (1 << film.bits) - 1));
-}
-
-void refuse_constant(const thermography::FrameStatistics& seen, const FilmInfo& film) {
-  const std::size_t constant = thermography::doubtful(seen, film.bits).constant;
-  if (nearly_all(constant, film))
-    throw InputError(fmt::format("{} of {} pixels never change in the first {} frames, not even by noise; give the film as the camera recorded it", constant,
-                                 film.pixels(), seen.frames));
+    throw refusal_at(path.string(), 0,
+                     "says that it holds digital levels, and temperature.from = \"film\" of {} takes them for kelvin; "
+                     "choose \"references\", \"curve\" or \"radiometry\" there",
+                     recipe.source_file);
 }
 
 std::string no_load_sentence(const LockinMaps& maps, double frequency, std::string_view given_by) {
@@ -153,18 +135,6 @@ void refuse_without_load(const LockinMaps& maps, double given_frequency) {
   if (!thermography::shows_load(maps)) throw InputError(no_load_sentence(maps, given_frequency, "lockin.frequency"));
 }
 
-recipe::Recipe read_companion_recipe(const recipe::FilmRecipe& recipe) {
-  const auto file = (std::filesystem::path(recipe.source_file).parent_path() / recipe.simulation->recipe).string();
-  recipe::Recipe companion = recipe::read_recipe(file);
-  companion.source_file = file;
-  for (const auto& name : {recipe.simulation->low, recipe.simulation->high}) {
-    const auto named = [&](const recipe::Stage& stage) { return stage.name == name; };
-    if (std::none_of(companion.stages.begin(), companion.stages.end(), named))
-      throw InputError(file, 0, fmt::format("has no stage \"{}\", which [simulation] of {} names", name, recipe.source_file));
-  }
-  return companion;
-}
-
 double phase_off(const LockinMaps& maps, double given_cycles) {
   std::vector<double> cosine, sine;
   for (std::size_t p = 0; p < maps.size(); ++p) {
@@ -180,23 +150,23 @@ double phase_off(const LockinMaps& maps, double given_cycles) {
 void refuse_impossible(const recipe::FilmRecipe& recipe, const LockinMaps& maps) {
   const double level = median_of_finite(maps.mean);
   if (level > hottest)
-    throw InputError(
-        fmt::format("its values are about {:.4g}, which are no temperatures of a sample in kelvin: levels of the camera are taken for kelvin; "
-                    "choose temperature.from = \"references\", \"curve\" or \"radiometry\", or give the scale of the film",
-                    level));
+    throw refusal(
+        "its values are about {:.4g}, which are no temperatures of a sample in kelvin: levels of the camera are taken for kelvin; "
+        "choose temperature.from = \"references\", \"curve\" or \"radiometry\", or give the scale of the film",
+        level);
   const double amplitude = median_of_finite(maps.amplitude);
   if (amplitude > largest_amplitude)
-    throw InputError(
-        fmt::format("half of its pixels have amplitudes above {:.3g} K, as no elastic grain has: levels of the camera are taken for kelvin, or "
-                    "the calibration is wrong; check [temperature]",
-                    amplitude));
+    throw refusal(
+        "half of its pixels have amplitudes above {:.3g} K, as no elastic grain has: levels of the camera are taken for kelvin, or "
+        "the calibration is wrong; check [temperature]",
+        amplitude);
   if (!recipe.lockin.phase) return;
   const double given = *recipe.lockin.phase / (2 * std::numbers::pi), off = phase_off(maps, given);  // in cycles
   if (std::abs(off) > phase_refused)
-    throw InputError(fmt::format(
+    throw refusal(
         "it warms {:.4g} deg {} the phase that lockin.phase = \"{:.4g} deg\" gives ({}); give \"{:.4g} deg\", or leave lockin.phase out to have it found",
         360 * std::abs(off), off > 0 ? "after" : "before", 360 * given,
-        std::abs(off) > 0.5 - phase_refused ? "half a cycle: it cools where it should warm" : "warming is in phase with its load", 360 * wrapped(given + off)));
+        std::abs(off) > 0.5 - phase_refused ? "half a cycle: it cools where it should warm" : "warming is in phase with its load", 360 * wrapped(given + off));
 }
 
 std::vector<std::string> film_doubts(const recipe::FilmRecipe& recipe, const FilmResult& r) {

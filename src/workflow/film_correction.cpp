@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.hpp"
+#include "core/problems.hpp"
 #include "io/table/table.hpp"
 #include "thermal/thermography/harmonic_fit.hpp"
 
@@ -21,14 +21,30 @@ std::filesystem::path beside(const recipe::FilmRecipe& recipe, const std::string
   return std::filesystem::path(recipe.source_file).parent_path() / file;
 }
 
+// Dead and hot pixels are some per mille of a detector; a film that shows something has far more that are neither.
+bool nearly_all(std::size_t some, const FilmInfo& film) { return 100 * some >= 99 * film.pixels(); }
+
+void refuse_saturated(const thermography::FrameStatistics& seen, const FilmInfo& film) {
+  const std::size_t saturated = thermography::doubtful(seen, film.bits).saturated;
+  if (nearly_all(saturated, film))
+    throw refusal("{} of {} pixels reach the top of the camera's range ({}), so what they saw is not known; film with a shorter integration", saturated,
+                  film.pixels(), (1 << film.bits) - 1);
+}
+
+void refuse_constant(const thermography::FrameStatistics& seen, const FilmInfo& film) {
+  const std::size_t constant = thermography::doubtful(seen, film.bits).constant;
+  if (nearly_all(constant, film))
+    throw refusal("{} of {} pixels never change in the first {} frames, not even by noise; give the film as the camera recorded it", constant, film.pixels(),
+                  seen.frames);
+}
+
 std::optional<FrameStatistics> reference(const recipe::FilmRecipe& recipe, const std::string& file, const FilmInfo& film) {
   if (file.empty()) return std::nullopt;
   const auto path = beside(recipe, file);
-  const auto source = io::open_film(path, reading_of(recipe));
+  const auto source = io::open_film(path, recipe.film.value_or(io::FilmChoice{}));
   if (source->info().width != film.width || source->info().height != film.height)
-    throw InputError(path.string(), 0,
-                     fmt::format("has frames of {} x {} pixels, and the film of {} x {}; film the reference with the same camera and window",
-                                 source->info().width, source->info().height, film.width, film.height));
+    throw refusal_at(path.string(), 0, "has frames of {} x {} pixels, and the film of {} x {}; film the reference with the same camera and window",
+                     source->info().width, source->info().height, film.width, film.height);
   auto seen = thermography::frame_statistics(*source, frames_looked_at);
   try {
     refuse_saturated(seen, source->info());
@@ -108,16 +124,11 @@ bool corrects_surfaces(const recipe::FilmRecipe& recipe) {
   const auto& t = recipe.temperature;
   if (t.from != From::film || t.assumed_emissivity) return true;
   const bool own = std::any_of(recipe.materials.begin(), recipe.materials.end(), [](const auto& m) { return m.emissivity.has_value(); });
-  if (own || t.emissivity || t.ambient || !t.band.empty()) throw InputError(recipe.source_file, 0, fmt::format("temperature: {}", recipe::unread_emissivity));
+  if (own || t.emissivity || t.ambient || !t.band.empty()) throw refusal_at(recipe.source_file, 0, "temperature: {}", recipe::unread_emissivity);
   return false;
 }
 
 }  // namespace
-
-io::FilmChoice reading_of(const recipe::FilmRecipe& recipe) {
-  if (!recipe.film) return {};
-  return {.dataset = recipe.film->dataset, .frame_rate = recipe.film->frame_rate, .scale = recipe.film->scale, .offset = recipe.film->offset};
-}
 
 FilmCorrection make_correction(const recipe::FilmRecipe& recipe, FilmSource& film) {
   const FilmInfo& info = film.info();
@@ -140,7 +151,6 @@ FilmCorrection make_correction(const recipe::FilmRecipe& recipe, FilmSource& fil
   }
   if (corrects_surfaces(recipe)) made.surfaces = surfaces_of(recipe, band_of(recipe, info, made.notes));
   correction.curve = curve_for(recipe, info, cold, warm, first, made.surfaces);
-  made.kelvin = true;
   return made;
 }
 

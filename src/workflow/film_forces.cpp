@@ -92,7 +92,7 @@ void hold_against_load(inference::ForceProblem problem, const inference::Thermoe
   if (!walls.empty()) fit.load = load_on(walls.front().side, inference::infer_from_pixels(problem, picture, options).contacts);
   problem.walls = walls;
   options.fit_factors = true, options.iterations = 8;
-  const InferredForces free = inference::infer_from_pixels(problem, picture, options);
+  const ForceFit free = inference::infer_from_pixels(problem, picture, options).fit;
   fit.factor_scale = free.factor_scale, fit.factor_scale_error = free.factor_scale_error;
 }
 
@@ -127,11 +127,9 @@ void infer_film_forces(const recipe::FilmRecipe& recipe, FilmResult& r) {
   keep(r.packing.contacts, needed, {});
   if (r.packing.contacts.size() == 0) throw InputError(nothing_presses);
   InferredForces kept = infer(options);
-  ForceFit& fit = r.fit;
-  fit.proposed = all.contacts.size(), fit.present = all.expected, fit.present_error = all.expected_error;
-  fit.picture = std::move(kept.fitted);
-  fit.over_noise = kept.over_noise, fit.over_signal = kept.over_signal, fit.model_error = kept.model_error;
-  if (recipe.forces.from == From::pixels) hold_against_load(problem, picture_of(r), options, fit);
+  r.fit = std::move(kept.fit);
+  r.fit.proposed = all.fit.proposed, r.fit.present = all.fit.present, r.fit.present_error = all.fit.present_error;
+  if (recipe.forces.from == From::pixels) hold_against_load(problem, picture_of(r), options, r.fit);
   r.packing.contacts = std::move(kept.contacts);
   r.fn_error = std::move(kept.fn_error);
   r.ft_error = std::move(kept.ft_error);

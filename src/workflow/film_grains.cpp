@@ -50,7 +50,10 @@ Grains in_metres(const PictureGrains& found, const FilmPlace& place) {
 
 namespace {
 
-void keep(PictureGrains& grains, const std::vector<std::uint8_t>& kept) {
+/// Leaves those grains of which `stays` (by their number) says so.
+template <class Stays> void keep(PictureGrains& grains, const Stays& stays) {
+  std::vector<std::uint8_t> kept;
+  for (std::size_t i = 0; i < grains.size(); ++i) kept.push_back(stays(i));
   const auto filter = [&](auto& values) {
     std::size_t n = 0;
     for (std::size_t i = 0; i < values.size(); ++i)
@@ -65,13 +68,11 @@ void keep(PictureGrains& grains, const std::vector<std::uint8_t>& kept) {
 
 /// Screws and edges of the container look round, too.
 void keep_inside(const recipe::FilmRecipe& recipe, const FilmPlace& place, PictureGrains& grains) {
-  std::vector<std::uint8_t> kept;
-  for (std::size_t i = 0; i < grains.size(); ++i) {
+  keep(grains, [&](std::size_t i) {
     const Vec2 c = place.metres(grains.x[i], grains.y[i]);
     const double deep = 0.5 * grains.radius[i] * place.pixel;
-    kept.push_back(c.x > deep && c.x < recipe.container.width - deep && c.y > deep && c.y < recipe.container.height - deep);
-  }
-  keep(grains, kept);
+    return c.x > deep && c.x < recipe.container.width - deep && c.y > deep && c.y < recipe.container.height - deep;
+  });
 }
 
 /// Share of the smaller radius by which load never presses two grains together.
@@ -86,7 +87,7 @@ void drop_overlapping(PictureGrains& grains) {
       if (overlap > most_overlap * std::min(grains.radius[i], grains.radius[j])) kept[grains.score[i] < grains.score[j] ? i : j] = 0;
     }
   }
-  keep(grains, kept);
+  keep(grains, [&](std::size_t i) { return kept[i]; });
 }
 
 double quantile(std::vector<double> values, double share) {
@@ -99,9 +100,7 @@ double quantile(std::vector<double> values, double share) {
 void drop_pores(const std::vector<float>& frame, bool bright, PictureGrains& grains) {
   const std::vector<double> levels(frame.begin(), frame.end());
   const double behind = quantile(levels, bright ? 0.02 : 0.98), halfway = 0.5 * (behind + quantile(grains.brightness, 0.5));
-  std::vector<std::uint8_t> kept;
-  for (const double b : grains.brightness) kept.push_back(bright ? b > halfway : b < halfway);
-  keep(grains, kept);
+  keep(grains, [&](std::size_t i) { return bright ? grains.brightness[i] > halfway : grains.brightness[i] < halfway; });
 }
 
 /// Grains of a list that overlap by more than load can press them: each pair is a slip of the list.
@@ -111,8 +110,8 @@ void refuse_overlapping(const std::string& file, const Grains& grains) {
     for (std::size_t j = 0; j < i; ++j) {
       const double overlap = grains.radius[i] + grains.radius[j] - norm(grains.centre(i) - grains.centre(j));
       if (overlap > most_overlap * std::min(grains.radius[i], grains.radius[j]))
-        problems.add(fmt::format("grains {} and {} overlap by {:.3g} mm, more than load presses grains together; correct their centres or radii", grains.id[j],
-                                 grains.id[i], 1e3 * overlap));
+        problems.add("grains {} and {} overlap by {:.3g} mm, more than load presses grains together; correct their centres or radii", grains.id[j],
+                     grains.id[i], 1e3 * overlap);
     }
   }
   problems.raise();

@@ -22,8 +22,6 @@ Numbers directions_of(const Packing& packing) {
   return out;
 }
 
-double median_or_unknown(std::vector<double> values) { return median(std::move(values), statistics::unknown); }
-
 Numbers film_of(const FilmResult& r) {
   return {{"format", r.film.format}, {"camera", r.film.camera},
           {"width", r.film.width},   {"height", r.film.height},
@@ -46,7 +44,7 @@ Numbers grains_of(const FilmResult& r) {
   Numbers j{{"all", r.packing.grains.size()}};
   for (std::size_t m = 0; m < r.packing.materials.size(); ++m)
     j[r.packing.materials[m].name] = std::count(r.packing.grains.material.begin(), r.packing.grains.material.end(), static_cast<std::int32_t>(m));
-  if (!r.grains.position_error.empty()) put(j, "position_error_pixels", median_or_unknown(r.grains.position_error));
+  if (!r.grains.position_error.empty()) put(j, "position_error_pixels", median(r.grains.position_error, statistics::unknown));
   return j;
 }
 
@@ -56,9 +54,9 @@ Numbers motion_of(const FilmResult& r) {
     travel.push_back(2 * std::hypot(r.motion.cos_x[i], r.motion.sin_x[i], std::hypot(r.motion.cos_y[i], r.motion.sin_y[i])));
   Numbers j = Numbers::tree();
   if (travel.empty()) return j;
-  put(j, "median_travel_pixels", median_or_unknown(travel));
+  put(j, "median_travel_pixels", median(travel, statistics::unknown));
   put(j, "largest_travel_pixels", *std::max_element(travel.begin(), travel.end()));
-  put(j, "standard_error_pixels", median_or_unknown(r.motion.error));
+  put(j, "standard_error_pixels", median(r.motion.error, statistics::unknown));
   return j;
 }
 
@@ -81,8 +79,8 @@ Numbers forces_of(const FilmResult& r) {
     put(j, "mean_N", Estimate{mean, std::hypot(spread, counted)});
     put(j, "fraction_above_mean", Estimate{above / n, std::sqrt(above * (n - above) / n) / n});
   }
-  put(j, "fn_error_N", median_or_unknown(r.fn_error));
-  put(j, "ft_error_N", median_or_unknown(r.ft_error));
+  put(j, "fn_error_N", median(r.fn_error, statistics::unknown));
+  put(j, "ft_error_N", median(r.ft_error, statistics::unknown));
   return j;
 }
 

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "core/error.hpp"
+#include "core/problems.hpp"
 #include "core/text.hpp"
 #include "statistics/clusters.hpp"
 #include "thermal/imaging/registration.hpp"
@@ -75,13 +75,13 @@ bool is_photograph(const std::filesystem::path& path) {
   return ending == ".png" || ending == ".jpg" || ending == ".jpeg";
 }
 
-GrainPicture picture_of_film(const std::filesystem::path& path, const PictureChoice& choice) {
+GrainPicture picture_of_film(const std::filesystem::path& path, const io::ImageChoice& choice) {
   const auto film = io::open_film(path, {.dataset = choice.dataset});
   const FilmInfo& info = film->info();
-  if (choice.frame && (*choice.frame < 0 || *choice.frame >= info.frames))
-    throw InputError(path.string(), 0, fmt::format("holds {} frames; there is no frame {} (frames count from 0)", info.frames, *choice.frame));
+  if (choice.slice && (*choice.slice < 0 || *choice.slice >= info.frames))
+    throw refusal_at(path.string(), 0, "holds {} frames; there is no frame {} (frames count from 0)", info.frames, *choice.slice);
   const thermography::FrameStatistics statistics = thermography::frame_statistics(*film);
-  GrainPicture picture{{info.width, info.height, statistics.mean}, static_cast<std::int64_t>(statistics.frames), 0, true};
+  GrainPicture picture{{info.width, info.height, statistics.mean}, static_cast<std::int64_t>(statistics.frames), 0};
   const std::vector<std::uint8_t> bad = thermography::find_bad_pixels(statistics);
   thermography::Correction correction;
   correction.width = info.width;
@@ -89,8 +89,8 @@ GrainPicture picture_of_film(const std::filesystem::path& path, const PictureCho
   correction.bad = thermography::replacements(bad, info.width, info.height);
   picture.replaced = correction.bad.size();
   FrameBlock block;
-  if (choice.frame) {
-    film->read(*choice.frame, 1, block);
+  if (choice.slice) {
+    film->read(*choice.slice, 1, block);
     picture.frames = 1;
   } else {
     block.frames = 1;
@@ -106,7 +106,7 @@ imaging::FoundCircles circles_of(const recipe::FilmRecipe& recipe, const FloatIm
   for (const double r : recipe.picture.radii) options.radii.push_back(r / pixel);
   auto found = imaging::find_circles(picture, options);
   for (std::size_t i = 0; i < found.grains.size(); ++i)
-    if (const auto k = found.grains.size_class[i]; k >= 0) found.grains.radius[i] = found.report.class_radius[static_cast<std::size_t>(k)];
+    if (const auto k = found.grains.size_class[i]; k >= 0) found.grains.radius[i] = found.report.sizes.mean[static_cast<std::size_t>(k)];
   return found;
 }
 
@@ -118,10 +118,10 @@ void take_materials(const recipe::FilmRecipe& recipe, const std::string& where, 
   });
   const auto classes = statistics::cluster(grains.brightness, {.most = order.size()});
   if (classes.size() != order.size())
-    throw InputError(
-        fmt::format("grains in {} have {} {} of brightness, and the recipe {} materials; give an optical picture in which they differ "
-                    "(picture.optical) or a list of the grains (picture.grains)",
-                    where, classes.size(), classes.size() == 1 ? "kind" : "kinds", order.size()));
+    throw refusal(
+        "grains in {} have {} {} of brightness, and the recipe {} materials; give an optical picture in which they differ "
+        "(picture.optical) or a list of the grains (picture.grains)",
+        where, classes.size(), classes.size() == 1 ? "kind" : "kinds", order.size());
   grains.material.clear();
   for (const auto k : classes.of) grains.material.push_back(order[static_cast<std::size_t>(k)]);
 }
@@ -136,8 +136,7 @@ PictureGrains optical_grains(const recipe::FilmRecipe& recipe, const FilmInfo& f
   const double pixel = times * fine;
   auto found = circles_of(recipe, image, pixel, {.largest = 0.25 * std::min(recipe.container.width, recipe.container.height) / pixel});
   if (found.grains.size() < 3)
-    throw InputError(file, 0,
-                     fmt::format("shows {} grains; give a picture in which they stand out, or a list of the grains (picture.grains)", found.grains.size()));
+    throw refusal_at(file, 0, "shows {} grains; give a picture in which they stand out, or a list of the grains (picture.grains)", found.grains.size());
   const auto first = as_given(whole, part, times, film, pixel / recipe.picture.pixel);
   const auto overlay = lay_over_film(file, found.grains, first, {film.width, film.height, frame});
   const Vec2 middle = first.inverse()({0.5 * (film.width - 1), 0.5 * (film.height - 1)}), off = overlay.transform(middle) - first(middle);
@@ -150,10 +149,10 @@ PictureGrains optical_grains(const recipe::FilmRecipe& recipe, const FilmInfo& f
   return grains;
 }
 
-GrainPicture read_grain_picture(const std::filesystem::path& path, const PictureChoice& choice) {
+GrainPicture read_grain_picture(const std::filesystem::path& path, const io::ImageChoice& choice) {
   io::refuse_other_recording(path);
   if (!is_photograph(path) && io::looks_like_film(path)) return picture_of_film(path, choice);
-  return {to_float(io::read_image(path, {.slice = choice.frame, .dataset = choice.dataset, .channel = choice.channel})), 1, 0, false};
+  return {to_float(io::read_image(path, choice)), 1, 0};
 }
 
 }  // namespace arenite::workflow

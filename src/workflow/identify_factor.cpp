@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/error.hpp"
+#include "core/problems.hpp"
 #include "workflow/identify.hpp"
 
 namespace arenite::workflow {
@@ -99,9 +99,8 @@ Column picked(const Column& from, const RowGroup& group) {
 [[noreturn]] void refuse_fit(const io::LaboratoryTable& table, const RowGroup& group, bool through_origin) {
   const std::string of = group.name.empty() ? "" : group.name + ": ";
   if (group.rows.size() <= (through_origin ? 1U : 2U))
-    throw InputError(table.file(), table.line(group.rows.back()),
-                     fmt::format("{}{} points are too few for a slope with an error; give at least {}", of, group.rows.size(),
-                                 through_origin ? "two" : "three, or --through-origin"));
+    throw refusal_at(table.file(), table.line(group.rows.back()), "{}{} points are too few for a slope with an error; give at least {}", of, group.rows.size(),
+                     through_origin ? "two" : "three, or --through-origin");
   throw InputError(table.file(), table.line(group.rows.front()),
                    of + "the load is the same in every row, or nothing answers to it; give tests at several loads");
 }
@@ -174,11 +173,11 @@ void from_properties(io::LaboratoryTable& table, const FactorRequest& request, I
   for (const auto& p : properties) {
     const auto column = table.find(p.quantity), error = table.find(p.error);
     const std::string name(p.quantity.names.front());
-    if (!column) throw InputError(table.file(), table.header_line(), fmt::format("there is no column {}; the factor is alpha T_0/(rho c_p)", name));
+    if (!column) throw refusal_at(table.file(), table.header_line(), "there is no column {}; the factor is alpha T_0/(rho c_p)", name);
     const Column values = table.values(*column, p.quantity), errors = error ? table.values(*error, p.error) : Column(table.rows(), statistics::unknown);
     if (!error) found.notes.push_back(fmt::format("{} has no error (column {}_error); none is added for it", name, name));
     for (std::size_t r = 0; r < rows.size(); ++r) {
-      if (!(values[r] > 0)) throw InputError(table.file(), table.line(r), fmt::format("{} is {}; it must be above 0", name, values[r]));
+      if (!(values[r] > 0)) throw refusal_at(table.file(), table.line(r), "{} is {}; it must be above 0", name, values[r]);
       rows[r].*p.member = {values[r], errors[r]};
     }
   }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.hpp"
 #include "core/problems.hpp"
 #include "core/text.hpp"
 #include "workflow/identify.hpp"
@@ -103,7 +102,7 @@ std::vector<TestGroup> tabulated_tests(io::LaboratoryTable& table, const io::Qua
     const auto values = table.values(c, quantity, true);
     for (std::size_t row = 0; row < values.size(); ++row)
       if (std::isfinite(values[row])) add(group, table.title(0) + " " + std::string(table.cell(row, 0)), row, values[row]);
-    if (group.tests.empty()) throw InputError(table.file(), table.header_line(), fmt::format("column {} holds no value; fill or remove it", table.title(c)));
+    if (group.tests.empty()) throw refusal_at(table.file(), table.header_line(), "column {} holds no value; fill or remove it", table.title(c));
   }
   return groups;
 }
@@ -139,9 +138,8 @@ identify::Identification finished(identify::Identification found, const io::Labo
     const std::string name(table.cell(row, 0));
     if (std::find(names.begin(), names.end(), name) != names.end()) continue;
     const std::string near = nearest(name, names);
-    throw InputError(
-        file, table.line(row),
-        fmt::format("\"{}\" is none of the groups of {}; {}", name, found.file, near.empty() ? "name them alike" : fmt::format("did you mean \"{}\"?", near)));
+    throw refusal_at(file, table.line(row), "\"{}\" is none of the groups of {}; {}", name, found.file,
+                     near.empty() ? "name them alike" : fmt::format("did you mean \"{}\"?", near));
   }
   return found;
 }

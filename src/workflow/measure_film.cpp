@@ -15,11 +15,7 @@ namespace {
 
 class Measurement {
  public:
-  Measurement(const recipe::FilmRecipe& recipe, const FilmRunOptions& options, FilmSource& source)
-      : recipe_(recipe),
-        options_(options),
-        source_(source),
-        place_(place_of(recipe, source.info())) {}
+  Measurement(const recipe::FilmRecipe& recipe, const FilmRunOptions& options, FilmSource& source) : recipe_(recipe), options_(options), source_(source) {}
 
   /// False if it was stopped.
   bool run(FilmResult& r) {
@@ -30,7 +26,7 @@ class Measurement {
     const auto made = make_correction(recipe_, source_);
     for (const auto& note : made.notes) options_.notice(note);
     r.bad = made.bad;
-    r.film.quantity = made.kelvin ? FilmQuantity::kelvin : FilmQuantity::digital_level;
+    r.film.quantity = FilmQuantity::kelvin;
     thermography::CorrectedFilm film(source_, made.correction);
     if (!lock_in(film, r) || !find(film, r)) return false;
     thermography::see_surfaces(r.maps, loaded_, made.surfaces);
@@ -67,7 +63,7 @@ class Measurement {
     std::size_t best = 0;
     double most = -2;
     for (std::size_t k = 0; k < pictures.size(); ++k) {
-      const double along = pictures.cosine[k] * std::cos(phase) + pictures.sine[k] * std::sin(phase);
+      const double along = pictures.phases[k][1] * std::cos(phase) + pictures.phases[k][2] * std::sin(phase);
       if (along > most) most = along, best = k;
     }
     return best;
@@ -97,8 +93,7 @@ class Measurement {
     for (int round = 0; round < 3; ++round) {
       r.motion = thermography::grain_motion(pictures, middle, {.threads = options_.threads});
       for (std::size_t i = 0; i < r.grains.size(); ++i) {
-        const double x = r.motion.cos_x[i] * std::cos(largest) + r.motion.sin_x[i] * std::sin(largest);
-        const double y = r.motion.cos_y[i] * std::cos(largest) + r.motion.sin_y[i] * std::sin(largest);
+        const auto [x, y] = r.motion.at(i, std::cos(largest), std::sin(largest));
         middle.x[i] = r.grains.x[i] + x, middle.y[i] = r.grains.y[i] + y;
         loaded_.x[i] = r.grains.x[i] + 2 * x, loaded_.y[i] = r.grains.y[i] + 2 * y;
       }
@@ -154,7 +149,7 @@ class Measurement {
   const recipe::FilmRecipe& recipe_;
   const FilmRunOptions& options_;
   FilmSource& source_;
-  FilmPlace place_;
+  FilmPlace place_ = place_of(recipe_, source_.info());
   static constexpr double blur_step = 0.1;  // pixels
   LockinMaps wider_;                        ///< with rims taken off as a lens blurred by a step more shows them
   PictureGrains loaded_;                    ///< at the largest load

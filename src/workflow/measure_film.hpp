@@ -28,12 +28,8 @@ struct FilmCorrection {
   thermography::Correction correction;
   std::vector<std::uint8_t> bad;         ///< 1 for pixels that are replaced
   thermography::GrainSurfaces surfaces;  ///< what is left to do where materials are known: their emissivities, if these differ
-  bool kelvin = false;                   ///< what comes out are temperatures
   std::vector<std::string> notes;        ///< what a user should know: constant or saturated pixels
 };
-
-/// How the film and its references are to be read, where the recipe says it.
-io::FilmChoice reading_of(const recipe::FilmRecipe& recipe);
 
 /// Reads references and curve, and looks at the film's first frames for bad pixels. Throws InputError for references of another size
 /// and films that do not hold what [temperature] says.
@@ -103,24 +99,16 @@ void take_materials(const recipe::FilmRecipe& recipe, const std::string& where, 
 /// Circles of the recipe's radii; those of one class have one radius, which their mean gives better than each by itself. `pixel` of the picture in m.
 imaging::FoundCircles circles_of(const recipe::FilmRecipe& recipe, const FloatImage& picture, double pixel, imaging::CircleOptions options = {});
 
-/// What of a file is looked at for grains.
-struct PictureChoice {
-  std::optional<std::int64_t> frame = {};   ///< of a film, from 0; none: the mean of all frames
-  io::Channel channel = io::Channel::grey;  ///< of a coloured picture
-  std::string dataset = {};                 ///< of an HDF5 file
-};
-
 /// A picture to find grains in.
 struct GrainPicture {
   FloatImage image;
   std::int64_t frames = 1;   ///< that it is the mean of
   std::size_t replaced = 0;  ///< bad pixels that stand replaced by good neighbours
-  bool film = false;
 };
 
-/// Reads a picture or a film; in a film bad pixels (by level, and by noise from eight frames on) are replaced. InputError
-/// for a file that is neither, or a frame that the film does not hold.
-GrainPicture read_grain_picture(const std::filesystem::path& path, const PictureChoice& choice = {});
+/// Reads a picture or a film, whose frames are the choice's slices; without one it is the mean of all. In a film bad pixels (by level, and by noise
+/// from eight frames on) are replaced. InputError for a file that is neither, or a frame that the film does not hold.
+GrainPicture read_grain_picture(const std::filesystem::path& path, const io::ImageChoice& choice);
 
 /// Whether heat stays where it came to be within a cycle of the load.
 struct Adiabatic {
@@ -137,20 +125,11 @@ struct Adiabatic {
 /// Throws InputError if the film's levels cannot become temperatures in the way that the recipe says.
 void refuse_temperatures(const recipe::FilmRecipe& recipe, const std::filesystem::path& path, const FilmInfo& film);
 
-/// Throws InputError if nearly all pixels of a film reach the top of its range.
-void refuse_saturated(const thermography::FrameStatistics& seen, const FilmInfo& film);
-
-/// Throws InputError if nearly all pixels of a film stay as they are from its first frame on.
-void refuse_constant(const thermography::FrameStatistics& seen, const FilmInfo& film);
-
 /// What to say of maps that show no load, a film without one or at a wrong frequency; `given_by` is the key or option that gives it.
 std::string no_load_sentence(const LockinMaps& maps, double frequency, std::string_view given_by);
 
 /// Throws InputError if the maps hold nothing but noise, or a line of the camera.
 void refuse_without_load(const LockinMaps& maps, double given_frequency);
-
-/// The recipe of the companion simulation. Throws InputError if it has not the stages that [simulation] names.
-recipe::Recipe read_companion_recipe(const recipe::FilmRecipe& recipe);
 
 /// When the film itself says that the load is largest, against what the recipe gives, in cycles from -0.5 to 0.5. A signal
 /// that heat does not blur is in phase with the load everywhere; of the two ends the film takes that at which pixels warm.

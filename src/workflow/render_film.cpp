@@ -1,13 +1,11 @@
 #include "workflow/run_film.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
 
-#include "core/error.hpp"
+#include "core/problems.hpp"
 #include "io/disk/file.hpp"
 #include "io/film/film.hpp"
 #include "workflow/result_folder.hpp"
@@ -26,8 +24,7 @@ void take_materials(Packing& packing, const recipe::FilmRecipe& recipe, camera::
     const auto same = [&](const recipe::FilmMaterial& m) { return m.name == material.name; };
     const auto at = std::find_if(recipe.materials.begin(), recipe.materials.end(), same);
     if (at == recipe.materials.end())
-      throw InputError(recipe.source_file, 0,
-                       fmt::format("there is no section [materials.{0}], which grains of the sample are made of; add it", material.name));
+      throw refusal_at(recipe.source_file, 0, "there is no section [materials.{0}], which grains of the sample are made of; add it", material.name);
     material.thermoelastic_factor = at->thermoelastic_factor;
     p.surroundings.emissivity.push_back(emissivity[static_cast<std::size_t>(at - recipe.materials.begin())]);
     brightness.push_back(at->brightness);

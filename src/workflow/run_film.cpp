@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <functional>
 #include <numbers>
 #include <optional>
 
-#include "core/error.hpp"
+#include "core/problems.hpp"
 #include "core/version.hpp"
 #include "io/disk/file.hpp"
 #include "io/disk/store_file.hpp"
@@ -32,6 +34,18 @@ std::string table_of(const FilmResult& film) {
   return text;
 }
 
+recipe::Recipe read_companion_recipe(const recipe::FilmRecipe& recipe) {
+  const auto file = (std::filesystem::path(recipe.source_file).parent_path() / recipe.simulation->recipe).string();
+  recipe::Recipe companion = recipe::read_recipe(file);
+  companion.source_file = file;
+  for (const auto& name : {recipe.simulation->low, recipe.simulation->high}) {
+    const auto named = [&](const recipe::Stage& stage) { return stage.name == name; };
+    if (std::none_of(companion.stages.begin(), companion.stages.end(), named))
+      throw refusal_at(file, 0, "has no stage \"{}\", which [simulation] of {} names", name, recipe.source_file);
+  }
+  return companion;
+}
+
 recipe::Recipe companion_recipe(const recipe::FilmRecipe& recipe, const fs::path& grains) {
   recipe::Recipe companion = read_companion_recipe(recipe);
   companion.populations.clear();
@@ -42,25 +56,42 @@ recipe::Recipe companion_recipe(const recipe::FilmRecipe& recipe, const fs::path
   return companion;
 }
 
-/// False if it was stopped; otherwise `loaded` is the simulated sample at the largest load.
+/// Stresses of the grains from the ends of the two stages that [simulation] names, and the sample at the largest load; nothing if one is missing.
+FilmSimulation stresses_of(const std::vector<StageResult>& stages, const recipe::SimulationSection& simulation, Packing& loaded) {
+  const StageResult *low = nullptr, *high = nullptr;
+  for (const StageResult& stage : stages) {
+    if (stage.name == simulation.low) low = &stage;
+    if (stage.name == simulation.high) high = &stage;
+  }
+  if (!low || !high) return {};
+  loaded = high->frames.back().packing;
+  FilmSimulation stresses{stress_of_disks(low->frames.back().packing), stress_of_disks(loaded)};
+  std::transform(stresses.state.begin(), stresses.state.end(), stresses.peak_to_peak.begin(), stresses.peak_to_peak.begin(), std::minus());
+  return stresses;
+}
+
+/// Simulates the grains that were found in a film, from their places at the smallest load, by the recipe that [simulation] names: its packing is
+/// replaced, its container, laws and stages are kept. False if it was stopped; otherwise `loaded` is the simulated sample at the largest load.
 bool add_companion(const recipe::FilmRecipe& recipe, const FilmRunOptions& options, FilmResult& film, std::vector<StageResult>& stages, Packing& loaded) {
-  RunOptions run = options;
-  run.out = options.out / "simulation";
+  RunOptions companion = options;
+  companion.out = options.out / "simulation";
   // Before version 0.2 it was called the twin; what is stored there goes on being used.
-  if (const fs::path former = options.out / "twin"; fs::exists(former) && !fs::exists(run.out)) fs::rename(former, run.out);
-  run.progress = [&](const Progress& p) {
+  if (const fs::path former = options.out / "twin"; fs::exists(former) && !fs::exists(companion.out)) fs::rename(former, companion.out);
+  companion.progress = [&](const Progress& p) {
     Progress shown = p;
     shown.name = "simulation: " + p.name;
     shown.stage = 10 + p.stage;
     shown.stages = 11 + p.stages;
     options.progress(shown);
   };
-  auto companion = run_companion(recipe, film, run);
-  if (companion.interrupted) return false;
-  film.simulation = std::move(companion.stresses);
-  stages = std::move(companion.stages);
-  loaded = std::move(companion.loaded);
-  if (!companion.converged) options.notice("the companion simulation found no equilibrium: " + companion.outcome);
+  make_folder(companion.out);
+  const fs::path grains = companion.out / "grains.csv";
+  io::write_atomically(grains, table_of(film));
+  RunOutcome outcome = run(companion_recipe(recipe, grains), companion);
+  if (outcome.interrupted) return false;
+  stages = std::move(outcome.stages);
+  film.simulation = stresses_of(stages, *recipe.simulation, loaded);
+  if (!outcome.converged) options.notice("the companion simulation found no equilibrium: " + (stages.empty() ? std::string() : stages.back().outcome));
   return true;
 }
 
@@ -97,30 +128,6 @@ std::vector<double> stress_of_disks(const Packing& packing) {
   return pushed;
 }
 
-CompanionRun run_companion(const recipe::FilmRecipe& recipe, const FilmResult& film, const RunOptions& options) {
-  make_folder(options.out);
-  const fs::path grains = options.out / "grains.csv";
-  io::write_atomically(grains, table_of(film));
-  auto outcome = run(companion_recipe(recipe, grains), options);
-  CompanionRun companion;
-  companion.converged = outcome.converged;
-  companion.interrupted = outcome.interrupted;
-  const StageResult *low = nullptr, *high = nullptr;
-  for (const StageResult& stage : outcome.stages) {
-    if (stage.name == recipe.simulation->low) low = &stage;
-    if (stage.name == recipe.simulation->high) high = &stage;
-    companion.outcome = stage.outcome;
-  }
-  if (low && high) {
-    companion.loaded = high->frames.back().packing;
-    const auto released = stress_of_disks(low->frames.back().packing);
-    companion.stresses.state = stress_of_disks(companion.loaded);
-    for (std::size_t i = 0; i < released.size(); ++i) companion.stresses.peak_to_peak.push_back(companion.stresses.state[i] - released[i]);
-  }
-  companion.stages = std::move(outcome.stages);
-  return companion;
-}
-
 StageResult measured_stage(const FilmResult& film) {
   StageResult stage;
   stage.name = "measured peak to peak";
@@ -135,7 +142,7 @@ StageResult measured_stage(const FilmResult& film) {
 FilmOutcome run_film(const fs::path& film, const recipe::FilmRecipe& recipe, const FilmRunOptions& options) {
   for (const std::string& sentence : recipe.notices) options.notice(sentence);
   FilmOutcome outcome;
-  const auto source = io::open_film(film, reading_of(recipe));
+  const auto source = io::open_film(film, recipe.film.value_or(io::FilmChoice{}));
   refuse_temperatures(recipe, film, source->info());
   const PlannedStage stage = planned_stage(1, "film", film_key(film, *source, recipe), false, film_key(film, *source, recipe, Names::of_version_0_1));
   if (recipe.simulation) read_companion_recipe(recipe);

@@ -29,26 +29,13 @@ struct FilmOutcome {
 StageResult measured_stage(const FilmResult& film);
 
 /// The whole workflow from a film to stresses of grains, contact forces and the companion simulation; the result is one file in `options.out`, named by
-/// the hash of all that it depends on. Throws InputError for what the recipe and the film do not allow.
+/// the hash of all that it depends on, and those of the companion simulation are in `options.out`/simulation. Throws InputError for what the recipe and the
+/// film do not allow, and for a companion's recipe without the stages that [simulation] names or without the grains' materials.
 FilmOutcome run_film(const std::filesystem::path& film, const recipe::FilmRecipe& recipe, const FilmRunOptions& options);
-
-/// What came of the companion simulation of a film.
-struct CompanionRun {
-  FilmSimulation stresses;  ///< empty if it was stopped or found no equilibrium
-  Packing loaded;           ///< at the largest load; without grains as `stresses` is empty
-  std::vector<StageResult> stages;
-  std::string outcome;
-  bool converged = true, interrupted = false;
-};
 
 /// Stress of every grain as its normal forces make it, -sum fn/(2 pi R L), Pa, tension positive: the mean over the disk whose
 /// rim carries them, which is what pixels show. (A stress by branch vectors has arms shortened by the overlaps.)
 std::vector<double> stress_of_disks(const Packing& packing);
-
-/// Simulates the grains that were found in a film, from their places at the smallest load, by the recipe that [simulation] names:
-/// its packing is replaced, its container, laws and stages are kept. Results go to `options.out`, as those of `run`. Throws
-/// InputError for a recipe without the stages that [simulation] names or without the grains' materials.
-CompanionRun run_companion(const recipe::FilmRecipe& recipe, const FilmResult& film, const RunOptions& options);
 
 /// Statistics of what a film gave, as `arenite film --json` prints them: frequency, noise, grains by material, motion,
 /// sigma_norm (by the code that measures simulated packings), contact forces, contact orientations, and the comparison

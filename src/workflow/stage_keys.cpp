@@ -195,7 +195,7 @@ std::string film_key(const fs::path& film, FilmSource& source, const recipe::Fil
   add_film(hash, "film", film, source);
   const auto beside = [&](const std::string& file) { return fs::path(recipe.source_file).parent_path() / file; };
   const auto add_reference = [&](const char* name, const std::string& file) {
-    if (!file.empty()) add_film(hash, name, beside(file), *io::open_film(beside(file), reading_of(recipe)));
+    if (!file.empty()) add_film(hash, name, beside(file), *io::open_film(beside(file), recipe.film.value_or(io::FilmChoice{})));
   };
   const auto add = [&](const char* name, const std::string& file) {
     if (!file.empty()) hash.add(name, content_hash(io::read_file(beside(file))));

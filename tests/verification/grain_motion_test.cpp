@@ -132,7 +132,7 @@ TEST(PhasePictures, HoldAllFramesAtTheirPhases) {
   double frames = 0;
   for (std::size_t k = 0; k < pictures.size(); ++k) {
     frames += pictures.frames[k];
-    EXPECT_GT(std::hypot(pictures.cosine[k], pictures.sine[k]), 0.99);
+    EXPECT_GT(std::hypot(pictures.phases[k][1], pictures.phases[k][2]), 0.99);
   }
   EXPECT_EQ(frames, 300);
 }

@@ -23,7 +23,7 @@ TEST_P(ThesisSample, IsFoundToATenthOfAPixelAtTheThesisPixel) {
   EXPECT_LT(score.rms, 0.03);
   EXPECT_GT(score.errors, 0.7);
   EXPECT_LT(score.errors, 1.5);
-  EXPECT_EQ(found.report.material_brightness.size(), 2u);
+  EXPECT_EQ(found.report.materials.mean.size(), 2u);
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, ThesisSample, ::testing::Values("sample-02", "sample-02-other", "sample-08", "sample-12"),
@@ -33,9 +33,9 @@ INSTANTIATE_TEST_SUITE_P(Of, ThesisSample, ::testing::Values("sample-02", "sampl
 TEST(PhotoelasticDisks, AreAllFoundInTheirTwoSizesAndNoneInvented) {
   const Image image = io::read_image(std::string(ARENITE_SOURCE_DIR) + "/examples/data/photoelastic-disks/Step09-0001.jpg", {.channel = io::Channel::red});
   const imaging::FoundCircles found = imaging::find_circles(to_float(image), {.contrast = imaging::GrainContrast::bright});
-  ASSERT_EQ(found.report.class_members, (std::vector<std::size_t>{15, 14}));
-  EXPECT_NEAR(found.report.class_radius[0], 50, 3);
-  EXPECT_NEAR(found.report.class_radius[1], 73, 2);
+  ASSERT_EQ(found.report.sizes.members, (std::vector<std::size_t>{15, 14}));
+  EXPECT_NEAR(found.report.sizes.mean[0], 50, 3);
+  EXPECT_NEAR(found.report.sizes.mean[1], 73, 2);
   EXPECT_EQ(found.report.overlapping, 0u);
 }
 

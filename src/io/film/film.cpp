@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "core/median.hpp"
+#include "core/text.hpp"
 #include "io/disk/store_file.hpp"
 #include "io/film/formats.hpp"
 
@@ -17,7 +18,6 @@ namespace {
 using namespace std::string_view_literals;
 
 struct FormatToRead {
-  const char* name;
   bool marked;  ///< begins with a mark that nothing else begins with
   bool (*is)(std::string_view head);
   FilmPointer (*open)(const Bytes& bytes, const FilmChoice& choice);
@@ -25,10 +25,8 @@ struct FormatToRead {
 
 /// In the order in which they are tried: text last, for it has no mark.
 constexpr FormatToRead formats_to_read[] = {
-    {"ptw", true, is_ptw, open_ptw},          {"npy", true, is_npy, open_npy},
-    {"tiff", true, is_tiff, open_tiff_film},  {"hdf5", true, is_hdf5, open_hdf5_film},
-    {"sfmov", true, is_sfmov, open_sfmov},    {"hcc", false, is_hcc, open_hcc},
-    {"raw", false, is_sidecar, open_sidecar}, {"text", false, is_text_film, open_text_film},
+    {true, is_ptw, open_ptw},     {true, is_npy, open_npy},  {true, is_tiff, open_tiff_film},   {true, is_hdf5, open_hdf5_film},
+    {true, is_sfmov, open_sfmov}, {false, is_hcc, open_hcc}, {false, is_sidecar, open_sidecar}, {false, is_text_film, open_text_film},
 };
 
 struct FormatToWrite {
@@ -107,12 +105,6 @@ std::filesystem::path sidecar_of(const std::filesystem::path& raw) {
   return {};
 }
 
-template <class Formats> std::vector<std::string> names_of(const Formats& formats) {
-  std::vector<std::string> names;
-  for (const auto& format : formats) names.emplace_back(format.name);
-  return names;
-}
-
 const FormatToRead* format_of(const ByteSource& bytes) {
   const std::string head = bytes.text(0, head_size);
   for (const FormatToRead& format : formats_to_read)
@@ -122,8 +114,11 @@ const FormatToRead* format_of(const ByteSource& bytes) {
 
 }  // namespace
 
-std::vector<std::string> film_formats() { return names_of(formats_to_read); }
-std::vector<std::string> film_formats_to_write() { return names_of(formats_to_write()); }
+std::vector<std::string> film_formats_to_write() {
+  std::vector<std::string> names;
+  for (const FormatToWrite& format : formats_to_write()) names.emplace_back(format.name);
+  return names;
+}
 
 void refuse_other_recording(const std::filesystem::path& path) {
   std::error_code error;
@@ -167,9 +162,7 @@ bool looks_like_film(const std::filesystem::path& path) {
 }
 
 std::string other_recording(const std::filesystem::path& path, std::string_view head) {
-  std::string ending = path.extension().string();
-  for (char& c : ending) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
-  const Recording* is = with_ending(ending);
+  const Recording* is = with_ending(lower_case(path.extension().string()));
   for (const Mark& mark : marks)
     if (is == nullptr && head.size() > mark.at && head.substr(mark.at).starts_with(mark.bytes)) is = with_ending(mark.ending);
   if (is == nullptr) return {};

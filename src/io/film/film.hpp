@@ -20,9 +20,6 @@ struct FilmChoice {
   std::int64_t most_pixels = 100'000'000;         ///< in a frame; larger ones are refused before memory is asked for
 };
 
-/// Names of the formats that can be read, for help texts. The content decides, not the name.
-std::vector<std::string> film_formats();
-
 /// A film that is read part by part: Cedip .ptw, FLIR .sfmov, Telops .hcc, .npy, TIFF with a page a frame, HDF5, frames of numbers as text, raw
 /// frames with a sidecar (the sidecar's name or that of the file beside it). A folder, or a name with *, is a series of such files in the order of
 /// the numbers in their names. InputError for anything else.

@@ -46,7 +46,7 @@ std::map<std::string, Value> values_of(std::string_view text, Problems& problems
     std::string_view value = trimmed(line.substr(equals + 1));
     if (value.size() >= 2 && value.front() == '"' && value.back() == '"') value = value.substr(1, value.size() - 2);
     if (!values.emplace(key, Value{lines.number(), std::string(value)}).second)
-      problems.add(lines.number(), fmt::format("\"{}\" stands here a second time; leave one", key));
+      problems.add(lines.number(), "\"{}\" stands here a second time; leave one", key);
   }
   return values;
 }
@@ -63,12 +63,12 @@ class Sidecar {
   std::int64_t count(const char* key, std::int64_t otherwise, bool required = false) {
     const Value* value = find(key);
     if (value == nullptr) {
-      if (required) problems_.add(fmt::format("does not say the {}; add a line \"{} = ...\"", key, key));
+      if (required) problems_.add("does not say the {}; add a line \"{} = ...\"", key, key);
       return otherwise;
     }
     const auto number = to_integer(value->text);
     if (number && *number >= 0 && *number <= (std::int64_t{1} << 40)) return *number;
-    problems_.add(value->line, fmt::format("{} is \"{}\", which is no whole number; write one", key, value->text.substr(0, 40)));
+    problems_.add(value->line, "{} is \"{}\", which is no whole number; write one", key, value->text.substr(0, 40));
     return otherwise;
   }
   /// A bare number is in the SI unit.
@@ -78,8 +78,8 @@ class Sidecar {
     if (const auto bare = to_number(value->text); bare && *bare > 0) return *bare;
     try {
       if (const double si = parse_si(value->text, dimension, unit); si > 0) return si;
-      problems_.add(value->line, fmt::format("{} is not above 0; correct it", key));
-    } catch (const InputError& error) { problems_.add(value->line, fmt::format("{}: {}", key, error.problems().front().message)); }
+      problems_.add(value->line, "{} is not above 0; correct it", key);
+    } catch (const InputError& error) { problems_.add(value->line, "{}: {}", key, error.problems().front().message); }
     return 0;
   }
   NumberType pixel() {

@@ -1,4 +1,3 @@
-#include <fmt/format.h>
 #include <fnmatch.h>
 
 #include <algorithm>
@@ -90,9 +89,8 @@ class Series : public KnownFilm {
     number_ = member;
     const FilmInfo& it = current_->info();
     if (each_ == 0 || (it.width == info_.width && it.height == info_.height && it.frames == each_ && it.floating == info_.floating)) return;
-    throw InputError(members_[member].string(), 0,
-                     fmt::format("holds {} frames of {} x {} pixels, but {} holds {} of {} x {}; a series must be all alike", it.frames, it.width, it.height,
-                                 members_[0].filename().string(), each_, info_.width, info_.height));
+    refuse(members_[member].string(), "holds {} frames of {} x {} pixels, but {} holds {} of {} x {}; a series must be all alike", it.frames, it.width,
+           it.height, members_[0].filename().string(), each_, info_.width, info_.height);
   }
 
   std::vector<fs::path> members_;

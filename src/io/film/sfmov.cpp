@@ -27,16 +27,20 @@ Keys keys_of(std::string_view text) {
   return keys;
 }
 
-std::int64_t count_of(const Keys& keys, const char* key, const std::string& file) {
+/// Empty where the header does not say it.
+std::string text_of(const Keys& keys, const char* key) {
   const auto found = keys.find(key);
-  const auto value = found != keys.end() ? to_integer(found->second) : std::nullopt;
+  return found != keys.end() ? found->second : std::string();
+}
+
+std::int64_t count_of(const Keys& keys, const char* key, const std::string& file) {
+  const auto value = to_integer(text_of(keys, key));
   if (!value) refuse(file, "is a .sfmov film whose header does not say {}; export it again", key);
   return *value;
 }
 
 double number_of(const Keys& keys, const char* key) {
-  const auto found = keys.find(key);
-  const auto value = found != keys.end() ? to_number(found->second) : std::nullopt;
+  const auto value = to_number(text_of(keys, key));
   return value && *value > 0 ? *value : 0;
 }
 
@@ -49,9 +53,9 @@ std::size_t find_data(std::string_view header) {
 
 /// Frame rate and integration time may stand in the file that the header includes.
 Keys included(const Keys& keys, const ByteSource& bytes) {
-  const auto name = keys.find("Include");
-  if (name == keys.end() || bytes.path() == nullptr) return {};
-  const auto beside = bytes.path()->parent_path() / std::filesystem::path(name->second).filename();
+  const std::string name = text_of(keys, "Include");
+  if (name.empty() || bytes.path() == nullptr) return {};
+  const auto beside = bytes.path()->parent_path() / std::filesystem::path(name).filename();
   std::error_code error;
   if (!std::filesystem::is_regular_file(beside, error)) return {};
   return keys_of(open_bytes(beside)->text(0, longest_header));
@@ -102,7 +106,7 @@ FilmPointer open_sfmov(const Bytes& bytes, const FilmChoice& choice) {
   info.frame_rate = number_of(keys, "FRate_0");
   info.integration = number_of(keys, "ITime_0") * 1e-3;
   info.bits = static_cast<int>(std::min(number_of(keys, "ADBits"), 16.0));
-  if (const auto camera = keys.find("Camera"); camera != keys.end()) info.camera = camera->second;
+  info.camera = text_of(keys, "Camera");
   layout.pixel = pixel_of(keys, file);
   layout.stride = info.pixels() * bytes_of(layout.pixel);
   layout.offset = data + 6;  // the word and the end of its line

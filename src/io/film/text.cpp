@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -139,7 +137,7 @@ class TextFilm : public KnownFilm {
     if (rows == 0) return;
     if (info_.height == 0) info_.height = rows;
     if (rows != info_.height)
-      throw InputError(bytes_->name(), line, fmt::format("ends a frame of {} rows, but the first has {}; complete or remove it", rows, info_.height));
+      throw refusal_at(bytes_->name(), line, "ends a frame of {} rows, but the first has {}; complete or remove it", rows, info_.height);
     ++info_.frames;
     rows = 0;
   }
@@ -160,14 +158,13 @@ class TextFilm : public KnownFilm {
       const bool whole = each_cell(line, separator_, [&](std::string_view cell) {
         const auto number = number_of(cell, separator_ != ',');
         if (!number)
-          throw InputError(bytes_->name(), lines.number(),
-                           fmt::format("holds \"{}\" in column {}, which is no number; correct it", cell.substr(0, 40), column + 1));
+          throw refusal_at(bytes_->name(), lines.number(), "holds \"{}\" in column {}, which is no number; correct it", cell.substr(0, 40), column + 1);
         if (column == info_.width) return false;
         to[column++] = *number;
         return true;
       });
       if (!whole || column != info_.width)
-        throw InputError(bytes_->name(), lines.number(), fmt::format("is a row of {} numbers, but the first has {}; complete it", cells_of(line), info_.width));
+        throw refusal_at(bytes_->name(), lines.number(), "is a row of {} numbers, but the first has {}; complete it", cells_of(line), info_.width);
     }
   }
 

@@ -111,32 +111,26 @@ class TiffFilm : public KnownFilm {
     take_stamps(info_, std::move(stamp));
   }
 
+  /// Tile by tile; a strip is one as wide as the page, of which the last may be lower.
   void read_page(std::size_t at, FrameBlock& block) {
-    const std::size_t width = page_.width, row = width * bytes_of(page_.pixel);
-    if (TIFFIsTiled(tiff_.get()) != 0) return read_tiles(at, block);
-    const std::size_t rows = std::min<std::size_t>(std::max<std::uint32_t>(1, tiff_field<std::uint32_t>(tiff_.get(), TIFFTAG_ROWSPERSTRIP)), page_.height);
-    buffer_.assign(rows * row, 0);
-    for (std::size_t y = 0, strip = 0; y < page_.height; y += rows, ++strip) {
-      const std::size_t n = std::min(rows, page_.height - y);
-      const auto wanted = static_cast<tmsize_t>(n * row);
-      if (TIFFReadEncodedStrip(tiff_.get(), static_cast<std::uint32_t>(strip), buffer_.data(), wanted) != wanted) source_.refuse_damaged();
-      take_pixels(layout_, buffer_.data(), n * width, block, at + y * width);
-    }
-  }
-
-  void read_tiles(std::size_t at, FrameBlock& block) {
-    const std::size_t wide = tiff_field<std::uint32_t>(tiff_.get(), TIFFTAG_TILEWIDTH), high = tiff_field<std::uint32_t>(tiff_.get(), TIFFTAG_TILELENGTH);
-    const std::size_t size = bytes_of(page_.pixel);
-    const tmsize_t tile = TIFFTileSize(tiff_.get());
-    if (wide == 0 || high == 0 || wide > std::size_t{page_.width} + 65536 || high > std::size_t{page_.height} + 65536 ||
-        tile != static_cast<tmsize_t>(wide * high * size))
-      source_.refuse_damaged();
-    buffer_.resize(static_cast<std::size_t>(tile));
-    for (std::size_t y = 0; y < page_.height; y += high)
-      for (std::size_t x = 0; x < page_.width; x += wide) {
-        if (TIFFReadTile(tiff_.get(), buffer_.data(), static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), 0, 0) != tile) source_.refuse_damaged();
-        for (std::size_t r = 0; r < std::min(high, page_.height - y); ++r)
-          take_pixels(layout_, buffer_.data() + r * wide * size, std::min(wide, page_.width - x), block, at + (y + r) * page_.width + x);
+    TIFF* const tiff = tiff_.get();
+    const bool tiled = TIFFIsTiled(tiff) != 0;
+    const std::size_t width = page_.width, height = page_.height, size = bytes_of(page_.pixel);
+    const std::size_t wide = tiled ? tiff_field<std::uint32_t>(tiff, TIFFTAG_TILEWIDTH) : width;
+    const std::size_t high = tiled ? tiff_field<std::uint32_t>(tiff, TIFFTAG_TILELENGTH)
+                                   : std::min<std::size_t>(std::max<std::uint32_t>(1, tiff_field<std::uint32_t>(tiff, TIFFTAG_ROWSPERSTRIP)), height);
+    if (wide == 0 || high == 0 || wide > width + 65536 || high > height + 65536) source_.refuse_damaged();
+    if (tiled && TIFFTileSize(tiff) != static_cast<tmsize_t>(wide * high * size)) source_.refuse_damaged();
+    buffer_.resize(wide * high * size);
+    for (std::size_t y = 0; y < height; y += high)
+      for (std::size_t x = 0; x < width; x += wide) {
+        const std::size_t rows = std::min(high, height - y);
+        const auto wanted = static_cast<tmsize_t>((tiled ? high : rows) * wide * size);
+        const tmsize_t got = tiled ? TIFFReadTile(tiff, buffer_.data(), static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), 0, 0)
+                                   : TIFFReadEncodedStrip(tiff, static_cast<std::uint32_t>(y / high), buffer_.data(), wanted);
+        if (got != wanted) source_.refuse_damaged();
+        for (std::size_t r = 0; r < rows; ++r)
+          take_pixels(layout_, buffer_.data() + r * wide * size, std::min(wide, width - x), block, at + (y + r) * width + x);
       }
   }
 

@@ -1,9 +1,7 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.hpp"
+#include "core/problems.hpp"
 #include "core/random.hpp"
 #include "thermal/camera/camera.hpp"
 #include "thermal/imaging/blur.hpp"
@@ -51,10 +49,10 @@ Canvas canvas_for(const Scene& scene, const Optics& optics, int margin) {
   const int n = static_cast<int>(optics.supersampling);
   const double points = static_cast<double>(optics.width) * static_cast<double>(optics.height) * n * n;
   if (points > most_points)
-    throw InputError(
-        fmt::format("a picture of {} x {} pixels with {} x {} points each is too large, {:.2g} points; lower camera.width, height or "
-                    "supersampling, or raise optical_pixel",
-                    optics.width, optics.height, n, n, points));
+    throw refusal(
+        "a picture of {} x {} pixels with {} x {} points each is too large, {:.2g} points; lower camera.width, height or "
+        "supersampling, or raise optical_pixel",
+        optics.width, optics.height, n, n, points);
   Canvas canvas{static_cast<int>(optics.width) * n + 2 * margin, static_cast<int>(optics.height) * n + 2 * margin, optics.pixel / n, 0, 0, {}, {}};
   const Vec2 middle = middle_of(scene);
   canvas.left = middle.x - 0.5 * (canvas.width - 1) * canvas.step;
@@ -156,8 +154,8 @@ FloatImage optical_picture(const Scene& scene, const Parameters& p, const std::v
   const auto as_far = [&](std::int64_t pixels) {
     const double many = static_cast<double>(pixels) * p.optics.pixel / photograph.pixel;
     if (!(many >= 1 && many <= 1e5))
-      throw InputError(fmt::format("an ordinary camera's picture of {} pixels of {:g} mm would have {:.3g} of {:g} mm; choose another optical_pixel", pixels,
-                                   1e3 * p.optics.pixel, many, 1e3 * photograph.pixel));
+      throw refusal("an ordinary camera's picture of {} pixels of {:g} mm would have {:.3g} of {:g} mm; choose another optical_pixel", pixels,
+                    1e3 * p.optics.pixel, many, 1e3 * photograph.pixel);
     return std::llround(many);
   };
   const Optics optics{as_far(p.optics.width), as_far(p.optics.height), photograph.pixel, photograph.blur, 0, 4};

@@ -1,10 +1,8 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "core/error.hpp"
+#include "core/problems.hpp"
 #include "model/elasticity/disk_field.hpp"
 #include "thermal/camera/camera.hpp"
 
@@ -34,10 +32,10 @@ void check_points(const Grains& grains, std::size_t count, const Optics& optics)
   double points = 0;
   for (std::size_t g = 0; g < count; ++g) points += 4 * (grains.radius[g] / cell) * (grains.radius[g] / cell);
   if (!(points <= most_points))
-    throw InputError(
-        fmt::format("pixels of {:.3g} mm with {} x {} points each lay {:.2g} points over the grains, too many to look at; raise camera.pixel or "
-                    "lower supersampling",
-                    1e3 * optics.pixel, optics.supersampling, optics.supersampling, points));
+    throw refusal(
+        "pixels of {:.3g} mm with {} x {} points each lay {:.2g} points over the grains, too many to look at; raise camera.pixel or "
+        "lower supersampling",
+        1e3 * optics.pixel, optics.supersampling, optics.supersampling, points);
 }
 
 /// The grains of a packing as disks under their contact forces.
@@ -68,8 +66,8 @@ Patch patch_of(const elasticity::Disk* low, const elasticity::Disk& high, double
 void require_factors(const Packing& packing) {
   for (const auto m : packing.grains.material)
     if (packing.materials[static_cast<std::size_t>(m)].thermoelastic_factor <= 0)
-      throw InputError(fmt::format("material {}: its thermoelastic factor is not known; set thermoelastic_factor = \"... K/MPa\" in the recipe",
-                                   packing.materials[static_cast<std::size_t>(m)].name));
+      throw refusal("material {}: its thermoelastic factor is not known; set thermoelastic_factor = \"... K/MPa\" in the recipe",
+                    packing.materials[static_cast<std::size_t>(m)].name);
 }
 
 Scene make_scene(const Packing* low, const Packing& high, const Parameters& p) {
@@ -168,7 +166,7 @@ float Patch::at(double x, double y) const {
 
 Scene scene_between(const Packing& low, const Packing& high, const Parameters& parameters) {
   if (low.grains.radius != high.grains.radius || low.grains.material != high.grains.material)
-    throw InputError(fmt::format("the two states do not hold the same grains ({} and {}); take them from one run", low.grains.size(), high.grains.size()));
+    throw refusal("the two states do not hold the same grains ({} and {}); take them from one run", low.grains.size(), high.grains.size());
   return make_scene(&low, high, parameters);
 }
 
@@ -176,10 +174,9 @@ Scene scene_of_state(const Packing& state, const Parameters& parameters) { retur
 
 Scene scene_of_field(const FieldResult& result, const Parameters& parameters) {
   const std::size_t grains = result.map.grain_class.size();
-  if (result.field.size() == 0)
-    throw InputError(fmt::format("\"{}\" is not loaded, so its stress does not change; name a load of the cemented sample", result.name));
+  if (result.field.size() == 0) throw refusal("\"{}\" is not loaded, so its stress does not change; name a load of the cemented sample", result.name);
   if (result.packing.grains.size() < grains || grains == 0)
-    throw InputError(fmt::format("\"{}\" was loaded from a picture, whose grains are no disks; the camera films results of a recipe", result.name));
+    throw refusal("\"{}\" was loaded from a picture, whose grains are no disks; the camera films results of a recipe", result.name);
   check_points(result.packing.grains, grains, parameters.optics);
   Scene scene;
   scene.grains = result.packing.grains;

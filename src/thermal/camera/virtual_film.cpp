@@ -1,12 +1,10 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
 #include <utility>
 
-#include "core/error.hpp"
+#include "core/problems.hpp"
 #include "thermal/camera/camera.hpp"
 #include "thermal/camera/detector.hpp"
 
@@ -25,8 +23,8 @@ class Exposures {
     const int intervals = std::clamp(static_cast<int>(std::ceil(12 * travel * (high - low))), 24, 400);
     step_ = (high - low) / intervals;
     if (const double bytes = 4.0 * (intervals + 3) * static_cast<double>(p.optics.width) * static_cast<double>(p.optics.height); bytes > most_bytes)
-      throw InputError(fmt::format("{} pictures of {} x {} pixels between the two loads take {:.2g} GB; lower camera.width and height", intervals + 3,
-                                   p.optics.width, p.optics.height, 1e-9 * bytes));
+      throw refusal("{} pictures of {} x {} pixels between the two loads take {:.2g} GB; lower camera.width and height", intervals + 3, p.optics.width,
+                    p.optics.height, 1e-9 * bytes);
     for (int k = -1; k <= intervals + 1; ++k) picture_.push_back(expose(scene, p, low + k * step_));
   }
 

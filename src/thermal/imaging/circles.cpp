@@ -49,11 +49,8 @@ void part_materials(FoundCircles& found, const CircleOptions& options) {
     how.separation = 0;
     how.least_members = 1;
   }
-  const statistics::Clusters classes = statistics::cluster(found.grains.brightness, how);
-  found.grains.material = classes.of;
-  found.report.material_brightness = classes.mean;
-  found.report.material_spread = classes.spread;
-  found.report.material_members = classes.members;
+  found.report.materials = statistics::cluster(found.grains.brightness, how);
+  found.grains.material = found.report.materials.of;
 }
 
 void count_overlaps(FoundCircles& found) {
@@ -81,7 +78,7 @@ FoundCircles find_circles(const FloatImage& image, const CircleOptions& options)
   const auto evidence = search.model.evidence();
   std::vector<double> brightness;
   for (const auto& disk : disks) brightness.push_back(brightness_of(image, disk));
-  const std::vector<char> out = search.between ? pores(brightness, *search.between) : std::vector<char>(disks.size(), 0);
+  const std::vector<char> out = search.report.between ? pores(brightness, *search.report.between) : std::vector<char>(disks.size(), 0);
   FoundCircles found;
   for (const std::size_t k : order) {
     if (out[k] != 0) continue;
@@ -92,15 +89,10 @@ FoundCircles find_circles(const FloatImage& image, const CircleOptions& options)
     found.grains.radius_error.push_back(errors[k].radius);
     found.grains.brightness.push_back(brightness[k]);
     found.grains.score.push_back(evidence[k].rim);
-    found.grains.size_class.push_back(search.sizes.of[k]);
+    found.grains.size_class.push_back(search.report.sizes.of[k]);
   }
-  found.report.bright = search.bright;
-  found.report.between = search.between;
-  found.report.blur = search.model.blur();
-  found.report.noise = search.model.noise();
-  found.report.class_radius = search.sizes.mean;
-  found.report.class_spread = search.sizes.spread;
-  found.report.class_members = search.sizes.members;
+  found.report = search.report;
+  found.report.sizes.of = found.grains.size_class;
   part_materials(found, options);
   count_overlaps(found);
   return found;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "model/image.hpp"
+#include "statistics/clusters.hpp"
 
 namespace arenite::imaging {
 
@@ -21,15 +22,12 @@ struct CircleOptions {
 /// What was found besides the grains.
 struct CircleReport {
   bool bright = true;
-  std::optional<double> between = {};              ///< grey level between grains, where some are brighter and some darker
-  double blur = 0;                                 ///< standard deviation of lens and pixel, pixels
-  double noise = 0;                                ///< of the picture near rims, in its unit
-  std::vector<double> class_radius, class_spread;  ///< pixels; smallest class first
-  std::vector<std::size_t> class_members;
-  std::vector<double> material_brightness, material_spread;  ///< darkest first
-  std::vector<std::size_t> material_members;
-  double largest_overlap = 0;   ///< of two circles, pixels
-  std::size_t overlapping = 0;  ///< pairs that overlap by more than three standard errors and 2 % of the smaller radius
+  std::optional<double> between = {};               ///< grey level between grains, where some are brighter and some darker
+  double blur = 0;                                  ///< standard deviation of lens and pixel, pixels
+  double noise = 0;                                 ///< of the picture near rims, in its unit
+  statistics::Clusters sizes = {}, materials = {};  ///< by radius, pixels, and by brightness
+  double largest_overlap = 0;                       ///< of two circles, pixels
+  std::size_t overlapping = 0;                      ///< pairs that overlap by more than three standard errors and 2 % of the smaller radius
 };
 
 struct FoundCircles {

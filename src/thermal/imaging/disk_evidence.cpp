@@ -9,12 +9,12 @@ namespace arenite::imaging {
 /// The picture at a place (linear between pixels) with every other disk taken away, minus the background.
 double DiskModel::alone(const Disk& disk, double x, double y) const {
   const int c = static_cast<int>(std::floor(x)), r = static_cast<int>(std::floor(y));
-  double sum = 0, edge, nx, ny;
+  double sum = 0;
   for (int j = r; j <= r + 1; ++j)
     for (int i = c; i <= c + 1; ++i) {
       if (i < 0 || j < 0 || i >= image_.width || j >= image_.height) return std::nan("");
       const std::size_t at = image_.index(i, j);
-      const double own = (disk.level - static_cast<double>(background_[at])) * cover(disk, i, j, edge, nx, ny);
+      const double own = (disk.level - static_cast<double>(background_[at])) * cover(disk, i, j).share;
       sum += (1 - std::abs(x - i)) * (1 - std::abs(y - j)) * (left(at) + own);
     }
   return sum;
@@ -36,8 +36,7 @@ std::vector<DiskModel::Evidence> DiskModel::evidence() const {
     e.rim = static_cast<double>(seen) / angles;
     double with = 0, without = 0;
     each(disk, [&](int x, int y, std::size_t at) {
-      double edge, nx, ny;
-      const double c = cover(disk, x, y, edge, nx, ny), rest = left(at);
+      const double c = cover(disk, x, y).share, rest = left(at);
       if (c < 0.5) return;  // what neighbours cover says nothing against this one
       const double own = (disk.level - static_cast<double>(background_[at])) * c;
       with += rest * rest;
@@ -60,8 +59,7 @@ std::vector<DiskModel::Errors> DiskModel::errors() const {
   using Block = std::array<Slope, 4>;  // of the normal matrix, between each disk and itself (first) and its neighbours
   std::vector<std::vector<Block>> block(n);
   const auto slope = [&](const Disk& d, int x, int y) {
-    double edge, nx, ny;
-    const double c = cover(d, x, y, edge, nx, ny);
+    const auto [c, edge, nx, ny] = cover(d, x, y);
     const double contrast = d.level - static_cast<double>(background_[image_.index(x, y)]);
     return Slope{contrast * edge * nx, contrast * edge * ny, contrast * edge, c};
   };

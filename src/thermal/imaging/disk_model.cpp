@@ -32,31 +32,23 @@ DiskModel::Window DiskModel::window(const Disk& disk) const {
           std::max(0, static_cast<int>(std::ceil(disk.y - reach))), std::min(image_.height - 1, static_cast<int>(disk.y + reach))};
 }
 
-/// C of a pixel; `edge` = dC/dr, (nx, ny) = direction from the centre.
-double DiskModel::cover(const Disk& disk, int x, int y, double& edge, double& nx, double& ny) const {
+DiskModel::Cover DiskModel::cover(const Disk& disk, int x, int y) const {
   const double dx = x - disk.x, dy = y - disk.y, square = dx * dx + dy * dy;
   // Most pixels of a window lie deep inside, or in its corners: what follows says the same of them, with a root.
   const double deep = disk.radius - (BlurredStep::reach + 0.5) * blur_, far = disk.radius + BlurredStep::reach * blur_;
-  edge = nx = ny = 0;
-  if (square > far * far) return 0;
-  if (deep > blur_ && square < deep * deep) return 1;
+  if (square > far * far) return {0};
+  if (deep > blur_ && square < deep * deep) return {1};
   const double q = std::sqrt(square), u = (disk.radius - q - blur_ * blur_ / (2 * std::max(q, blur_))) / blur_;
-  if (u > BlurredStep::reach) return 1;
-  if (u < -BlurredStep::reach) return 0;
-  if (q > 0) {
-    nx = dx / q;
-    ny = dy / q;
-  }
+  if (u > BlurredStep::reach) return {1};
+  if (u < -BlurredStep::reach) return {0};
   double density;
   const double share = BlurredStep::at(u, density);
-  edge = density / blur_;
-  return share;
+  return {share, density / blur_, q > 0 ? dx / q : 0, q > 0 ? dy / q : 0};
 }
 
 void DiskModel::spread(const Disk& disk, double sign) {
   each(disk, [&](int x, int y, std::size_t at) {
-    double edge, nx, ny;
-    const double c = sign * cover(disk, x, y, edge, nx, ny);
+    const double c = sign * cover(disk, x, y).share;
     covered_[at] += static_cast<float>(c);
     light_[at] += static_cast<float>(c * disk.level);
   });
@@ -105,8 +97,7 @@ double DiskModel::step(Disk& disk) {
   each(disk, [&](int x, int y, std::size_t at) {
     const double dx = x - disk.x, dy = y - disk.y;
     if (deep > 0 && dx * dx + dy * dy < deep * deep) return;
-    double edge, nx, ny;
-    const double c = cover(disk, x, y, edge, nx, ny);
+    const auto [c, edge, nx, ny] = cover(disk, x, y);
     if (c < 1e-5) return;
     const double contrast = disk.level - static_cast<double>(background_[at]), gap = left(at);
     equations.add({contrast * edge * nx, contrast * edge * ny, contrast * edge, c}, gap, huber_weight(gap, noise_));
@@ -138,8 +129,7 @@ void DiskModel::fit_blur() {
   double top = 0, bottom = 0;
   for (const Disk& disk : disks_)
     each(disk, [&](int x, int y, std::size_t at) {
-      double edge, nx, ny;
-      cover(disk, x, y, edge, nx, ny);
+      const double edge = cover(disk, x, y).edge;
       if (edge == 0) return;
       const double q = distance(disk, x, y);
       const double slope = -(disk.level - static_cast<double>(background_[at])) * edge * ((disk.radius - q) / blur_ + blur_ / (2 * std::max(q, blur_)));

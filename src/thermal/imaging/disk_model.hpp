@@ -62,6 +62,7 @@ class DiskModel {
     double x = 0, y = 0, radius = 0, level = 0;
     double prior_radius = 0, prior_error = 0;  ///< what is known of the radius; no prior where the error is 0
     double moved = 1;                          ///< by the last step, pixels
+    double ring = 0;                           ///< radius at which its rim was first seen
   };
   /// Errors of a disk's parameters.
   struct Errors {
@@ -103,7 +104,11 @@ class DiskModel {
     for (int y = w.y0; y <= w.y1; ++y)
       for (int x = w.x0; x <= w.x1; ++x) visit(x, y, image_.index(x, y));
   }
-  double cover(const Disk& disk, int x, int y, double& edge, double& nx, double& ny) const;
+  /// How a disk covers a pixel: its share C, edge = dC/dr, and the direction (nx, ny) from the centre.
+  struct Cover {
+    double share, edge = 0, nx = 0, ny = 0;
+  };
+  Cover cover(const Disk& disk, int x, int y) const;
   void spread(const Disk& disk, double sign);
   double left(std::size_t pixel) const;
   double alone(const Disk& disk, double x, double y) const;

@@ -37,12 +37,10 @@ double least_resolved(const DiskModel& model);
 /// those of the median disk by area, which tells a cluster of small grains from one large grain once most are found.
 std::vector<char> refuted_disks(const DiskModel& model, const CircleOptions& options, bool strict);
 
-/// Disks of a picture with their size classes.
+/// Disks of a picture, and what is known of them all: classes of size are those of the model's disks, materials are not known yet.
 struct DiskSearch {
   DiskModel model;
-  statistics::Clusters sizes;  ///< of the disks' radii
-  bool bright = true;
-  std::optional<double> between = {};  ///< level of the background, where disks are brighter and darker
+  CircleReport report;
 };
 
 /// The search of find_circles. Whether disks are brighter or darker than what is around them is decided, if it is asked,
@@ -94,7 +92,6 @@ class SearchRounds {
   DiskModel model_;
   statistics::Clusters classes_;
   int rounds_ = 0;               ///< done after the first
-  std::vector<double> ring_;     ///< for each disk the radius at which its rim was seen
   std::vector<Circle> refused_;  ///< taken out at the end of a pass, so that others may take their place
 };
 

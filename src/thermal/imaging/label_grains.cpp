@@ -1,16 +1,13 @@
 #include "thermal/imaging/label_grains.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
-#include "core/error.hpp"
 #include "core/joined_sets.hpp"
+#include "core/problems.hpp"
 
 namespace arenite::imaging {
 namespace {
@@ -85,61 +82,53 @@ std::vector<std::int32_t> by_depth(const std::vector<std::int32_t>& squared) {
 
 /// Basins about the summits of the distance transform, joined where the saddle between two is less than `smoothing`
 /// below the lower summit.
-class Basins {
- public:
-  Basins(const PhaseMap& map, const std::vector<std::int32_t>& squared, double smoothing)
-      : map_(map),
-        squared_(squared),
-        smoothing_(smoothing),
-        label_(map.size(), -1) {}
+struct Basins {
+  int width;
+  const std::vector<std::int32_t>& squared;
+  double smoothing;
+  std::vector<std::int32_t> label = std::vector<std::int32_t>(squared.size(), -1);
+  JoinedSets sets{};
+  std::vector<double> summit = {};
 
-  std::vector<std::int32_t> flood() {
-    for (const std::int32_t i : by_depth(squared_)) take(static_cast<std::size_t>(i));
-    for (std::int32_t& l : label_)
-      if (l >= 0) l = sets_.find(l);
-    return std::move(label_);
-  }
-
- private:
   /// A node goes to the basin of its deepest neighbour, or starts one; it is the saddle of the basins that meet there.
   void take(std::size_t i) {
-    const auto width = static_cast<std::size_t>(map_.width);
-    const std::size_t x = i % width;
+    const auto across = static_cast<std::size_t>(width);
+    const std::size_t x = i % across;
     std::array<std::size_t, 4> neighbours{};
     std::size_t count = 0;
     const auto note = [&](std::size_t n) {
-      if (label_[n] >= 0) neighbours[count++] = n;
+      if (label[n] >= 0) neighbours[count++] = n;
     };
-    if (i >= width) note(i - width);
+    if (i >= across) note(i - across);
     if (x > 0) note(i - 1);
-    if (x + 1 < width) note(i + 1);
-    if (i + width < label_.size()) note(i + width);
-    const double level = std::sqrt(static_cast<double>(squared_[i]));
+    if (x + 1 < across) note(i + 1);
+    if (i + across < label.size()) note(i + across);
+    const double level = std::sqrt(static_cast<double>(squared[i]));
     if (count == 0) {
-      label_[i] = sets_.add();
-      summit_.push_back(level);
+      label[i] = sets.add();
+      summit.push_back(level);
       return;
     }
     std::size_t deepest = neighbours[0];
     for (std::size_t k = 1; k < count; ++k)
-      if (squared_[neighbours[k]] > squared_[deepest]) deepest = neighbours[k];
-    label_[i] = label_[deepest];
-    for (std::size_t k = 0; k < count; ++k) meet(label_[i], label_[neighbours[k]], level);
+      if (squared[neighbours[k]] > squared[deepest]) deepest = neighbours[k];
+    label[i] = label[deepest];
+    for (std::size_t k = 0; k < count; ++k) meet(label[i], label[neighbours[k]], level);
   }
   /// Basins are numbered from the deepest on, so the smaller number, which the joined ones keep, is the higher summit.
   void meet(std::int32_t a, std::int32_t b, double level) {
-    a = sets_.find(a);
-    b = sets_.find(b);
-    if (a != b && summit_[static_cast<std::size_t>(std::max(a, b))] - level <= smoothing_) sets_.join(a, b);
+    a = sets.find(a);
+    b = sets.find(b);
+    if (a != b && summit[static_cast<std::size_t>(std::max(a, b))] - level <= smoothing) sets.join(a, b);
   }
-
-  const PhaseMap& map_;
-  const std::vector<std::int32_t>& squared_;
-  double smoothing_;
-  std::vector<std::int32_t> label_;
-  JoinedSets sets_;
-  std::vector<double> summit_;
 };
+
+/// Of every node that has a label, the one of all that were joined.
+std::vector<std::int32_t> joined(std::vector<std::int32_t> label, JoinedSets& sets) {
+  for (std::int32_t& l : label)
+    if (l >= 0) l = sets.find(l);
+  return label;
+}
 
 /// The two ways: a label for each particle node, equal within a grain and otherwise arbitrary, -1 elsewhere.
 std::vector<std::int32_t> connected_particles(const PhaseMap& map) {
@@ -152,14 +141,14 @@ std::vector<std::int32_t> connected_particles(const PhaseMap& map) {
     if (before >= 0 && below >= 0) label[i] = before == below ? before : sets.join(before, below);
     else label[i] = before >= 0 ? before : below >= 0 ? below : sets.add();
   }
-  for (std::int32_t& l : label)
-    if (l >= 0) l = sets.find(l);
-  return label;
+  return joined(std::move(label), sets);
 }
 
 std::vector<std::int32_t> watershed(const PhaseMap& map, double smoothing) {
   const std::vector<std::int32_t> squared = squared_distance(map);
-  return Basins(map, squared, smoothing).flood();
+  Basins basins{map.width, squared, smoothing};
+  for (const std::int32_t i : by_depth(squared)) basins.take(static_cast<std::size_t>(i));
+  return joined(std::move(basins.label), basins.sets);
 }
 
 }  // namespace
@@ -178,29 +167,20 @@ std::vector<std::int32_t> squared_distance(const PhaseMap& map) {
   return squared;
 }
 
-LabelReport label_grains(PhaseMap& map, const LabelOptions& options) {
+void label_grains(PhaseMap& map, const LabelOptions& options) {
   if (!(options.smoothing >= 0) || !std::isfinite(options.smoothing))
-    throw InputError(fmt::format("the smoothing of the watershed is {:g} nodes; give zero or more", options.smoothing));
+    throw refusal("the smoothing of the watershed is {:g} nodes; give zero or more", options.smoothing);
   map.grain = options.way == Labelling::components ? connected_particles(map) : watershed(map, options.smoothing);
   std::vector<std::int32_t> number;
-  std::vector<std::size_t> nodes;
+  std::int32_t grains = 0;
   for (std::int32_t& g : map.grain) {
     if (g < 0) continue;
     if (static_cast<std::size_t>(g) >= number.size()) number.resize(static_cast<std::size_t>(g) + 1, -1);
-    std::int32_t& mine = number[static_cast<std::size_t>(g)];
-    if (mine < 0) {
-      mine = static_cast<std::int32_t>(nodes.size());
-      nodes.push_back(0);
-    }
-    ++nodes[static_cast<std::size_t>(mine)];
-    g = mine;
+    std::int32_t& own = number[static_cast<std::size_t>(g)];
+    if (own < 0) own = grains++;
+    g = own;
   }
-  map.grain_class.assign(nodes.size(), GrainClass::none);
-  LabelReport report;
-  report.grains = static_cast<std::int32_t>(nodes.size());
-  if (!nodes.empty())
-    report.largest_share = static_cast<double>(std::ranges::max(nodes)) / static_cast<double>(std::accumulate(nodes.begin(), nodes.end(), std::size_t{0}));
-  return report;
+  map.grain_class.assign(static_cast<std::size_t>(grains), GrainClass::none);
 }
 
 }  // namespace arenite::imaging

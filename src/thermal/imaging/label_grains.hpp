@@ -20,14 +20,9 @@ struct LabelOptions {
   double smoothing = 1;
 };
 
-struct LabelReport {
-  std::int32_t grains = 0;
-  double largest_share = 0;  ///< of the particle nodes in the largest grain
-};
-
 /// Labels the particles of a map anew, in the order of their first node, all of class `none`. The same map and options
 /// give the same labels. Throws InputError for a smoothing that is negative or no number.
-LabelReport label_grains(PhaseMap& map, const LabelOptions& options);
+void label_grains(PhaseMap& map, const LabelOptions& options);
 
 /// Squared distance, in nodes, from each particle node to the nearest node that is none; 0 where there is no particle.
 /// Exact (A. Meijster, J. Roerdink, W. Hesselink, 2000). What lies outside the map is not known and does not count; a

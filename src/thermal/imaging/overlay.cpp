@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
-#include "core/error.hpp"
 #include "core/median.hpp"
+#include "core/problems.hpp"
 #include "thermal/imaging/disk_model.hpp"
 
 namespace arenite::imaging {
@@ -138,7 +137,7 @@ void refine(const PictureGrains& circles, const FloatImage& picture, Overlay& fo
 }  // namespace
 
 Overlay lay_over(const PictureGrains& circles, const Similarity& first, const FloatImage& picture, const OverlayOptions& options) {
-  if (circles.size() < 3) throw InputError("there are " + std::to_string(circles.size()) + " grains to lay over the picture; three are needed");
+  if (circles.size() < 3) throw refusal("there are {} grains to lay over the picture; three are needed", circles.size());
   Overlay found{first, 0, 0, 0, 0};
   search(circles, picture, options, found);
   for (int round = 0; round < rounds; ++round) refine(circles, picture, found);

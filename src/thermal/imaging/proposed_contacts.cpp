@@ -2,27 +2,24 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 #include <utility>
 
-#include "core/error.hpp"
+#include "core/problems.hpp"
 #include "model/periodic_images.hpp"
 
 namespace arenite::imaging {
 namespace {
 
 void check_errors(const std::vector<double>& errors, std::size_t grains, const char* name) {
-  if (!errors.empty() && errors.size() != grains)
-    throw InputError(std::string("there are ") + std::to_string(errors.size()) + " errors of the " + name + " for " + std::to_string(grains) +
-                     " grains; give one a grain");
+  if (!errors.empty() && errors.size() != grains) throw refusal("there are {} errors of the {} for {} grains; give one a grain", errors.size(), name, grains);
   if (!std::all_of(errors.begin(), errors.end(), [](double e) { return std::isfinite(e) && e >= 0; }))
-    throw InputError(std::string("errors of the ") + name + " must be numbers of at least 0");
+    throw refusal("errors of the {} must be numbers of at least 0", name);
 }
 
 void check(const Grains& grains, const GrainErrors& errors, const ContactTolerance& tolerance) {
   for (std::size_t g = 0; g < grains.size(); ++g)
     if (!std::isfinite(grains.x[g]) || !std::isfinite(grains.y[g]) || !(grains.radius[g] > 0) || !std::isfinite(grains.radius[g]))
-      throw InputError("grain " + std::to_string(grains.id[g]) + " has no place or no positive radius");
+      throw refusal("grain {} has no place or no positive radius", grains.id[g]);
   check_errors(errors.position, grains.size(), "position");
   check_errors(errors.radius, grains.size(), "radius");
   for (const double v : {tolerance.errors, tolerance.floor, tolerance.pixel, tolerance.wall_error})

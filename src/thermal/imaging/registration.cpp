@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
-#include "core/error.hpp"
 #include "core/median.hpp"
+#include "core/problems.hpp"
 #include "thermal/imaging/registration_search.hpp"
 
 namespace arenite::imaging {
@@ -19,12 +18,10 @@ Vec2 turned(Vec2 p, double scale, double rotation, bool mirrored) {
 constexpr double outlier = 4;  // standard deviations
 
 void check(const PictureGrains& grains, const char* which) {
-  if (grains.size() < 3)
-    throw InputError(std::string("the ") + which + " picture shows " + std::to_string(grains.size()) +
-                     " grains; three are needed to lay one picture on another");
+  if (grains.size() < 3) throw refusal("the {} picture shows {} grains; three are needed to lay one picture on another", which, grains.size());
   for (std::size_t k = 0; k < grains.size(); ++k)
     if (!std::isfinite(grains.x[k]) || !std::isfinite(grains.y[k]) || !(grains.radius[k] > 0))
-      throw InputError(std::string("grain ") + std::to_string(k) + " of the " + which + " picture has no place or no positive radius");
+      throw refusal("grain {} of the {} picture has no place or no positive radius", k, which);
 }
 
 double distance(const PictureGrains& from, const PictureGrains& to, const Similarity& t, const std::pair<std::int32_t, std::int32_t>& pair) {
@@ -113,9 +110,10 @@ Registration register_circles(const PictureGrains& from, const PictureGrains& to
   const double smaller = static_cast<double>(std::min(from.size(), to.size()));
   r.matched = static_cast<double>(r.pairs.size()) / smaller;
   if (r.pairs.size() < 3 || r.matched < options.least_matched)
-    throw InputError("the grains of the two pictures do not fit on each other: at best " + std::to_string(r.pairs.size()) + " of " +
-                     std::to_string(static_cast<std::size_t>(smaller)) +
-                     " find a partner; check that both show the same sample, allow a mirrored picture, or give the scale");
+    throw refusal(
+        "the grains of the two pictures do not fit on each other: at best {} of {:.0f} find a partner; check that both show the same sample, allow a mirrored "
+        "picture, or give the scale",
+        r.pairs.size(), smaller);
   for (int pass = 0; pass < 4; ++pass) {
     r.pairs = search.matches(r.transform, search.all());
     leave_out(from, to, r.transform, r.pairs);

@@ -105,7 +105,8 @@ DiskSearch SearchRounds::finish() {
     last = model_.disks();
   }
   find_classes();
-  return {std::move(model_), std::move(classes_), bright_, between_};
+  const double blur = model_.blur(), noise = model_.noise();
+  return {std::move(model_), {.bright = bright_, .between = between_, .blur = blur, .noise = noise, .sizes = std::move(classes_)}};
 }
 
 /// Pixels where a further centre would not collide with the disks found so far.
@@ -140,9 +141,9 @@ std::vector<Circle> SearchRounds::candidates() const {
 /// How much smaller than the fitted radius a ring of this radius was seen, from the disks found so far.
 double SearchRounds::inset(double ring) const {
   double sum = 0, weight = 1e-9;
-  for (std::size_t k = 0; k < ring_.size(); ++k) {
-    const double w = std::exp(-std::abs(std::log(ring_[k] / ring)) / 0.1);
-    sum += w * (model_.disks()[k].radius - ring_[k]);
+  for (const auto& disk : model_.disks()) {
+    const double w = std::exp(-std::abs(std::log(disk.ring / ring)) / 0.1);
+    sum += w * (disk.radius - disk.ring);
     weight += w;
   }
   return sum / weight;
@@ -177,14 +178,14 @@ std::size_t SearchRounds::add(std::vector<Circle> candidates, int round) {
   for (Circle circle : candidates) {
     const double ring = circle.radius;
     if (classes_.size() > 0) {
-      const double guess = ring + (ring_.empty() ? 0.0 : inset(ring));
+      const double guess = ring + (model_.disks().empty() ? 0.0 : inset(ring));
       const double radius = classes_.mean[nearest_class(guess)];
-      if (std::abs(std::log(guess / radius)) > (ring_.empty() ? 0.4 : 0.25)) continue;
+      if (std::abs(std::log(guess / radius)) > (model_.disks().empty() ? 0.4 : 0.25)) continue;
       circle.radius = radius;
     }
     if (collides(circle.x, circle.y, circle.radius) || was_refused(circle)) continue;
     model_.add(circle);
-    ring_.push_back(ring);
+    model_.disks().back().ring = ring;
     ++added;
   }
   return added;
@@ -234,10 +235,6 @@ void SearchRounds::prune(bool strict) {
   for (std::size_t k = 0; strict && k < out.size(); ++k)
     if (out[k] != 0) refused_.push_back({disks[k].x, disks[k].y, disks[k].radius, 0});
   model_.remove(out);
-  std::size_t kept = 0;
-  for (std::size_t k = 0; k < out.size(); ++k)
-    if (out[k] == 0) ring_[kept++] = ring_[k];
-  ring_.resize(kept);
   model_.refresh();
 }
 

@@ -64,7 +64,7 @@ void judge_presence(const Packing& packing, double widest_gap, InferredForces& f
   forces.present = taken_as_present(found);
   forces.presence = std::move(found.probability);
   forces.idle = std::move(found.idle);
-  forces.expected = found.expected, forces.expected_error = found.error;
+  forces.fit.proposed = forces.contacts.size(), forces.fit.present = found.expected, forces.fit.present_error = found.error;
 }
 
 /// |sum of forces on a grain, weight included|, N.
@@ -185,7 +185,7 @@ InferredForces finish(const ForceProblem& problem, const ForceOptions& options, 
     out.fn_error.push_back(unknowns.force * std::sqrt(variance[2 * c]));
     out.ft_error.push_back(unknowns.force * std::sqrt(variance[2 * c + 1]));
   }
-  for (std::size_t m = 0; m < unknowns.scales; ++m) out.factor_scale_error.push_back(std::sqrt(variance[static_cast<std::size_t>(unknowns.scale(m))]));
+  for (std::size_t m = 0; m < unknowns.scales; ++m) out.fit.factor_scale_error.push_back(std::sqrt(variance[static_cast<std::size_t>(unknowns.scale(m))]));
   judge_presence(problem.packing, options.widest_gap, out);
   out.imbalance = imbalances(problem.packing, touches, force, options.gravity);
   return out;

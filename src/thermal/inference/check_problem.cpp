@@ -17,7 +17,7 @@ void check_grains(const Packing& packing, Problems& problems) {
   if (!(packing.domain.thickness > 0)) problems.add("the thickness of the sample is not known; give the cylinders' length");
   for (std::size_t g = 0; g < grains.size(); ++g)
     if (!(grains.radius[g] > 0) || !std::isfinite(grains.x[g]) || !std::isfinite(grains.y[g])) {
-      problems.add(fmt::format("grain {} has no finite place and positive radius; correct or remove it", grains.id[g]));
+      problems.add("grain {} has no finite place and positive radius; correct or remove it", grains.id[g]);
       return;
     }
   const Domain& d = packing.domain;
@@ -25,8 +25,8 @@ void check_grains(const Packing& packing, Problems& problems) {
     const auto i = static_cast<std::size_t>(pair.i), j = static_cast<std::size_t>(pair.j);
     const double overlap = grains.radius[i] + grains.radius[j] - norm(d.nearest_image(grains.centre(i) - grains.centre(j)));
     if (overlap > 0.4 * std::min(grains.radius[i], grains.radius[j]))
-      problems.add(fmt::format("grains {} and {} overlap by {:.2g} mm, more than a fifth of the smaller diameter; check their centres and radii", grains.id[i],
-                               grains.id[j], 1e3 * overlap));
+      problems.add("grains {} and {} overlap by {:.2g} mm, more than a fifth of the smaller diameter; check their centres and radii", grains.id[i],
+                   grains.id[j], 1e3 * overlap);
   }
 }
 
@@ -38,8 +38,8 @@ void check_contacts(const Packing& packing, Problems& problems) {
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const std::int32_t i = contacts.i[c], j = contacts.j[c];
     if (i < 0 || i >= n || j >= n || is_boundary(j) || i == j)
-      problems.add(fmt::format("contact {} joins {} and {}, of which one is no grain or wall; correct the list of contacts", c, i, j));
-    else if (!seen.insert({std::min(i, j), std::max(i, j)}).second) problems.add(fmt::format("the contact of {} and {} is listed twice; keep one", i, j));
+      problems.add("contact {} joins {} and {}, of which one is no grain or wall; correct the list of contacts", c, i, j);
+    else if (!seen.insert({std::min(i, j), std::max(i, j)}).second) problems.add("the contact of {} and {} is listed twice; keep one", i, j);
   }
 }
 
@@ -50,8 +50,8 @@ void check_factors(const ForceProblem& problem, Problems& problems) {
     const bool known = m >= 0 && index < problem.factor.size() && std::isfinite(problem.factor[index]) && problem.factor[index] != 0;
     if (known || !reported.insert(m).second) continue;
     const bool named = m >= 0 && index < problem.packing.materials.size();
-    problems.add(fmt::format("material {} has no thermoelastic factor; give thermoelastic_factor, e.g. \"0.0150 K/MPa\"",
-                             named ? problem.packing.materials[index].name : std::to_string(m)));
+    problems.add("material {} has no thermoelastic factor; give thermoelastic_factor, e.g. \"0.0150 K/MPa\"",
+                 named ? problem.packing.materials[index].name : std::to_string(m));
   }
 }
 
@@ -65,15 +65,14 @@ void check_walls(const ForceProblem& problem, Problems& problems) {
     bool touched = false;
     for (std::size_t c = 0; c < contacts.size(); ++c) touched |= contacts.is_wall(c) && contacts.wall_side(c) == wall.side;
     if (!touched)
-      problems.add(fmt::format("the {} wall carries a load, but no contact with it is proposed; check the walls' places",
-                               side_names[static_cast<std::size_t>(wall.side)]));
+      problems.add("the {} wall carries a load, but no contact with it is proposed; check the walls' places", side_names[static_cast<std::size_t>(wall.side)]);
   }
 }
 
 void check_options(const ForceOptions& o, Problems& problems) {
   const auto at_least = [&](const char* name, double value, double least, bool equal) {
     if (!std::isfinite(value) || value < least || (!equal && value == least))
-      problems.add(fmt::format("{} is {}; it must be {} {}", name, value, equal ? "at least" : "above", least));
+      problems.add("{} is {}; it must be {} {}", name, value, equal ? "at least" : "above", least);
   };
   at_least("blur", o.blur, 0, true), at_least("rim_margin", o.rim_margin, 0, true), at_least("contact_margin", o.contact_margin, 0, true);
   at_least("model_error", o.model_error, 0, true), at_least("position_error", o.position_error, 0, true);

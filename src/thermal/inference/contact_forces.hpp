@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/vec.hpp"
+#include "model/film_result.hpp"
 #include "model/packing.hpp"
 
 namespace arenite {
@@ -12,21 +13,14 @@ namespace arenite {
 /// are standard errors and checks, one a contact or one a grain.
 struct InferredForces {
   Contacts contacts;
-  std::vector<double> fn_error, ft_error;                ///< N, one a contact
-  std::vector<double> presence;                          ///< probability that a contact is there (presence.hpp), one a contact
-  std::vector<std::uint8_t> present;                     ///< 1 for those taken as there: as many as are expected, the likeliest
-  std::vector<double> idle;                              ///< probability that it neither is there nor lost a force on the way
-  double expected = 0, expected_error = 0;               ///< number of contacts that are there
-  std::vector<double> imbalance;                         ///< |sum of forces| of each grain, N
-  int null_space = 0;                                    ///< directions of force that the data do not determine (means only)
-  std::size_t pixels = 0;                                ///< that were used
-  double residual = 0;                                   ///< root mean square of data minus fit over the data's and the fields' standard error
-  double over_noise = 0;                                 ///< the same over the measured noise alone: chi, 1 where nothing but noise is left
-  double over_signal = 0;                                ///< median size of data minus fit over that of the data
-  double model_error = 0;                                ///< of the fields, share of a grain's signal, with which `residual` came out
-  std::vector<double> factor_scale, factor_scale_error;  ///< one a material: the film asks for a factor so many times larger
-  std::vector<float> fitted;                             ///< what the forces make the picture show, K; no number outside grains
-  int iterations = 0;
+  std::vector<double> fn_error, ft_error;  ///< N, one a contact
+  std::vector<double> presence;            ///< probability that a contact is there (presence.hpp), one a contact
+  std::vector<std::uint8_t> present;       ///< 1 for those taken as there: as many as are expected, the likeliest
+  std::vector<double> idle;                ///< probability that it neither is there nor lost a force on the way
+  std::vector<double> imbalance;           ///< |sum of forces| of each grain, N
+  int null_space = 0;                      ///< directions of force that the data do not determine (means only)
+  double residual = 0;                     ///< root mean square of data minus fit over the data's and the fields' standard error
+  ForceFit fit;                            ///< without `load`; `picture` shows the grains whole, also where pixels were left out
 };
 
 }  // namespace arenite
@@ -86,7 +80,6 @@ struct ForceProblem {
 /// Forces from pixels: least squares of every pixel's warming (superposed Flamant fields with the term that frees the
 /// rim, seen through lens and pixel) with the balance of every grain, wall loads and, weakly, the smallest elastic energy;
 /// centres are refined with the forces. Standard errors hold the errors of pixels, fields and centres; they know of no cone.
-/// `fitted` shows the grains whole, also where pixels were left out.
 /// Throws InputError where a factor is missing, grains overlap by more than a fifth of the smaller diameter, or no pixel
 /// sees a contact.
 InferredForces infer_from_pixels(const ForceProblem& problem, const ThermoelasticPicture& picture, const ForceOptions& options);

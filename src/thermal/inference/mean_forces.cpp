@@ -93,7 +93,6 @@ InferredForces infer_from_means(const ForceProblem& problem, const std::vector<d
   for (double& f : force) f *= unknowns.force;
   InferredForces out = finish(problem, options, equations, unknowns, touches, force);
   out.null_space = null_space(problem, touches, error);
-  out.iterations = 1;
   return out;
 }
 

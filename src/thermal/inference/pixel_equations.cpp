@@ -24,6 +24,36 @@ double to_contact(Vec2 x, double radius, const std::vector<Touch>& touches) {
   return nearest;
 }
 
+PixelEquations equations_of(const Unknowns& unknowns, const Placed& placed, std::size_t g, const std::vector<GrainPixel>& pixels, const PointSpread& spread,
+                            double model_error, double contact_margin) {
+  const auto& touches = placed.touches[g];
+  const std::size_t z = touches.size();
+  const GrainRows found = rows_of_grain(placed, g, pixels, spread);
+  PixelEquations b{columns_of(unknowns, g, touches), {}, {}, {}, {}, {}};
+  if (unknowns.scales > 0) b.columns.push_back(unknowns.scale(static_cast<std::size_t>(placed.material[g])));
+  const std::size_t n = b.columns.size();
+  b.rows.assign(n * pixels.size(), 0.0);
+  const double signal = root_mean_square(pixels);
+  for (std::size_t q = 0; q < pixels.size(); ++q) {
+    double* row = &b.rows[n * q];
+    for (std::size_t k = 0; k < 2 * z; ++k) row[k] = unknowns.force * found.response[2 * z * q + k];
+    if (unknowns.move > 0) {
+      row[2 * z] += unknowns.move * found.shift[2 * q], row[2 * z + 1] += unknowns.move * found.shift[2 * q + 1];
+      for (std::size_t k = 0; k < z; ++k) add_turn(unknowns, touches, k, found.turn[z * q + k], row);
+    }
+    if (unknowns.scales > 0)  // factors of the present forces: a hundredth more factor is a hundredth more warming
+      for (std::size_t k = 0; k < 2 * z; ++k)
+        row[n - 1] += found.response[2 * z * q + k] * placed.force[2 * static_cast<std::size_t>(touches[k / 2].contact) + k % 2];
+    const double error = pixels[q].error, close = std::max(1.0, contact_margin / pixels[q].to_contact);
+    const double model = model_error * signal * close * close * close;
+    b.right.push_back(pixels[q].value - found.spill[q]);
+    b.weight.push_back(1 / (error * error + model * model));
+    b.value.push_back(pixels[q].value);
+    b.noise.push_back(error);
+  }
+  return b;
+}
+
 }  // namespace
 
 Pixels pixels_of_grains(const ThermoelasticPicture& picture, const Packing& packing, const Touches& touches, double rim_margin, double contact_margin) {
@@ -54,16 +84,11 @@ double root_mean_square(const std::vector<GrainPixel>& pixels) {
   return pixels.empty() ? 0 : std::sqrt(sum / static_cast<double>(pixels.size()));
 }
 
-void PixelEquations::add_to(NormalEquations& equations, const Unknowns& unknowns) {
-  for (std::size_t g = 0; g < pixels_.size(); ++g)
-    if (!pixels_[g].empty() && !placed_.touches[g].empty()) add_grain(equations, unknowns, g);
-}
-
-Misfit PixelEquations::misfit(const std::vector<double>& x, double taken) const {
+Misfit misfit(const std::vector<PixelEquations>& equations, const std::vector<double>& x, double taken) {
   Misfit m;
   double count = 0;
   std::vector<double> off, signal;
-  for (const Block& b : blocks_)
+  for (const PixelEquations& b : equations)
     for (std::size_t q = 0; q < b.right.size(); ++q, count += 1) {
       double left = b.right[q];
       for (std::size_t k = 0; k < b.columns.size(); ++k) left -= b.rows[q * b.columns.size() + k] * x[static_cast<std::size_t>(b.columns[k])];
@@ -78,34 +103,15 @@ Misfit PixelEquations::misfit(const std::vector<double>& x, double taken) const 
   return m;
 }
 
-void PixelEquations::add_grain(NormalEquations& equations, const Unknowns& unknowns, std::size_t g) {
-  const auto& touches = placed_.touches[g];
-  const std::size_t z = touches.size();
-  const GrainRows found = rows_of_grain(placed_, g, pixels_[g], spread_);
-  Block b{columns_of(unknowns, g, touches), {}, {}, {}, {}, {}};
-  if (unknowns.scales > 0) b.columns.push_back(unknowns.scale(static_cast<std::size_t>(material_[g])));
-  const std::size_t n = b.columns.size();
-  b.rows.assign(n * pixels_[g].size(), 0.0);
-  const double signal = root_mean_square(pixels_[g]);
-  for (std::size_t q = 0; q < pixels_[g].size(); ++q) {
-    double* row = &b.rows[n * q];
-    for (std::size_t k = 0; k < 2 * z; ++k) row[k] = unknowns.force * found.response[2 * z * q + k];
-    if (unknowns.move > 0) {
-      row[2 * z] += unknowns.move * found.shift[2 * q], row[2 * z + 1] += unknowns.move * found.shift[2 * q + 1];
-      for (std::size_t k = 0; k < z; ++k) add_turn(unknowns, touches, k, found.turn[z * q + k], row);
-    }
-    if (unknowns.scales > 0)  // factors of the present forces: a hundredth more factor is a hundredth more warming
-      for (std::size_t k = 0; k < 2 * z; ++k)
-        row[n - 1] += found.response[2 * z * q + k] * placed_.force[2 * static_cast<std::size_t>(touches[k / 2].contact) + k % 2];
-    const double error = pixels_[g][q].error, close = std::max(1.0, contact_margin_ / pixels_[g][q].to_contact);
-    const double model = model_error_ * signal * close * close * close;
-    b.right.push_back(pixels_[g][q].value - found.spill[q]);
-    b.weight.push_back(1 / (error * error + model * model));
-    b.value.push_back(pixels_[g][q].value);
-    b.noise.push_back(error);
+std::vector<PixelEquations> add_pixels(NormalEquations& equations, const Unknowns& unknowns, const Placed& placed, const Pixels& pixels,
+                                       const PointSpread& spread, double model_error, double contact_margin) {
+  std::vector<PixelEquations> all;
+  for (std::size_t g = 0; g < pixels.size(); ++g) {
+    if (pixels[g].empty() || placed.touches[g].empty()) continue;
+    const PixelEquations& own = all.emplace_back(equations_of(unknowns, placed, g, pixels[g], spread, model_error, contact_margin));
+    equations.add(own.columns, own.rows, own.right, own.weight);
   }
-  equations.add(b.columns, b.rows, b.right, b.weight);
-  blocks_.push_back(std::move(b));
+  return all;
 }
 
 }  // namespace arenite::inference

@@ -47,6 +47,7 @@ struct Near {
 struct Placed {
   double length = 1;                   ///< m, out of plane
   std::vector<double> radius, factor;  ///< m; K/Pa, one a grain
+  std::vector<std::int32_t> material;  ///< likewise
   std::vector<Vec2> centre, found;     ///< m: as refined, from which pixels are counted
   Touches touches;                     ///< with normals between refined centres
   std::vector<std::vector<Near>> near;
@@ -74,37 +75,17 @@ struct Misfit {
   double over_signal = 0;  ///< median size of what is left over that of the signal: one lost grain does not decide it
 };
 
-/// Equations of all grains' pixels. Everything that is given stays with the caller.
-class PixelEquations {
- public:
-  /// `material` of every grain; `model_error` as a share of a grain's signal; `contact_margin` in m.
-  PixelEquations(const Placed& placed, const Pixels& pixels, const std::vector<std::int32_t>& material, const PointSpread& spread, double model_error,
-                 double contact_margin)
-      : placed_(placed),
-        pixels_(pixels),
-        material_(material),
-        spread_(spread),
-        model_error_(model_error),
-        contact_margin_(contact_margin) {}
-
-  void add_to(NormalEquations& equations, const Unknowns& unknowns);
-  /// At the solution x; pixels have as many degrees of freedom as there are beyond `taken`.
-  Misfit misfit(const std::vector<double>& x, double taken) const;
-
- private:
-  struct Block {
-    std::vector<int> columns;
-    std::vector<double> rows, right, weight, value, noise;
-  };
-
-  void add_grain(NormalEquations& equations, const Unknowns& unknowns, std::size_t g);
-
-  const Placed& placed_;
-  const Pixels& pixels_;
-  const std::vector<std::int32_t>& material_;
-  const PointSpread& spread_;
-  double model_error_, contact_margin_;
-  std::vector<Block> blocks_;
+/// Equations of the pixels of one grain (NormalEquations::add), with their values and the errors of these.
+struct PixelEquations {
+  std::vector<int> columns;
+  std::vector<double> rows, right, weight, value, noise;
 };
+
+/// Adds the equations of all grains' pixels, and hands them back; `model_error` as a share of a grain's signal, `contact_margin` in m.
+std::vector<PixelEquations> add_pixels(NormalEquations& equations, const Unknowns& unknowns, const Placed& placed, const Pixels& pixels,
+                                       const PointSpread& spread, double model_error, double contact_margin);
+
+/// What these leave at the solution x; pixels have as many degrees of freedom as there are beyond `taken`.
+Misfit misfit(const std::vector<PixelEquations>& equations, const std::vector<double>& x, double taken);
 
 }  // namespace arenite::inference

@@ -27,9 +27,8 @@ void check_pixels(const Packing& packing, const Pixels& pixels) {
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const auto i = static_cast<std::size_t>(contacts.i[c]);
     if (!pixels[i].empty() || (!contacts.is_wall(c) && !pixels[static_cast<std::size_t>(contacts.j[c])].empty())) continue;
-    problems.add(
-        fmt::format("no pixel of the picture sees the contact of grain {} with {}; leave the contact out or lower the margins", packing.grains.id[i],
-                    contacts.is_wall(c) ? std::string("a wall") : fmt::format("grain {}", packing.grains.id[static_cast<std::size_t>(contacts.j[c])])));
+    problems.add("no pixel of the picture sees the contact of grain {} with {}; leave the contact out or lower the margins", packing.grains.id[i],
+                 contacts.is_wall(c) ? std::string("a wall") : fmt::format("grain {}", packing.grains.id[static_cast<std::size_t>(contacts.j[c])]));
   }
   problems.raise();
 }
@@ -39,6 +38,7 @@ Placed placed_grains(const ForceProblem& problem) {
   Placed placed;
   placed.length = problem.packing.domain.thickness;
   placed.radius = grains.radius;
+  placed.material = grains.material;
   for (std::size_t g = 0; g < grains.size(); ++g) {
     placed.factor.push_back(problem.factor[static_cast<std::size_t>(grains.material[g])]);
     placed.found.push_back(grains.centre(g));
@@ -101,7 +101,7 @@ void take(Placed& placed, std::vector<double>& scale, const Packing& packing, co
     const double times = std::clamp(1 + x[static_cast<std::size_t>(unknowns.scale(m))], 0.5, 2.0);
     scale[m] *= times;
     for (std::size_t g = 0; g < placed.factor.size(); ++g)
-      if (static_cast<std::size_t>(packing.grains.material[g]) == m) placed.factor[g] *= times;
+      if (static_cast<std::size_t>(placed.material[g]) == m) placed.factor[g] *= times;
   }
   if (unknowns.move <= 0) return;
   for (std::size_t g = 0; g < unknowns.grains; ++g) {
@@ -150,8 +150,7 @@ InferredForces infer_from_pixels(const ForceProblem& problem, const Thermoelasti
     unknowns.move = iteration > 1 ? position_error : 0;
     unknowns.scales = iteration > 1 ? scale.size() : 0;
     NormalEquations equations(unknowns.count());
-    PixelEquations rows(placed, pixels, packing.grains.material, spread, model_error, options.contact_margin * picture.pixel);
-    rows.add_to(equations, unknowns);
+    const auto rows = add_pixels(equations, unknowns, placed, pixels, spread, model_error, options.contact_margin * picture.pixel);
     add_balance(equations, unknowns, packing, placed.touches, placed.force, options.gravity, options.balance_error * unknowns.force);
     add_walls(equations, unknowns, packing.contacts, problem.walls);
     add_energy(equations, unknowns, packing, options.prior > 0 ? options.prior : 10);
@@ -161,19 +160,17 @@ InferredForces infer_from_pixels(const ForceProblem& problem, const Thermoelasti
                                       ? equations.solve_in_cone(static_cast<int>(unknowns.contacts), options.friction)
                                       : equations.solve();
     take(placed, scale, packing, unknowns, x);
-    const Misfit misfit = rows.misfit(x, taken);
+    const Misfit left = misfit(rows, x, taken);
     if (iteration < options.iterations) {
-      if (options.fit_model_error) model_error = std::max(1e-4, model_error * std::sqrt(misfit.weighed));
+      if (options.fit_model_error) model_error = std::max(1e-4, model_error * std::sqrt(left.weighed));
       continue;
     }
     InferredForces out = finish(problem, options, equations, unknowns, placed.touches, placed.force);
-    out.residual = std::sqrt(misfit.weighed), out.over_noise = std::sqrt(misfit.over_noise), out.over_signal = misfit.over_signal;
-    out.model_error = model_error;
-    out.factor_scale = std::move(scale);
-    for (std::size_t m = 0; m < out.factor_scale.size(); ++m) out.factor_scale_error[m] *= out.factor_scale[m];
-    out.fitted = drawn(placed, packing, picture, spread);
-    for (const auto& of_grain : pixels) out.pixels += of_grain.size();
-    out.iterations = iteration;
+    out.residual = std::sqrt(left.weighed);
+    out.fit.over_noise = std::sqrt(left.over_noise), out.fit.over_signal = left.over_signal, out.fit.model_error = model_error;
+    for (std::size_t m = 0; m < scale.size(); ++m) out.fit.factor_scale_error[m] *= scale[m];
+    out.fit.factor_scale = std::move(scale);
+    out.fit.picture = drawn(placed, packing, picture, spread);
     return out;
   }
 }

@@ -32,44 +32,39 @@ struct OverlapLaw {
 };
 
 /// The evidence in mean forces and widest gaps.
-struct Scaled {
-  std::vector<double> f, error, overlap;
-  const std::vector<int>& kind;
-};
-
-Scaled scaled(const ContactEvidence& e) {
+ContactEvidence scaled(const ContactEvidence& e) {
   double sum = 0, count = 0;
   for (std::size_t c = 0; c < e.fn.size(); ++c)
     if (e.fn[c] > 3 * e.fn_error[c]) sum += e.fn[c], ++count;
   const double mean = count > 0 && sum > 0 ? sum / count : 1, gap = e.widest_gap > 0 ? e.widest_gap : 1;
-  Scaled s{{}, {}, {}, e.kind};
+  ContactEvidence s{{}, {}, {}, e.kind, 1};
   for (std::size_t c = 0; c < e.fn.size(); ++c) {
-    s.f.push_back(std::clamp(e.fn[c] / mean, there.front(), there.back()));
-    s.error.push_back(std::max(e.fn_error[c] / mean, 1e-6));
+    s.fn.push_back(std::clamp(e.fn[c] / mean, there.front(), there.back()));
+    s.fn_error.push_back(std::max(e.fn_error[c] / mean, 1e-6));
     s.overlap.push_back(e.overlap[c] / gap);
   }
   return s;
 }
 
 /// A straight line through the strong contacts of every kind that has a dozen; other kinds are at 0, spread as the widest.
-std::map<int, OverlapLaw> overlap_laws(const Scaled& s) {
+std::map<int, OverlapLaw> overlap_laws(const ContactEvidence& s) {
   std::map<int, std::vector<std::size_t>> of;
-  for (std::size_t c = 0; c < s.f.size(); ++c) {
+  for (std::size_t c = 0; c < s.fn.size(); ++c) {
     of[s.kind[c]];
-    if (s.f[c] > strong && s.f[c] > 4 * s.error[c]) of[s.kind[c]].push_back(c);
+    if (s.fn[c] > strong && s.fn[c] > 4 * s.fn_error[c]) of[s.kind[c]].push_back(c);
   }
   std::map<int, OverlapLaw> laws;
   double widest = 0;
   for (const auto& [kind, contacts] : of) {
     if (contacts.size() < 12) continue;
     std::vector<double> force, overlap;
-    for (const std::size_t c : contacts) force.push_back(s.f[c]), overlap.push_back(s.overlap[c]);
+    for (const std::size_t c : contacts) force.push_back(s.fn[c]), overlap.push_back(s.overlap[c]);
     const auto m = statistics::second_moments(force, overlap);
     OverlapLaw law;
     law.slope = m.xx > 0 ? m.xy / m.xx : 0;
     law.at = m.mean_y - law.slope * m.mean_x;
     std::vector<double> rest;
-    for (const std::size_t c : contacts) rest.push_back(std::abs(s.overlap[c] - law.at - law.slope * s.f[c]));
+    for (const std::size_t c : contacts) rest.push_back(std::abs(s.overlap[c] - law.at - law.slope * s.fn[c]));
     law.spread = std::max(0.02, median(std::move(rest)) / median_of_normal_size);
     widest = std::max(widest, law.spread);
     laws[kind] = law;
@@ -91,7 +86,7 @@ class Mixture {
     constexpr int rounds = 200;
     Presence p;
     for (int round = 0; round < rounds; ++round) improve();
-    for (std::size_t c = 0; c < s_.f.size(); ++c) {
+    for (std::size_t c = 0; c < s_.fn.size(); ++c) {
       const auto posterior = posteriors(c);
       p.probability.push_back(std::accumulate(posterior.begin() + 1 + steps_gone, posterior.end(), 0.0));
       p.idle.push_back(posterior[0]);
@@ -109,7 +104,7 @@ class Mixture {
   /// Share of every class in contact c.
   Classes posteriors(std::size_t c) const {
     const OverlapLaw& law = laws_.at(s_.kind[c]);
-    const double f = s_.f[c], error = scale_ * s_.error[c], over = s_.overlap[c] - law.at;
+    const double f = s_.fn[c], error = scale_ * s_.fn_error[c], over = s_.overlap[c] - law.at;
     const double apart = below(-over / law.spread);  // gaps from 0 to the widest are as likely
     Classes p;
     p[0] = share_[0] * bell(f, error) * apart;
@@ -132,17 +127,17 @@ class Mixture {
   void improve() {
     Classes sums{};
     double squares = 0, none = 0;
-    for (std::size_t c = 0; c < s_.f.size(); ++c) {
+    for (std::size_t c = 0; c < s_.fn.size(); ++c) {
       const Classes p = posteriors(c);
       for (std::size_t k = 0; k < classes; ++k) sums[k] += p[k];
-      const double z = s_.f[c] / s_.error[c];
+      const double z = s_.fn[c] / s_.fn_error[c];
       squares += p[0] * std::min(z * z, 25.0), none += p[0];
     }
-    for (std::size_t k = 0; k < classes; ++k) share_[k] = sums[k] / static_cast<double>(s_.f.size());
+    for (std::size_t k = 0; k < classes; ++k) share_[k] = sums[k] / static_cast<double>(s_.fn.size());
     if (none > 5) scale_ = std::clamp(std::sqrt(squares / none), 0.3, 5.0);
   }
 
-  Scaled s_;
+  ContactEvidence s_;
   std::map<int, OverlapLaw> laws_;
   Classes share_{};
   double scale_ = 1;

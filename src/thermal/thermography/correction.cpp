@@ -1,14 +1,12 @@
 #include "thermal/thermography/correction.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
-#include "core/error.hpp"
 #include "core/median.hpp"
+#include "core/problems.hpp"
 
 namespace arenite::thermography {
 namespace {
@@ -50,17 +48,16 @@ template <class Law> LevelCurve tabulate(const LevelRange& range, Law&& law) {
   LevelCurve curve;
   curve.first = range.low;
   curve.step = (range.high - range.low) / static_cast<double>(numbers - 1);
-  if (!(curve.step > 0))
-    throw InputError(fmt::format("levels from {} to {} are no range for a calibration curve; give a lower and a higher one", range.low, range.high));
+  if (!(curve.step > 0)) throw refusal("levels from {} to {} are no range for a calibration curve; give a lower and a higher one", range.low, range.high);
   for (std::size_t i = 0; i < numbers; ++i) curve.temperature.push_back(static_cast<float>(law(range.low + static_cast<double>(i) * curve.step)));
   return curve;
 }
 
 void check(const std::vector<LevelPoint>& points) {
-  if (points.size() < 2) throw InputError(fmt::format("a calibration curve of {} points is too short; give 2 or more", points.size()));
+  if (points.size() < 2) throw refusal("a calibration curve of {} points is too short; give 2 or more", points.size());
   for (const LevelPoint& p : points)
     if (!std::isfinite(p.level) || !(p.temperature > 0) || !std::isfinite(p.temperature))
-      throw InputError(fmt::format("a calibration curve has the point ({}, {} K), which cannot be; correct it", p.level, p.temperature));
+      throw refusal("a calibration curve has the point ({}, {} K), which cannot be; correct it", p.level, p.temperature);
 }
 
 constexpr double beyond = 1.5;  // pixels: how far a lens spreads a rim
@@ -85,13 +82,13 @@ std::vector<Replacement> replacements(const std::vector<std::uint8_t>& bad, int 
   std::vector<Replacement> list;
   for (int row = 0; row < height; ++row)
     for (int column = 0; column < width; ++column) {
-      const auto place = [width](int r, int c) { return static_cast<std::uint32_t>(r) * static_cast<std::uint32_t>(width) + static_cast<std::uint32_t>(c); };
-      if (bad[place(row, column)] == 0) continue;
-      Replacement& replacement = list.emplace_back(Replacement{place(row, column), {}});
+      const auto pixel = static_cast<std::uint32_t>(row) * static_cast<std::uint32_t>(width) + static_cast<std::uint32_t>(column);
+      if (bad[pixel] == 0) continue;
+      Replacement& replacement = list.emplace_back(Replacement{pixel, {}});
       for (int reach = 1; reach <= std::max(width, height) && replacement.from.empty(); ++reach)
-        for (int r = std::max(row - reach, 0); r <= std::min(row + reach, height - 1); ++r)
-          for (int c = std::max(column - reach, 0); c <= std::min(column + reach, width - 1); ++c)
-            if (bad[place(r, c)] == 0) replacement.from.push_back(place(r, c));
+        each_pixel_near(column, row, reach, width, height, [&](int, int, std::size_t near) {
+          if (bad[near] == 0) replacement.from.push_back(static_cast<std::uint32_t>(near));
+        });
     }
   return list;
 }
@@ -109,8 +106,7 @@ void correct_offsets(const FrameStatistics& reference, Correction& correction) {
 
 void correct_gains(const FrameStatistics& cold, const FrameStatistics& warm, Correction& correction) {
   if (cold.width != warm.width || cold.height != warm.height)
-    throw InputError(
-        fmt::format("the two references have {} x {} and {} x {} pixels; film both with the same window", cold.width, cold.height, warm.width, warm.height));
+    throw refusal("the two references have {} x {} and {} x {} pixels; film both with the same window", cold.width, cold.height, warm.width, warm.height);
   const double low = reference_level(cold), step = reference_level(warm) - low;
   if (!(std::abs(step) > 0)) throw InputError("the two references show the same level, so gains cannot be found; film them at different temperatures");
   correct_offsets(cold, correction);
@@ -130,8 +126,8 @@ void apply(const Correction& correction, const FrameBlock& in, std::vector<float
   const auto fits = [n](const auto& array) { return array.empty() || array.size() == n; };
   if (pixels != n * in.frames || !fits(correction.gain) || correction.gain.size() != correction.offset.size() || !fits(correction.reference) ||
       !fits(correction.mask))
-    throw InputError(fmt::format("the correction is for frames of {} x {} pixels and the film has others; give reference films of the same size",
-                                 correction.width, correction.height));
+    throw refusal("the correction is for frames of {} x {} pixels and the film has others; give reference films of the same size", correction.width,
+                  correction.height);
   out.resize(pixels);
   for (std::size_t f = 0; f < in.frames; ++f) {
     float* frame = out.data() + f * n;
@@ -162,7 +158,7 @@ LevelCurve curve_through(std::vector<LevelPoint> points, const LevelRange& range
   std::sort(points.begin(), points.end(), [](const LevelPoint& a, const LevelPoint& b) { return a.level < b.level; });
   for (std::size_t i = 1; i < points.size(); ++i)
     if (!(points[i].level > points[i - 1].level) || !(points[i].temperature > points[i - 1].temperature))
-      throw InputError(fmt::format("a calibration curve does not rise from level {} to {}; correct its points", points[i - 1].level, points[i].level));
+      throw refusal("a calibration curve does not rise from level {} to {}; correct its points", points[i - 1].level, points[i].level);
   std::size_t k = 1;
   return tabulate(range, [&](double level) {
     while (k + 1 < points.size() && level > points[k].level) ++k;
@@ -182,8 +178,8 @@ LevelCurve curve_through(std::vector<LevelPoint> points, const radiometry::Band&
 LevelCurve curve_by_references(const radiometry::Band& band, const LevelPoint& cold, const LevelPoint& warm, const radiometry::Surface& surface,
                                const LevelRange& range) {
   if (!(cold.temperature > 0) || !(warm.temperature > cold.temperature) || cold.level == warm.level)
-    throw InputError(fmt::format("references of {} K and {} K at levels {} and {} make no calibration; film a colder and a warmer one", cold.temperature,
-                                 warm.temperature, cold.level, warm.level));
+    throw refusal("references of {} K and {} K at levels {} and {} make no calibration; film a colder and a warmer one", cold.temperature, warm.temperature,
+                  cold.level, warm.level);
   const double low = radiometry::photon_exitance(band, cold.temperature), high = radiometry::photon_exitance(band, warm.temperature);
   return tabulate(range, [&](double level) {
     return radiometry::temperature_of_seen(band, surface, low + (level - cold.level) * (high - low) / (warm.level - cold.level));
@@ -192,8 +188,7 @@ LevelCurve curve_by_references(const radiometry::Band& band, const LevelPoint& c
 
 LevelCurve curve_by_radiometry(const radiometry::Band& band, const LevelPoint& known, const radiometry::Surface& surface, const LevelRange& range) {
   if (!(known.temperature > 0) || !(known.level > 0))
-    throw InputError(
-        fmt::format("a level of {} at {} K makes no calibration; give a level above 0 and a temperature above 0 K", known.level, known.temperature));
+    throw refusal("a level of {} at {} K makes no calibration; give a level above 0 and a temperature above 0 K", known.level, known.temperature);
   const double photons = radiometry::photon_exitance(band, known.temperature) / known.level;
   return tabulate(range, [&](double level) { return radiometry::temperature_of_seen(band, surface, photons * level); });
 }

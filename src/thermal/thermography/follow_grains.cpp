@@ -58,14 +58,14 @@ std::vector<Chord> chords_of(const PictureGrains& g, std::size_t i) {
 
 /// Mean over the grain's inner pixels, at least the one in its middle.
 double inner_level(const PhasePictures& pictures, const PictureGrains& g, const GrainMotion& m, std::size_t i) {
-  const PixelHarmonics fit(pictures, m.cos_x[i], m.sin_x[i], m.cos_y[i], m.sin_y[i]);
+  const PixelHarmonics fit(pictures, m, i);
   const double inner = std::max(0.5, std::min(0.8 * g.radius[i], g.radius[i] - 2.5));
   double sum = 0, n = 0;
   const int reach = static_cast<int>(inner);
   for (int dy = -reach; dy <= reach; ++dy)
     for (int dx = -reach; dx <= reach; ++dx) {
       if (dx * dx + dy * dy > inner * inner) continue;
-      sum += fit.follow(pictures, g.x[i] + dx, g.y[i] + dy).mean;
+      sum += fit.follow(pictures, g.x[i] + dx, g.y[i] + dy).harmonics[0];
       n += 1;
     }
   return sum / n;
@@ -75,8 +75,8 @@ double inner_level(const PhasePictures& pictures, const PictureGrains& g, const 
 PictureGrains grains_in(const PhasePictures& p, std::size_t k, const PictureGrains& grains, const GrainMotion& m) {
   PictureGrains there = grains;
   for (std::size_t i = 0; i < grains.size(); ++i) {
-    there.x[i] += m.cos_x[i] * p.cosine[k] + m.sin_x[i] * p.sine[k];
-    there.y[i] += m.cos_y[i] * p.cosine[k] + m.sin_y[i] * p.sine[k];
+    const Vec2 moved = p.moved(m, i, k);
+    there.x[i] += moved.x, there.y[i] += moved.y;
   }
   return there;
 }
@@ -152,10 +152,11 @@ PhasePictures without_scene(const PhasePictures& pictures, const GrainScene& sce
 }
 
 void put(LockinMaps& maps, std::size_t p, const Followed& f, double factor, double spread) {
-  maps.mean[p] = static_cast<float>(f.mean);
-  maps.amplitude[p] = static_cast<float>(factor * std::hypot(f.cosine, f.sine));
-  maps.phase[p] = static_cast<float>(std::atan2(f.sine, f.cosine));
-  if (!maps.second_harmonic.empty()) maps.second_harmonic[p] = static_cast<float>(factor * std::hypot(f.cosine2, f.sine2));
+  const auto [mean, cosine, sine, cosine2, sine2] = f.harmonics;
+  maps.mean[p] = static_cast<float>(mean);
+  maps.amplitude[p] = static_cast<float>(factor * std::hypot(cosine, sine));
+  maps.phase[p] = static_cast<float>(std::atan2(sine, cosine));
+  if (!maps.second_harmonic.empty()) maps.second_harmonic[p] = static_cast<float>(factor * std::hypot(cosine2, sine2));
   const double noise = std::sqrt(f.variance);
   maps.residual[p] = static_cast<float>(noise);
   maps.standard_error[p] = static_cast<float>(spread * noise);
@@ -207,17 +208,17 @@ LockinMaps follow_grains(const PhasePictures& pictures, const LockinMaps& maps, 
   const std::vector<std::int32_t> owner = owners(shown, maps.width, maps.height);
   std::vector<std::vector<double>> cosine(grains.size()), sine(grains.size());
   const auto follow = [&](std::size_t i) {
-    const PixelHarmonics fit(rest, motion.cos_x[i], motion.sin_x[i], motion.cos_y[i], motion.sin_y[i]);
+    const PixelHarmonics fit(rest, motion, i);
     const double x = shown.x[i], y = shown.y[i], r = shown.radius[i];
     each_pixel_near(x, y, r, maps.width, maps.height, [&](int column, int row, std::size_t p) {
       const double out = std::hypot(column - x, row - y);
       if (out > r || owner[p] != static_cast<std::int32_t>(i)) return;
       Followed f = fit.follow(rest, column + grains.x[i] - x, row + grains.y[i] - y);
-      f.mean += scene.grain[i];
+      f.harmonics[0] += scene.grain[i];
       put(result, p, f, factor, spread);
       if (out > 0.7 * r) return;
-      cosine[i].push_back(f.cosine);
-      sine[i].push_back(f.sine);
+      cosine[i].push_back(f.harmonics[1]);
+      sine[i].push_back(f.harmonics[2]);
     });
   };
   Team(threads).for_each(grains.size(), follow);

@@ -49,11 +49,9 @@ struct Neighbours {
 
 Neighbours neighbours(const std::vector<float>& picture, int width, int height, int column, int row) {
   Neighbours n;
-  for (int r = std::max(row - 1, 0); r <= std::min(row + 1, height - 1); ++r)
-    for (int c = std::max(column - 1, 0); c <= std::min(column + 1, width - 1); ++c)
-      if (r != row || c != column)
-        n.value[static_cast<std::size_t>(n.count++)] =
-            static_cast<double>(picture[static_cast<std::size_t>(r) * static_cast<std::size_t>(width) + static_cast<std::size_t>(c)]);
+  each_pixel_near(column, row, 1, width, height, [&](int c, int r, std::size_t at) {
+    if (r != row || c != column) n.value[static_cast<std::size_t>(n.count++)] = static_cast<double>(picture[at]);
+  });
   return n;
 }
 
@@ -117,14 +115,10 @@ FrameStatistics frame_statistics(FilmSource& film, std::size_t most_frames) {
   Sums sums{std::vector<double>(n), std::vector<double>(n), std::vector<float>(n)};
   constexpr std::size_t most_pixels = std::size_t{1} << 21;
   const std::size_t at_once = std::max<std::size_t>(1, most_pixels / std::max<std::size_t>(1, n));
-  FrameBlock block;
-  for (std::size_t f = 0; f < s.frames; f += at_once) {
-    film.read(static_cast<std::int64_t>(f), std::min(at_once, s.frames - f), block);
-    for (std::size_t k = 0; k < block.frames; ++k) {
-      if (block.level.empty()) add_frame(block.value.data() + k * n, f + k == 0, sums, s);
-      else add_frame(block.level.data() + k * n, f + k == 0, sums, s);
-    }
-  }
+  read_frames(film, 0, s.frames, at_once, [&](const auto* pixels, std::size_t first, std::size_t some) {
+    for (std::size_t k = 0; k < some; ++k) add_frame(pixels + k * n, first + k == 0, sums, s);
+    return true;
+  });
   const auto count = static_cast<double>(s.frames);
   for (std::size_t i = 0; i < n; ++i) {
     s.mean[i] = static_cast<float>(sums.sum[i] / count);

@@ -1,33 +1,27 @@
 #include "thermal/thermography/grain_motion.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <limits>
 #include <set>
 
-#include "core/error.hpp"
+#include "core/problems.hpp"
 #include "geometry/rectangle.hpp"
 
 namespace arenite::thermography {
 namespace {
 
 void check(const PictureGrains& grains, const GrainMeanOptions& o) {
-  std::vector<Problem> problems;
-  if (!(o.share > 0 && o.share <= 1))
-    problems.push_back({{}, 0, 0, fmt::format("the share of a grain's area is {}; it must be above 0 and at most 1", o.share)});
+  Problems problems;
+  problems.unless(o.share > 0 && o.share <= 1, "the share of a grain's area is {}; it must be above 0 and at most 1", o.share);
   std::set<std::int32_t> missing;
   for (const auto m : grains.material) {
     const auto k = static_cast<std::size_t>(m);
     if (m < 0 || k >= o.factor.size() || !(o.factor[k] > 0) || !std::isfinite(o.factor[k])) missing.insert(m);
   }
   for (const auto m : missing)
-    problems.push_back({{},
-                        0,
-                        0,
-                        m < 0 ? std::string("some grains have no material; name the material of every grain")
-                              : fmt::format("material {} has no thermoelastic factor above 0; give it, for example \"0.0150 K/MPa\"", m)});
-  if (!problems.empty()) throw InputError(std::move(problems));
+    if (m < 0) problems.add("some grains have no material; name the material of every grain");
+    else problems.add("material {} has no thermoelastic factor above 0; give it, for example \"0.0150 K/MPa\"", m);
+  problems.raise();
 }
 
 /// Length of the slope of a disk's mean when its centre is shifted, a pixel.

@@ -20,12 +20,16 @@ struct OtherRim {
   double slope_x = 0, slope_y = 0;   ///< of that share, a pixel
 };
 
+struct RimPixel {
+  double x, y;            ///< pixels
+  double from_x, from_y;  ///< the centre, over the radius
+  double inside;          ///< share of the pixel in the grain, over the width of a blurred rim
+  double weight;
+};
+
 /// Pixels on both sides of a grain's rim that are in no other grain.
-struct RimPixels {
-  std::vector<double> x, y;                          ///< pixels
-  std::vector<double> from_centre_x, from_centre_y;  ///< over the radius
-  std::vector<double> inside;                        ///< share of the pixel in the grain, over the width of a blurred rim
-  std::vector<double> weight;
+struct Rim {
+  std::vector<RimPixel> pixels;
   std::vector<OtherRim> others;  ///< blurred rims of neighbours that reach into these pixels
 };
 
@@ -37,7 +41,7 @@ constexpr double margin = 0.6, reach_of_others = 2.2;
 double share_inside(double out) { return 0.5 * std::erfc(out / blur); }
 double slope_of_share(double out) { return -std::exp(-out * out / (blur * blur)) / (blur * std::sqrt(std::numbers::pi)); }
 
-void add(const PictureGrains& g, std::size_t i, const std::vector<std::size_t>& neighbours, double rim, double x, double y, RimPixels& pixels) {
+void add(const PictureGrains& g, std::size_t i, const std::vector<std::size_t>& neighbours, double rim, double x, double y, Rim& own) {
   const double dx = x - g.x[i], dy = y - g.y[i], out = std::hypot(dx, dy) - g.radius[i];
   if (std::abs(out) > rim) return;
   std::vector<OtherRim> others;
@@ -46,19 +50,14 @@ void add(const PictureGrains& g, std::size_t i, const std::vector<std::size_t>& 
     if (away < margin) return;
     if (away > reach_of_others) continue;
     const double slope = slope_of_share(away) / r;
-    others.push_back({pixels.x.size(), j, share_inside(away), slope * (x - g.x[j]), slope * (y - g.y[j])});
+    others.push_back({own.pixels.size(), j, share_inside(away), slope * (x - g.x[j]), slope * (y - g.y[j])});
   }
-  pixels.others.insert(pixels.others.end(), others.begin(), others.end());
-  pixels.x.push_back(x);
-  pixels.y.push_back(y);
-  pixels.from_centre_x.push_back(dx / g.radius[i]);
-  pixels.from_centre_y.push_back(dy / g.radius[i]);
-  pixels.inside.push_back(share_inside(out));
-  pixels.weight.push_back(1 - std::pow(out / (rim + 0.5), 2));
+  own.others.insert(own.others.end(), others.begin(), others.end());
+  own.pixels.push_back({x, y, dx / g.radius[i], dy / g.radius[i], share_inside(out), 1 - std::pow(out / (rim + 0.5), 2)});
 }
 
-std::vector<RimPixels> rim_pixels(const PictureGrains& g, int width, int height, double rim) {
-  std::vector<RimPixels> rims(g.size());
+std::vector<Rim> rims_of(const PictureGrains& g, int width, int height, double rim) {
+  std::vector<Rim> rims(g.size());
   for (std::size_t i = 0; i < g.size(); ++i) {
     const double reach = g.radius[i] + rim;
     std::vector<std::size_t> neighbours;
@@ -82,12 +81,12 @@ struct Left {
 };
 
 /// Contrast of a grain from its mean picture, where the neighbours' are known.
-double contrast_of(const RimPixels& rim, const std::vector<double>& mean, const std::vector<double>& contrast) {
+double contrast_of(const Rim& rim, const std::vector<double>& mean, const std::vector<double>& contrast) {
   std::vector<double> value = mean;
   for (const OtherRim& o : rim.others) value[o.pixel] -= contrast[o.grain] * o.inside;
   double n = 0, x = 0, y = 0, xx = 0, xy = 0;
   for (std::size_t p = 0; p < value.size(); ++p) {
-    const double in = rim.inside[p];
+    const double in = rim.pixels[p].inside;
     n += 1, x += in, y += value[p], xx += in * in, xy += in * value[p];
   }
   const double spread = xx - x * x / n;
@@ -95,27 +94,28 @@ double contrast_of(const RimPixels& rim, const std::vector<double>& mean, const 
 }
 
 /// `motion` and `contrast` are those found so far. Seen from the grain, neighbours that move otherwise oscillate.
-Left motion_left(const PhasePictures& pictures, const RimPixels& rim, std::size_t grain, const GrainMotion& motion, const std::vector<double>& contrast) {
+Left motion_left(const PhasePictures& pictures, const Rim& rim, std::size_t grain, const GrainMotion& motion, const std::vector<double>& contrast) {
   constexpr std::size_t smooth = 6;
   Left left;
   left.grains = {grain};
   for (const OtherRim& o : rim.others)
     if (std::find(left.grains.begin(), left.grains.end(), o.grain) == left.grains.end()) left.grains.push_back(o.grain);
-  const std::size_t n = rim.x.size(), unknowns = 2 * left.grains.size();
+  const std::size_t n = rim.pixels.size(), unknowns = 2 * left.grains.size();
   left.normal = Matrix(unknowns, unknowns);
   left.side = Matrix(unknowns, 2);
   if (n < smooth + unknowns) return left;
-  const PixelHarmonics fit(pictures, motion.cos_x[grain], motion.sin_x[grain], motion.cos_y[grain], motion.sin_y[grain]);
+  const PixelHarmonics fit(pictures, motion, grain);
   Matrix part(n, smooth), rest(n, unknowns + 2);
   std::vector<double> mean;
   for (std::size_t p = 0; p < n; ++p) {
-    const Followed f = fit.follow(pictures, rim.x[p], rim.y[p]);
-    mean.push_back(f.mean);
-    const double in = rim.inside[p], x = rim.from_centre_x[p], y = rim.from_centre_y[p];
+    const RimPixel& pixel = rim.pixels[p];
+    const Followed f = fit.follow(pictures, pixel.x, pixel.y);
+    mean.push_back(f.harmonics[0]);
+    const double in = pixel.inside, x = pixel.from_x, y = pixel.from_y;
     const double shape[smooth] = {in, in * x, in * y, in * x * x, in * x * y, in * y * y};
     for (std::size_t k = 0; k < smooth; ++k) part(p, k) = shape[k];
     rest(p, 0) = -f.slope_x, rest(p, 1) = -f.slope_y;
-    rest(p, unknowns) = f.cosine, rest(p, unknowns + 1) = f.sine;
+    rest(p, unknowns) = f.harmonics[1], rest(p, unknowns + 1) = f.harmonics[2];
   }
   for (const OtherRim& o : rim.others) {
     const std::size_t row = o.pixel, column = 2 * static_cast<std::size_t>(std::find(left.grains.begin(), left.grains.end(), o.grain) - left.grains.begin());
@@ -126,7 +126,7 @@ Left motion_left(const PhasePictures& pictures, const RimPixels& rim, std::size_
     rest(row, unknowns + 1) += x * (motion.sin_x[o.grain] - motion.sin_x[grain]) + y * (motion.sin_y[o.grain] - motion.sin_y[grain]);
   }
   for (std::size_t p = 0; p < n; ++p) {
-    const double w = std::sqrt(rim.weight[p]);
+    const double w = std::sqrt(rim.pixels[p].weight);
     for (std::size_t k = 0; k < smooth; ++k) part(p, k) *= w;
     for (std::size_t k = 0; k < unknowns + 2; ++k) rest(p, k) *= w;
   }
@@ -224,7 +224,7 @@ GrainMotion grain_motion(const PhasePictures& pictures, const PictureGrains& gra
   for (auto* each : {&motion.cos_x, &motion.sin_x, &motion.cos_y, &motion.sin_y}) each->assign(n, 0);
   motion.error.assign(n, std::numeric_limits<double>::infinity());
   if (n == 0) return motion;
-  const std::vector<RimPixels> rims = rim_pixels(grains, pictures.width, pictures.height, options.rim);
+  const std::vector<Rim> rims = rims_of(grains, pictures.width, pictures.height, options.rim);
   std::vector<double> contrast(n, 0);
   const Team team(options.threads);
   for (int turn = 0; turn < options.iterations; ++turn) {

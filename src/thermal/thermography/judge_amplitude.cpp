@@ -7,26 +7,12 @@
 #include <complex>
 #include <numbers>
 
-#include "core/error.hpp"
 #include "core/median.hpp"
+#include "core/problems.hpp"
 #include "thermal/thermography/lockin.hpp"
 
 namespace arenite::thermography {
 namespace {
-
-/// How the amplitude at the load's frequency stands out of that at the frequencies beside it. Noise of real cameras is neither white nor
-/// each pixel's own: frames follow on each other, rows and whole frames flicker together, and the electronics have lines.
-struct NoiseAround {
-  /// Variance of an amplitude over that which white noise of the same residual would give it, in the median pixel.
-  double ratio = 1;
-  /// Variance of all pixels' common amplitude over that of pixels whose noise is their own.
-  double together = 1;
-  /// How often the noise alone has as much amplitude in one phase, over all frequencies that were tried; at most 1.
-  double chance = 0;
-  /// Share of the amplitude above the noise that has one phase, or its opposite, in all pixels. A load warms and cools all of
-  /// a sample at once; an interference that goes over the rows as they are read out does not.
-  double one_phase = 1;
-};
 
 /// Cycles over the film of all that is fitted but the frequencies beside.
 struct Band {
@@ -135,33 +121,34 @@ double noise_together(const Seen& seen, double noise, std::size_t pixels) {
 }
 
 /// Compares the amplitude of some thousand pixels with that at up to twelve frequencies beside it, some cycles over the
-/// film away, which neither drift nor harmonics reach. `fit` is that of the maps, `tried` the number of independent
-/// frequencies among which its own was found. Lines far above their neighbours are not counted as noise of the load's frequency,
-/// but do count where chance is judged.
-NoiseAround noise_around(const SegmentSums& s, const HarmonicFit& fit, double tried) {
+/// film away, which neither drift nor harmonics reach: noise of real cameras is neither white nor each pixel's own, for frames follow on each
+/// other, rows and whole frames flicker together, and the electronics have lines. Lines far above their neighbours are not counted as noise of the
+/// load's frequency, but do count where chance is judged. `fit` is that of the maps, `tried` the number of independent frequencies among which its own
+/// was found. Fills in the maps' noise ratio, chance and share in one phase (a load warms and cools all of a sample at once; an interference that goes
+/// over the rows as they are read out does not); returns the variance of all pixels' common amplitude over that of pixels whose noise is their own.
+double noise_around(const SegmentSums& s, const HarmonicFit& fit, double tried, LockinMaps& maps) {
   const double length = film_length(s.time);
   const HarmonicFit wide = harmonic_fit(s, fit.frequency, static_cast<int>(fit.drift) - 1, false, 0.5 / length, frequencies_beside(s, fit, length));
   const Seen seen = look(s, fit, wide);
-  NoiseAround around;
   const double pixels = static_cast<double>(seen.pixels), sides = static_cast<double>(wide.beside.size()), in_phase = std::abs(seen.load.square);
-  if (seen.pixels == 0) return around;  // no pixel shows noise
-  double noise = 1;
+  if (seen.pixels == 0) return 1;  // no pixel shows noise
+  double noise = 1, together = 1, chance = 0;
   if (sides > 0) {
-    around.ratio = typical_noise(seen);
+    maps.noise_ratio = typical_noise(seen);
     double square = 0;
     noise = 0;
     for (const PhasorSums& each : seen.beside) noise += each.power / (2 * pixels) / sides, square += std::abs(each.square) / sides;
-    if (seen.pixels > 1) around.together = noise_together(seen, noise, s.pixels);
+    if (seen.pixels > 1) together = noise_together(seen, noise, s.pixels);
     // Of one source that all pixels share, |z^2| is exponential, and that of few frequencies beside is known no better; of
     // many sources its tail is shorter.
-    around.chance = tried * std::pow(1 + in_phase / (sides * square), -sides);
+    chance = tried * std::pow(1 + in_phase / (sides * square), -sides);
   } else {
-    around.chance = tried * std::exp(-in_phase / std::sqrt(2 * std::numbers::pi * pixels));  // white noise of each pixel's own
+    chance = tried * std::exp(-in_phase / std::sqrt(2 * std::numbers::pi * pixels));  // white noise of each pixel's own
   }
-  around.chance = std::min(1.0, around.chance);
+  maps.chance = std::min(1.0, chance);
   const double above = seen.load.power - 2 * pixels * noise;
-  around.one_phase = above > 0 ? std::min(1.0, in_phase / above) : 0;
-  return around;
+  maps.one_phase = above > 0 ? std::min(1.0, in_phase / above) : 0;
+  return together;
 }
 
 }  // namespace
@@ -175,18 +162,15 @@ bool shows_load(const LockinMaps& maps) {
 void refuse_too_few_cycles(const HarmonicFit& fit, const SegmentSums& s) {
   if (fit.inflation(s.time.size()) < 50) return;
   const double length = film_length(s.time);
-  throw InputError(
-      fmt::format("the film of {:.4g} s holds {:.3g} cycles of {:.6g} Hz, too few to separate the load from a drift of order {}; ask for less drift, or "
-                  "give a longer film",
-                  length, length * fit.frequency, fit.frequency, fit.drift - 1));
+  throw refusal(
+      "the film of {:.4g} s holds {:.3g} cycles of {:.6g} Hz, too few to separate the load from a drift of order {}; ask for less drift, or "
+      "give a longer film",
+      length, length * fit.frequency, fit.frequency, fit.drift - 1);
 }
 
 void judge_amplitude(const SegmentSums& s, const HarmonicFit& fit, const std::optional<FrequencyFit>& refined, LockinMaps& maps) {
-  const NoiseAround around = noise_around(s, fit, refined ? frequencies_in(search_band(s.time, s.frequency), s.time) : 1);
-  maps.noise_ratio = around.ratio;
-  maps.chance = around.chance;
-  maps.one_phase = around.one_phase;
-  if (refined) maps.frequency_error = std::hypot(refined->error * std::sqrt(around.ratio * around.together), refined->of_model);
+  const double together = noise_around(s, fit, refined ? frequencies_in(search_band(s.time, s.frequency), s.time) : 1, maps);
+  if (refined) maps.frequency_error = std::hypot(refined->error * std::sqrt(maps.noise_ratio * together), refined->of_model);
   const WatchedPixels watched(s);
   const bool clear = shows_load(maps) && watched.have_line(fit.frequency);
   const auto elsewhere = clear ? watched.stronger_part(fit.frequency) : watched.strongest_line();
@@ -197,10 +181,8 @@ void judge_amplitude(const SegmentSums& s, const HarmonicFit& fit, const std::op
   const int digits = static_cast<int>(std::ceil(std::log10(*elsewhere * film_length(s.time)))) + 2;  // a hundredth of a cycle over the film
   const std::string there = fmt::format("{:.{}g} Hz", *elsewhere, std::max(digits, 3));
   if (clear)
-    throw InputError(
-        fmt::format("the amplitude is larger at {} than at {:.6g} Hz, which is a multiple; give the frequency of the load, {}", there, s.frequency, there));
-  throw InputError(
-      fmt::format("the film shows only noise at {:.6g} Hz, but an oscillation at {}; if that is the load, give this frequency", s.frequency, there));
+    throw refusal("the amplitude is larger at {} than at {:.6g} Hz, which is a multiple; give the frequency of the load, {}", there, s.frequency, there);
+  throw refusal("the film shows only noise at {:.6g} Hz, but an oscillation at {}; if that is the load, give this frequency", s.frequency, there);
 }
 
 }  // namespace arenite::thermography

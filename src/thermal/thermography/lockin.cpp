@@ -1,14 +1,12 @@
 #include "thermal/thermography/lockin.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 #include <numeric>
 
-#include "core/error.hpp"
+#include "core/problems.hpp"
 #include "statistics/correlation.hpp"
 #include "statistics/least_squares.hpp"
 #include "thermal/thermography/harmonic_fit.hpp"
@@ -19,8 +17,8 @@ namespace {
 
 void check(const LockinOptions& o) {
   if (!(o.frequency > 0) || !std::isfinite(o.frequency)) throw InputError("the load frequency must be above 0 Hz");
-  if (o.drift_order < 0 || o.drift_order > 8) throw InputError(fmt::format("the drift's order is {}; it must be 0 to 8", o.drift_order));
-  if (o.harmonics < 1 || o.harmonics > 4) throw InputError(fmt::format("{} harmonics were asked for; it must be 1 to 4", o.harmonics));
+  if (o.drift_order < 0 || o.drift_order > 8) throw refusal("the drift's order is {}; it must be 0 to 8", o.drift_order);
+  if (o.harmonics < 1 || o.harmonics > 4) throw refusal("{} harmonics were asked for; it must be 1 to 4", o.harmonics);
 }
 
 /// How many harmonics can be told apart with these frames; throws where not even the load frequency can.
@@ -28,18 +26,18 @@ int possible_harmonics(const std::vector<double>& time, const LockinOptions& o) 
   if (time.size() < 2) throw InputError("a lock-in needs a film of many frames; this has one");
   const double nyquist = nyquist_frequency(time), cycles = o.frequency * (time.back() - time.front());
   if (o.frequency >= nyquist)
-    throw InputError(
-        fmt::format("the load frequency of {:.6g} Hz is at or above the Nyquist frequency of {:.6g} Hz, half the frame rate; "
-                    "such a film does not show the load's cycle",
-                    o.frequency, nyquist));
+    throw refusal(
+        "the load frequency of {:.6g} Hz is at or above the Nyquist frequency of {:.6g} Hz, half the frame rate; "
+        "such a film does not show the load's cycle",
+        o.frequency, nyquist);
   const double frame = 0.5 / nyquist;
   if (cycles + o.frequency * frame < 1 - 1e-9)
-    throw InputError(fmt::format("the film of {:.4g} s holds {:.3g} cycles of {:.6g} Hz; a lock-in needs at least one", time.back() - time.front() + frame,
-                                 cycles, o.frequency));
+    throw refusal("the film of {:.4g} s holds {:.3g} cycles of {:.6g} Hz; a lock-in needs at least one", time.back() - time.front() + frame, cycles,
+                  o.frequency);
   const int harmonics = std::min(o.harmonics, static_cast<int>(std::ceil(nyquist / o.frequency - 1e-6)) - 1);
   const auto unknowns = static_cast<std::size_t>(o.drift_order + 1 + 2 * harmonics);
   if (time.size() < unknowns + 4)
-    throw InputError(fmt::format("the film has {} frames, too few for {} unknowns a pixel; ask for fewer harmonics or less drift", time.size(), unknowns));
+    throw refusal("the film has {} frames, too few for {} unknowns a pixel; ask for fewer harmonics or less drift", time.size(), unknowns);
   return std::max(harmonics, 1);
 }
 

@@ -28,7 +28,8 @@ void filter(float* value, int n, std::ptrdiff_t stride) {
 
 struct Bins {
   std::vector<std::size_t> of_frame;
-  std::vector<double> frames, cosine, sine, cosine2, sine2;
+  std::vector<double> frames;
+  std::vector<Harmonics> phases;
   std::vector<float> slow;  ///< frames x order: Legendre's polynomials P_1, P_2 .. of the time, less their mean over the film
   Matrix mean_slow;         ///< parts x order: their means over the frames of every part
   std::size_t order = 0;
@@ -68,18 +69,17 @@ Bins sort_frames(const std::vector<double>& time, double frequency, std::size_t 
     const auto part = std::min(parts - 1, static_cast<std::size_t>((cycles - std::floor(cycles)) * static_cast<double>(parts)));
     if (name[part] == parts) {
       name[part] = bins.frames.size();
-      for (auto* each : {&bins.frames, &bins.cosine, &bins.sine, &bins.cosine2, &bins.sine2}) each->push_back(0);
+      bins.frames.push_back(0);
+      bins.phases.push_back({});
     }
     const std::size_t b = name[part];
     bins.of_frame.push_back(b);
     bins.frames[b] += 1;
-    bins.cosine[b] += std::cos(angle);
-    bins.sine[b] += std::sin(angle);
-    bins.cosine2[b] += std::cos(2 * angle);
-    bins.sine2[b] += std::sin(2 * angle);
+    const Harmonics here{1, std::cos(angle), std::sin(angle), std::cos(2 * angle), std::sin(2 * angle)};
+    for (std::size_t m = 0; m < here.size(); ++m) bins.phases[b][m] += here[m];
   }
-  for (auto* each : {&bins.cosine, &bins.sine, &bins.cosine2, &bins.sine2})
-    for (std::size_t b = 0; b < each->size(); ++b) (*each)[b] /= bins.frames[b];
+  for (std::size_t b = 0; b < bins.phases.size(); ++b)
+    for (double& each : bins.phases[b]) each /= bins.frames[b];
   weigh_drift(bins, time);
   return bins;
 }
@@ -143,26 +143,22 @@ void spline_coefficients(float* picture, int width, int height) {
 PhasePictures phase_pictures(FilmSource& film, const LockinMaps& maps, const LockinOptions& options, std::size_t parts) {
   const std::vector<double> time = frame_times(film.info(), options.frame_rate);
   const Bins bins = sort_frames(time, maps.frequency, parts, order_of(maps, time));
-  PhasePictures result{maps.width, maps.height, bins.frames, bins.cosine, bins.sine, bins.cosine2, bins.sine2, {}};
+  PhasePictures result{maps.width, maps.height, bins.frames, bins.phases, {}};
   const std::size_t pixels = result.pixels();
   result.spline.resize(result.size() * pixels);
   std::vector<float> drift(bins.order * pixels);
   const Team team(options.threads);
   const std::size_t at_once = std::max<std::size_t>(1, (std::size_t{8} << 20) / (pixels * (film.info().floating ? 4 : 2)));
-  FrameBlock block;
-  for (std::size_t n = 0; n < time.size(); n += at_once) {
-    const std::size_t count = std::min(at_once, time.size() - n);
-    film.read(static_cast<std::int64_t>(n), count, block);
+  const auto take = [&](const auto* frames, std::size_t n, std::size_t some) {
     team.for_ranges(pixels, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t k = 0; k < count; ++k) {
+      for (std::size_t k = 0; k < some; ++k) {
         float* sum = result.spline.data() + bins.of_frame[n + k] * pixels;
-        const float* slow = bins.slow.data() + (n + k) * bins.order;
-        if (film.info().floating) add(block.value.data() + k * pixels, maps.mean, slow, bins.order, sum, drift.data(), begin, end);
-        else add(block.level.data() + k * pixels, maps.mean, slow, bins.order, sum, drift.data(), begin, end);
+        add(frames + k * pixels, maps.mean, bins.slow.data() + (n + k) * bins.order, bins.order, sum, drift.data(), begin, end);
       }
     });
-    if (options.progress && !options.progress(static_cast<double>(n + count) / static_cast<double>(time.size()))) return {};
-  }
+    return !options.progress || options.progress(static_cast<double>(n + some) / static_cast<double>(time.size()));
+  };
+  if (!read_frames(film, 0, time.size(), at_once, take)) return {};
   solve_drift(bins, result.spline.data(), pixels, drift.data(), team);
   team.for_each(result.size(), [&](std::size_t b) { finish(maps, bins, drift.data(), b, result.spline.data() + b * pixels); });
   return result;
@@ -177,27 +173,25 @@ std::vector<float> picture_of(const PhasePictures& pictures, std::size_t k) {
   return values;
 }
 
-PixelHarmonics::PixelHarmonics(const PhasePictures& p, double cos_x, double sin_x, double cos_y, double sin_y) {
+PixelHarmonics::PixelHarmonics(const PhasePictures& p, const GrainMotion& motion, std::size_t grain) {
   Matrix design(5, p.size()), weighed = design;
   for (std::size_t k = 0; k < p.size(); ++k) {
-    dx_.push_back(cos_x * p.cosine[k] + sin_x * p.sine[k]);
-    dy_.push_back(cos_y * p.cosine[k] + sin_y * p.sine[k]);
-    const double functions[] = {1, p.cosine[k], p.sine[k], p.cosine2[k], p.sine2[k]};
-    for (std::size_t m = 0; m < 5; ++m) design(m, k) = functions[m], weighed(m, k) = p.frames[k] * functions[m];
+    moved_.push_back(p.moved(motion, grain, k));
+    for (std::size_t m = 0; m < 5; ++m) design(m, k) = p.phases[k][m], weighed(m, k) = p.frames[k] * p.phases[k][m];
   }
   fit_ = transposed(solve_symmetric(times_transposed(design, weighed), weighed));
 }
 
 Followed PixelHarmonics::follow(const PhasePictures& p, double x, double y) const {
   const std::size_t n = p.size();
-  double a[5] = {}, frames = 0, noise = 0;
+  double frames = 0, noise = 0;
   Followed f;
   std::vector<double> value(n);
   for (std::size_t k = 0; k < n; ++k) {
-    const Resampled here(p.width, p.height, x + dx_[k], y + dy_[k]);
+    const Resampled here(p.width, p.height, x + moved_[k].x, y + moved_[k].y);
     double slope_x = 0, slope_y = 0;
     value[k] = here.of(p.picture(k), slope_x, slope_y);
-    for (std::size_t m = 0; m < 5; ++m) a[m] += fit_(k, m) * value[k];
+    for (std::size_t m = 0; m < 5; ++m) f.harmonics[m] += fit_(k, m) * value[k];
     frames += p.frames[k];
     noise += p.frames[k] * here.noise();
     f.slope_x += p.frames[k] * slope_x;
@@ -205,10 +199,9 @@ Followed PixelHarmonics::follow(const PhasePictures& p, double x, double y) cons
   }
   double rest = 0;
   for (std::size_t k = 0; k < n; ++k) {
-    const double fitted = a[0] + a[1] * p.cosine[k] + a[2] * p.sine[k] + a[3] * p.cosine2[k] + a[4] * p.sine2[k];
+    const double fitted = std::inner_product(f.harmonics.begin(), f.harmonics.end(), p.phases[k].begin(), 0.0);
     rest += p.frames[k] * (value[k] - fitted) * (value[k] - fitted);
   }
-  f.mean = a[0], f.cosine = a[1], f.sine = a[2], f.cosine2 = a[3], f.sine2 = a[4];
   f.slope_x /= frames, f.slope_y /= frames;
   f.variance = n > 5 ? rest / static_cast<double>(n - 5) * frames / noise : 0;
   return f;

@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -75,19 +76,23 @@ class Resampled {
   double u_, v_, wx_[4], wy_[4], sx_[4], sy_[4];
 };
 
+/// 1, cosine and sine of the phase 2 pi f t, and of twice the phase.
+using Harmonics = std::array<double, 5>;
+
 /// Mean pictures of a cyclically loaded sample at phases of its load, as under a stroboscope: frames whose phase falls
 /// into the same part of the cycle are averaged, less drift of the lock-in's order, which frames of a like phase show. What
 /// moves or warms with the load is in these few pictures with all of the film's signal to noise.
 struct PhasePictures {
   int width = 0, height = 0;
-  std::vector<double> frames;  ///< in every picture
-  /// Means over the frames of every picture of cos and sin of the phase 2 pi f t and of twice the phase.
-  std::vector<double> cosine, sine, cosine2, sine2;
-  std::vector<float> spline;  ///< pictures x height x width: coefficients of the cubic spline through the pixels
+  std::vector<double> frames;     ///< in every picture
+  std::vector<Harmonics> phases;  ///< means over the frames of every picture
+  std::vector<float> spline;      ///< pictures x height x width: coefficients of the cubic spline through the pixels
 
   std::size_t size() const { return frames.size(); }
   std::size_t pixels() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
   const float* picture(std::size_t k) const { return spline.data() + k * pixels(); }
+  /// Where a grain is in picture k, from its mean place.
+  Vec2 moved(const GrainMotion& motion, std::size_t grain, std::size_t k) const { return motion.at(grain, phases[k][1], phases[k][2]); }
 };
 
 /// One pass over the film, with the frequency and the drift's order of its lock-in; pictures are at the film's mean. Parts of
@@ -99,7 +104,7 @@ std::vector<float> picture_of(const PhasePictures& pictures, std::size_t k);
 
 /// What one place that follows a grain shows: mean, first and second harmonic, slopes of the mean picture.
 struct Followed {
-  double mean = 0, cosine = 0, sine = 0, cosine2 = 0, sine2 = 0;
+  Harmonics harmonics{};
   double slope_x = 0, slope_y = 0;
   double variance = 0;  ///< of one frame's noise, from what the harmonics leave
 };
@@ -107,13 +112,13 @@ struct Followed {
 /// Least squares of mean and two harmonics in places that move with a grain.
 class PixelHarmonics {
  public:
-  PixelHarmonics(const PhasePictures& pictures, double cos_x, double sin_x, double cos_y, double sin_y);
+  PixelHarmonics(const PhasePictures& pictures, const GrainMotion& motion, std::size_t grain);
   /// (x, y) is the place when the grain is in the middle of its motion.
   Followed follow(const PhasePictures& pictures, double x, double y) const;
 
  private:
-  std::vector<double> dx_, dy_;  ///< motion in every picture
-  statistics::Matrix fit_;       ///< pictures x 5
+  std::vector<Vec2> moved_;  ///< in every picture
+  statistics::Matrix fit_;   ///< pictures x 5
 };
 
 }  // namespace arenite::thermography

@@ -102,18 +102,12 @@ struct BeatSums {
 
 using Weighings = std::array<BeatSums, 2>;  // by noise alone, and with strong signals held back
 
-struct Step {
-  double frequency = 0;                                    ///< Hz
-  double error = std::numeric_limits<double>::infinity();  ///< by noise
-  double of_model = 0;                                     ///< what the weights make of it
-};
-
 class Newton {
  public:
   Newton(const SegmentSums& sums, int drift_order, const Team& team) : s_(sums), drift_(drift_order), team_(team) {}
 
-  /// Looks at one run of pixels in `every`.
-  Step step(double frequency, std::size_t every) {
+  /// By how much the frequency is off; looks at one run of pixels in `every`.
+  FrequencyFit step(double frequency, std::size_t every) {
     const HarmonicFit fit = harmonic_fit(s_, frequency, drift_, true);
     if (typical_ < 0) typical_ = typical_variance(fit, every);
     std::vector<Weighings> part(runs());
@@ -122,7 +116,7 @@ class Newton {
     });
     Weighings all;
     for (const auto& each : part) all[0] += each[0], all[1] += each[1];
-    Step step = solve(fit, all[0]);
+    FrequencyFit step = solve(fit, all[0]);
     step.of_model = std::abs(step.frequency - solve(fit, all[1]).frequency);
     return step;
   }
@@ -164,14 +158,14 @@ class Newton {
   }
 
   /// Noise has power, too, but no more beat than power: that share is taken from the power before dividing by it.
-  Step solve(const HarmonicFit& fit, const BeatSums& all) const {
-    if (!(all.power > 0)) return {};
+  FrequencyFit solve(const HarmonicFit& fit, const BeatSums& all) const {
+    if (!(all.power > 0)) return {0, std::numeric_limits<double>::infinity(), 0};
     const std::size_t a = fit.harmonic(1), b = fit.size() - 2;
     const double power_noise = fit.covariance(a, a) + fit.covariance(a + 1, a + 1);
     const double beat_noise = fit.covariance(b, b) + fit.covariance(b + 1, b + 1);
     const double noise = (all.beat - all.cross * all.cross / all.power) * power_noise / beat_noise;
     const double signal = std::max(all.power - noise, 0.02 * all.power);
-    return {all.cross / signal / (turn * fit.half), std::sqrt(all.noise * beat_noise / 2) / signal / (turn * fit.half)};
+    return {all.cross / signal / (turn * fit.half), std::sqrt(all.noise * beat_noise / 2) / signal / (turn * fit.half), 0};
   }
 
   const SegmentSums& s_;
@@ -229,7 +223,7 @@ FrequencyFit refine_frequency(const SegmentSums& sums, int drift_order, const Te
   FrequencyFit result{segments_show_load(sums) ? segments_in_step(sums, band) : best_fitting(sums, band, drift_order), 0, 0};
   std::size_t every = newton.runs() >= 64 ? 8 : 1;
   for (int turns = 0; turns < 12; ++turns) {
-    const Step step = newton.step(result.frequency, every);
+    const FrequencyFit step = newton.step(result.frequency, every);
     result.error = step.error;
     result.of_model = step.of_model;
     if (!std::isfinite(step.error)) break;

@@ -1,13 +1,11 @@
 #include "thermal/thermography/harmonic_fit.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "core/error.hpp"
 #include "core/median.hpp"
+#include "core/problems.hpp"
 
 namespace arenite::thermography {
 namespace {
@@ -50,13 +48,13 @@ void watch(SegmentSums& s) {
   s.seen.resize(s.time.size() * count);
 }
 
-template <class T> struct Pass {
+struct Pass {
   SegmentSums& s;
   const Team& team;
   std::vector<float> reference;
 
   /// Frames first .. first + count - 1, all within segment k.
-  void add(const T* frames, std::size_t first, std::size_t count, std::size_t k) {
+  template <class T> void add(const T* frames, std::size_t first, std::size_t count, std::size_t k) {
     float* sums = s.sums.get() + s.view().at(0, k, 0);
     const std::size_t stride = s.segments() * s.planes() * chunk;
     const bool opens = first == s.first[k];
@@ -71,13 +69,13 @@ template <class T> struct Pass {
     keep(frames, first, count);
   }
 
-  void keep(const T* frames, std::size_t first, std::size_t count) {
+  template <class T> void keep(const T* frames, std::size_t first, std::size_t count) {
     float* out = s.seen.data() + first * s.watched.size();
     for (std::size_t n = 0; n < count; ++n, frames += s.pixels)
       for (const std::size_t p : s.watched) *out++ = static_cast<float>(frames[p]) - s.base[p];
   }
 
-  void refer(const T* frame, std::size_t k, std::size_t begin, std::size_t end) {
+  template <class T> void refer(const T* frame, std::size_t k, std::size_t begin, std::size_t end) {
     const SegmentView view = s.view();
     for (std::size_t p = begin; p < end; ++p) reference[p] = static_cast<float>(frame[p]);
     if (k == 0)
@@ -91,24 +89,23 @@ template <class T> struct Pass {
   }
 };
 
-/// Hands out the frames of a block or of the memory, cut at the ends of segments.
-template <class T> bool pass_over(SegmentSums& s, const Team& team, FilmSource& film, const T* memory, const Progress& progress) {
-  Pass<T> pass{s, team, std::vector<float>(s.pixels)};
-  const std::size_t at_once = std::max<std::size_t>(16, block_bytes / (s.pixels * sizeof(T)) / 16 * 16);
-  FrameBlock block;
-  for (std::size_t k = 0; k < s.segments(); ++k)
-    for (std::size_t n = s.first[k]; n < s.first[k + 1];) {
-      const std::size_t left = s.first[k + 1] - n, count = memory ? left : std::min(left, at_once);
-      const T* frames = memory ? memory + n * s.pixels : nullptr;
-      if (!memory) {
-        film.read(static_cast<std::int64_t>(n), count, block);
-        if constexpr (sizeof(T) == 2) frames = block.level.data();
-        else frames = block.value.data();
-      }
-      pass.add(frames, n, count, k);
-      n += count;
-      if (progress && !progress(static_cast<double>(n) / static_cast<double>(s.time.size()))) return false;
-    }
+/// Hands out the frames of the memory, or of what is read some at a time, cut at the ends of segments.
+bool pass_over(SegmentSums& s, const Team& team, FilmSource& film, const Progress& progress) {
+  Pass pass{s, team, std::vector<float>(s.pixels)};
+  const std::size_t at_once = std::max<std::size_t>(16, block_bytes / (s.pixels * (film.info().floating ? 4 : 2)) / 16 * 16);
+  const std::uint16_t* levels = film.levels_in_memory();
+  const float* values = film.values_in_memory();
+  for (std::size_t k = 0; k < s.segments(); ++k) {
+    const std::size_t first = s.first[k], count = s.first[k + 1] - first;
+    const auto add = [&](const auto* frames, std::size_t n, std::size_t some) {
+      pass.add(frames, first + n, some, k);
+      return !progress || progress(static_cast<double>(first + n + some) / static_cast<double>(s.time.size()));
+    };
+    const bool goes_on = levels   ? add(levels + first * s.pixels, 0, count)
+                         : values ? add(values + first * s.pixels, 0, count)
+                                  : read_frames(film, first, count, at_once, add);
+    if (!goes_on) return false;
+  }
   return true;
 }
 
@@ -125,10 +122,10 @@ std::vector<double> frame_times(const FilmInfo& film, double frame_rate) {
     time.resize(frames);
     for (std::size_t n = 0; n < frames; ++n) time[n] = static_cast<double>(n) / rate;
   }
-  if (time.size() != frames) throw InputError(fmt::format("the film has {} frames but {} time stamps; correct its stamps", frames, time.size()));
+  if (time.size() != frames) throw refusal("the film has {} frames but {} time stamps; correct its stamps", frames, time.size());
   for (std::size_t n = 1; n < frames; ++n)
     if (!(time[n] > time[n - 1]) || !std::isfinite(time[n]))
-      throw InputError(fmt::format("the time stamp of frame {} is not after that of the frame before it; correct its stamps", n));
+      throw refusal("the time stamp of frame {} is not after that of the frame before it; correct its stamps", n);
   return time;
 }
 
@@ -156,9 +153,7 @@ SegmentSums sum_segments(FilmSource& film, std::vector<double> time, double freq
   watch(s);
   s.base.resize(s.pixels);
   s.sums.reset(new float[s.view().at((s.pixels + chunk - 1) / chunk * chunk, 0, 0)]);
-  const bool done =
-      film.info().floating ? pass_over(s, team, film, film.values_in_memory(), progress) : pass_over(s, team, film, film.levels_in_memory(), progress);
-  if (!done) s.sums.reset();
+  if (!pass_over(s, team, film, progress)) s.sums.reset();
   return s;
 }
 

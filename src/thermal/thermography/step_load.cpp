@@ -1,11 +1,9 @@
 #include "thermal/thermography/step_load.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.hpp"
+#include "core/problems.hpp"
 #include "thermal/thermography/harmonic_fit.hpp"
 #include "thermal/thermography/step_sides.hpp"
 
@@ -15,7 +13,7 @@ namespace {
 using statistics::Matrix;
 
 void check(const StepOptions& o) {
-  if (o.drift_order < 0 || o.drift_order > 4) throw InputError(fmt::format("the drift's order is {}; it must be 0 to 4", o.drift_order));
+  if (o.drift_order < 0 || o.drift_order > 4) throw refusal("the drift's order is {}; it must be 0 to 4", o.drift_order);
   if (!(o.rise >= 0) || !(o.window >= 0)) throw InputError("the step's rise and window must not be below 0 s");
 }
 
@@ -27,17 +25,12 @@ Matrix some_pixels(FilmSource& film, const Progress& progress) {
   const std::size_t every = (pixels + most - 1) / most, count = (pixels + every - 1) / every;
   Matrix series(count, frames);
   const std::size_t at_once = std::clamp<std::size_t>((std::size_t{1} << 22) / pixels, 1, 256);
-  FrameBlock block;
-  for (std::size_t n = 0; n < frames; n += at_once) {
-    const std::size_t here = std::min(at_once, frames - n);
-    film.read(static_cast<std::int64_t>(n), here, block);
-    for (std::size_t f = 0; f < here; ++f)
-      for (std::size_t i = 0; i < count; ++i) {
-        const std::size_t at = f * pixels + i * every;
-        series(i, n + f) = block.value.empty() ? static_cast<double>(block.level[at]) : static_cast<double>(block.value[at]);
-      }
-    if (progress && !progress(static_cast<double>(n + here) / static_cast<double>(frames))) return {};
-  }
+  const auto take = [&](const auto* values, std::size_t n, std::size_t some) {
+    for (std::size_t f = 0; f < some; ++f)
+      for (std::size_t i = 0; i < count; ++i) series(i, n + f) = static_cast<double>(values[f * pixels + i * every]);
+    return !progress || progress(static_cast<double>(n + some) / static_cast<double>(frames));
+  };
+  if (!read_frames(film, 0, frames, at_once, take)) return {};
   std::vector<double> noise(count);
   for (std::size_t n = 1; n < frames; ++n)
     for (std::size_t i = 0; i < count; ++i) noise[i] += std::pow(series(i, n) - series(i, n - 1), 2) / (2 * static_cast<double>(frames - 1));
@@ -94,15 +87,10 @@ class Sums {
   /// False if stopped.
   bool pass(FilmSource& film, const StepSide& side, const Team& team, const std::function<bool(std::size_t)>& progress) {
     const std::size_t at_once = std::clamp<std::size_t>((std::size_t{1} << 22) / pixels_, 1, 256);
-    FrameBlock block;
-    for (std::size_t n = 0; n < side.count; n += at_once) {
-      const std::size_t count = std::min(at_once, side.count - n);
-      film.read(static_cast<std::int64_t>(side.first + n), count, block);
-      if (block.value.empty()) add(block.level.data(), n, count, side, team);
-      else add(block.value.data(), n, count, side, team);
-      if (!progress(count)) return false;
-    }
-    return true;
+    return read_frames(film, side.first, side.count, at_once, [&](const auto* frames, std::size_t n, std::size_t some) {
+      add(frames, n, some, side, team);
+      return progress(some);
+    });
   }
 
   double base(std::size_t p) const { return base_[p]; }
@@ -163,8 +151,6 @@ void fill(StepMaps& maps, const StepSides& sides, const Sums (&sums)[2]) {
 }
 
 StepSides sides_at(double step, const Matrix& series, const std::vector<double>& time, const StepOptions& o) {
-  if (!(step > time.front() && step < time.back()))
-    throw InputError(fmt::format("the step at {:.6g} s is not within the film, which lasts {:.6g} s", step, time.back()));
   const double far = o.window > 0 ? o.window : time.back() + 1;
   const auto after_time = [&](double t) { return static_cast<std::size_t>(std::upper_bound(time.begin(), time.end(), t) - time.begin()); };
   const auto from_time = [&](double t) { return static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), t) - time.begin()); };
@@ -185,7 +171,7 @@ StepMaps step_load(FilmSource& film, const StepOptions& o) {
   check(o);
   const std::vector<double> time = frame_times(film.info(), o.frame_rate);
   if (o.time && !(*o.time > time.front() && *o.time < time.back()))
-    throw InputError(fmt::format("the step at {:.6g} s is not within the film, which lasts {:.6g} s", *o.time, time.back()));
+    throw refusal("the step at {:.6g} s is not within the film, which lasts {:.6g} s", *o.time, time.back());
   bool stopped = false;
   const Matrix series = some_pixels(film, [&](double share) {
     stopped = o.progress && !o.progress(share / 2);

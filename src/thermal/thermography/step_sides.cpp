@@ -1,14 +1,12 @@
 #include "thermal/thermography/step_sides.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <utility>
 
-#include "core/error.hpp"
+#include "core/problems.hpp"
 #include "core/root.hpp"
 
 namespace arenite::thermography {
@@ -194,10 +192,10 @@ StepSides step_sides(Matrix series, const std::vector<double>& time, double step
                      std::size_t last) {
   const auto check = [&](std::size_t from, std::size_t to, const char* name) {
     if (to >= from + static_cast<std::size_t>(order) + 3) return;
-    throw InputError(
-        fmt::format("the film has {} frames {} the step at {:.6g} s that can be used, too few for a drift of order {}; give another time, a longer "
-                    "window, a shorter rise or less drift",
-                    to > from ? to - from : 0, name, step, order));
+    throw refusal(
+        "the film has {} frames {} the step at {:.6g} s that can be used, too few for a drift of order {}; give another time, a longer "
+        "window, a shorter rise or less drift",
+        to > from ? to - from : 0, name, step, order);
   };
   check(first, end, "before");
   check(begin, last, "after");

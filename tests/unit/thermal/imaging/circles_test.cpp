@@ -19,8 +19,8 @@ TEST(Circles, AreBrightOrDarkAsThePictureSays) {
     ASSERT_EQ(found.grains.size(), 4u) << background;
     EXPECT_EQ(found.report.bright, background < 1);
     EXPECT_LT(compare(disks, found.grains).rms, 0.02);
-    EXPECT_NEAR(found.report.class_radius.at(0), 9, 0.05);
-    EXPECT_EQ(found.report.material_brightness.size(), 1u);
+    EXPECT_NEAR(found.report.sizes.mean.at(0), 9, 0.05);
+    EXPECT_EQ(found.report.materials.mean.size(), 1u);
   }
 }
 
@@ -30,7 +30,7 @@ TEST(Circles, OfAKnownSizeAreFoundWithIt) {
       imaging::find_circles(draw(disks, {.width = 90, .height = 70, .noise = 0.01}), {.radii = {5, 9}, .contrast = imaging::GrainContrast::bright});
   ASSERT_EQ(found.grains.size(), 2u);
   EXPECT_EQ(found.grains.size_class, (std::vector<std::int32_t>{1, 0}));
-  EXPECT_EQ(found.report.class_members, (std::vector<std::size_t>{1, 1}));
+  EXPECT_EQ(found.report.sizes.members, (std::vector<std::size_t>{1, 1}));
 }
 
 TEST(Circles, MayBeBlackAndWhiteOnGreyAndTouch) {
@@ -50,9 +50,9 @@ TEST(Circles, MayBeBlackAndWhiteOnGreyAndTouch) {
   EXPECT_LT(score.rms, 0.05);
   ASSERT_TRUE(found.report.between.has_value());
   EXPECT_NEAR(*found.report.between, 0.5, 0.02);
-  ASSERT_EQ(found.report.class_radius.size(), 2u);
-  EXPECT_NEAR(found.report.class_radius[0], 8, 0.05);
-  EXPECT_NEAR(found.report.class_radius[1], 17, 0.05);
+  ASSERT_EQ(found.report.sizes.mean.size(), 2u);
+  EXPECT_NEAR(found.report.sizes.mean[0], 8, 0.05);
+  EXPECT_NEAR(found.report.sizes.mean[1], 17, 0.05);
 }
 
 TEST(Circles, AreNotFoundInNoise) { EXPECT_EQ(imaging::find_circles(draw({}, {.width = 80, .height = 60, .noise = 0.1})).grains.size(), 0u); }

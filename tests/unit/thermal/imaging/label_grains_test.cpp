@@ -28,7 +28,10 @@ PhaseMap disks(int size, const std::vector<std::array<double, 3>>& all) {
         if (std::hypot(x - cx, y - cy) <= r) map.phase[map.index(x, y)] = Phase::particle;
   return map;
 }
-std::int32_t grains(PhaseMap map, Labelling way, double smoothing = 1) { return label_grains(map, {way, smoothing}).grains; }
+std::int32_t grains(PhaseMap map, Labelling way, double smoothing = 1) {
+  label_grains(map, {way, smoothing});
+  return static_cast<std::int32_t>(map.grain_class.size());
+}
 
 std::int32_t nearest_by_search(const PhaseMap& map, int x, int y) {
   std::int32_t least = std::numeric_limits<std::int32_t>::max();
