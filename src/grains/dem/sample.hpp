@@ -216,29 +216,6 @@ inline std::size_t mover_of(const Sample& s, std::int32_t disk) {
   const std::int32_t body = body_of(s, disk);
   return body < 0 ? static_cast<std::size_t>(disk) : s.count + static_cast<std::size_t>(body);
 }
-/// What moves for itself, a disk that is a grain or a body, as it stands in the sample.
-struct Mover {
-  std::int32_t grain = 0;                  ///< the caller's index
-  double mass = 1, inertia = 1, size = 1;  ///< kg, kg m^2, m
-  Vec2 place;
-  double angle = 0;
-  Motion own, seen;  ///< as of Body
-};
-/// Of inner disk k, or, from `count` on, of a body.
-inline Mover mover_at(const Sample& s, std::size_t k) {
-  if (k >= s.count) {
-    const Body& b = s.body[k - s.count];
-    return {s.part[b.first].grain, b.mass, b.inertia(), b.gyration, b.place, b.angle, b.own, b.seen};
-  }
-  const DiskRecord& d = s.record[k];
-  return {grain_of(s, d.grain), d.mass, inertia(d), d.radius, d.place, s.angle[k], {{s.vx[k], s.vy[k]}, s.omega[k]}, {d.velocity, d.omega}};
-}
-/// Calls `see` with their numbers: disks, then bodies.
-template <class See> void each_mover(const Sample& s, const See& see) {
-  for (std::size_t k = 0; k < s.count + s.body.size(); ++k)
-    if (k >= s.count || !is_part(s, k)) see(k);
-}
-
 /// slot_key for the caller's grains.
 inline std::uint64_t grain_key(const Sample& s, std::size_t slot) {
   const std::int32_t a = s.record[s.list.i[slot]].grain;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "grains/dem/integrators/motion.hpp"
+
 namespace arenite::dem {
 namespace {
 

@@ -1,10 +1,12 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
+#include "core/error.hpp"
 #include "geometry/cell_grid.hpp"
+#include "geometry/rectangle.hpp"
 #include "grains/dem/bodies/bodies.hpp"
-#include "grains/dem/bodies/cores.hpp"
 #include "grains/dem/boundaries/boundaries.hpp"
 #include "grains/dem/forces.hpp"
 #include "grains/dem/neighbours.hpp"
@@ -12,6 +14,94 @@
 
 namespace arenite::dem {
 namespace {
+
+/// The core of a polygon, the convex polygon of its corners' centres, in one periodic image: where its corners are, m.
+struct Core {
+  std::int32_t body = 0;
+  Cells shift;
+  Vec2 middle;
+  double reach = 0;  ///< of its widened rim from the middle
+  std::vector<Vec2> corner;
+};
+
+/// The corner where its body's own image is, from the record.
+Vec2 corner_of(const Sample& s, std::size_t d) { return s.record[s.part_disk[d]].place - image_place(s, s.part[d].shift); }
+
+/// Radius of a polygon's corners, m.
+double rounding_of(const Sample& s, std::int32_t body) { return s.start.grains.radius[s.body[body].first]; }
+
+Core core_of(const Sample& s, std::size_t body) {
+  const Body& b = s.body[body];
+  Core core;
+  core.body = static_cast<std::int32_t>(body);
+  for (std::int32_t d = b.first; d < b.first + b.count; ++d) core.corner.push_back(corner_of(s, static_cast<std::size_t>(d)));
+  core.middle = mean_point(core.corner);
+  for (const Vec2& p : core.corner) core.reach = std::max(core.reach, norm(p - core.middle) + rounding_of(s, core.body));
+  return core;
+}
+
+/// The farthest that the rim of a polygon is from the middle of its core, m; 0 where there are no polygons.
+double largest_core(const Sample& s) {
+  double reach = 0;
+  for (std::size_t b = 0; b < s.body.size(); ++b)
+    if (s.body[b].filled) reach = std::max(reach, core_of(s, b).reach);
+  return reach;
+}
+
+/// Every polygon, and its images where their middles come as near to the cell as `reach`, m.
+std::vector<Core> all_cores(const Sample& s, double reach) {
+  const int across = s.domain.periodic_x ? 1 : 0, up = s.domain.periodic_y ? 1 : 0;
+  const auto& w = s.domain.wall;
+  std::vector<Core> cores;
+  for (std::size_t b = 0; b < s.body.size(); ++b) {
+    if (!s.body[b].filled) continue;
+    const Core own = core_of(s, b);
+    for (int iy = -up; iy <= up; ++iy)
+      for (int ix = -across; ix <= across; ++ix) {
+        const Vec2 by = image_place(s, {ix, iy}), at = own.middle + by;
+        const bool near_x = !s.domain.periodic_x || (at.x > w[left].position - reach && at.x < w[right].position + reach);
+        const bool near_y = !s.domain.periodic_y || (at.y > w[bottom].position - reach && at.y < w[top].position + reach);
+        if (!near_x || !near_y) continue;
+        Core& core = cores.emplace_back(own);
+        core.shift = {ix, iy};
+        core.middle = at;
+        for (Vec2& p : core.corner) p += by;
+      }
+  }
+  return cores;
+}
+
+struct Nearest {
+  Vec2 place;
+  bool inside = true;
+};
+/// The nearest point of a convex polygon's rim to a place.
+template <class Corner> Nearest nearest_on(std::size_t corners, Corner corner, Vec2 place) {
+  Nearest found;
+  double least = std::numeric_limits<double>::infinity();
+  Vec2 from = corner(corners - 1);
+  for (std::size_t k = 0; k < corners; ++k) {
+    const Vec2 to = corner(k), along = to - from, way = place - from;
+    const Vec2 foot = geometry::nearest_on_segment(from, to, place);
+    if (const double d = dot(place - foot, place - foot); d < least) least = d, found.place = foot;
+    if (cross(along, way) <= 0) found.inside = false;
+    from = to;
+  }
+  return found;
+}
+inline Nearest nearest_on(const Core& core, Vec2 place) {
+  return nearest_on(
+      core.corner.size(), [&](std::size_t n) { return core.corner[n]; }, place);
+}
+
+/// Throws InputError before the first step, CannotGoOn later: something, "grain 3", lies within a polygon's core.
+[[noreturn]] void refuse_inside(const Sample& s, const std::string& what, const Core& core) {
+  const Body& b = s.body[core.body];
+  const auto id = s.given.id[s.part[b.first].grain];
+  const std::string where = what + " lies within polygon " + std::to_string(id);
+  if (s.step == 0) throw InputError(where + " before the first step; place the grains farther apart");
+  throw CannotGoOn(where + " at step " + std::to_string(s.step) + "; stiffer contacts, rounder corners or a gentler load are needed");
+}
 
 /// The cores that disk k may touch soon, with images in a fixed order.
 void find_cores(const Sample& s, const std::vector<Core>& cores, const geometry::CellGrid& grid, const geometry::SortedCells& cells, std::size_t k,
@@ -51,12 +141,6 @@ void place_foot(const Sample& s, Foot& foot, DiskRecord& at) {
   // Along x before along y: the sums that results so far were made with.
   at.velocity = b.seen.velocity + b.seen.omega * perpendicular(foot.lever) + image_velocity(s, {foot.shift.x, 0}) + image_velocity(s, {0, foot.shift.y});
   at.omega = b.seen.omega;
-}
-
-/// Torques about the disks of a foot's polygon that take them, by the ways from there to the foot, where the slot's force acts.
-double shifted_torque_i(const Sample& s, std::size_t slot, const Foot& foot) { return cross(foot.lever - s.lever[s.list.i[slot]], s.list.force[slot].on_i); }
-double shifted_torque_j(const Sample& s, std::size_t slot, const Foot& foot) {
-  return cross(foot.lever - s.lever[s.list.owner[slot]], -s.list.force[slot].on_i);
 }
 
 }  // namespace
@@ -126,48 +210,5 @@ const Foot* foot_of(const Sample& s, std::size_t slot) {
 }
 
 const Foot* point_foot_of(const Sample& s, std::size_t slot) { return slot < s.list.polygons ? nullptr : &s.point_foot[slot - s.list.polygons]; }
-
-void take_torques_to_owners(Sample& s, const Team& team) {
-  const std::size_t feet = s.foot.size(), first = s.list.pairs - feet;
-  if (feet > 0)
-    team.for_ranges(feet, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t p = first + begin; p < first + end; ++p)
-        if (acts(s.list.force[p])) s.list.force[p].torque_j += shifted_torque_j(s, p, s.foot[p - first]);
-    });
-  for (std::size_t p = s.list.polygons; p < s.list.size(); ++p)
-    if (acts(s.list.force[p])) s.list.force[p].torque_i += shifted_torque_i(s, p, *point_foot_of(s, p));
-}
-
-Vec2 own_lever(const Sample& s, std::size_t slot) {
-  const Foot* foot = point_foot_of(s, slot);
-  return foot ? foot->lever : lever_of(s, s.list.i[slot]);
-}
-
-double own_torque_i(const Sample& s, std::size_t slot) {
-  const Foot* foot = point_foot_of(s, slot);
-  return s.list.force[slot].torque_i - (foot ? shifted_torque_i(s, slot, *foot) : 0.0);
-}
-
-Vec2 partner_lever(const Sample& s, std::size_t slot) {
-  if (s.part.empty() || s.list.j[slot] < 0) return {};
-  const Foot* foot = foot_of(s, slot);
-  return foot ? foot->lever : s.lever[s.list.owner[slot]];
-}
-
-double own_torque_j(const Sample& s, std::size_t slot) {
-  const Foot* foot = foot_of(s, slot);
-  return s.list.force[slot].torque_j - (foot ? shifted_torque_j(s, slot, *foot) : 0.0);
-}
-
-int rows_between(const Sample& s, std::size_t slot) {
-  const std::int32_t j = s.list.j[slot], n = static_cast<std::int32_t>(s.count);
-  if (j < 0) return 0;
-  const Foot* foot = foot_of(s, slot);
-  int rows = foot ? foot->shift.y : j >= n ? s.ghost[j - n].shift.y : 0;
-  if (s.part.empty()) return rows;
-  const auto shift = [&](std::int32_t k) { return s.part[s.record[k].grain].shift.y; };
-  if (!foot) rows += shift(s.list.owner[slot]);
-  return rows - shift(s.list.i[slot]);
-}
 
 }  // namespace arenite::dem

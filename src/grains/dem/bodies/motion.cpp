@@ -74,6 +74,12 @@ void wrap_part(const Sample& s, const Body& b, Vec2 by, BodyDisk& part) {
   if (s.domain.periodic_x) part.shift.x = -static_cast<std::int32_t>(std::floor((at.x + part.shift.y * s.domain.tilt - w[left].position) / s.domain.width()));
 }
 
+/// Torques about the disks of a foot's polygon that take them, by the ways from there to the foot, where the slot's force acts.
+double shifted_torque_i(const Sample& s, std::size_t slot, const Foot& foot) { return cross(foot.lever - s.lever[s.list.i[slot]], s.list.force[slot].on_i); }
+double shifted_torque_j(const Sample& s, std::size_t slot, const Foot& foot) {
+  return cross(foot.lever - s.lever[s.list.owner[slot]], -s.list.force[slot].on_i);
+}
+
 }  // namespace
 
 Load load_on(const Sample& s, std::size_t mover) { return mover < s.count ? contact_load(s.list, mover) : load_of(s, s.body[mover - s.count]); }
@@ -122,6 +128,49 @@ void wrap_bodies(Sample& s) {
     for_parts(s, b, [&](std::size_t d, std::size_t) { wrap_part(s, b, by, s.part[d]); });
   }
   place_parts(s);
+}
+
+void take_torques_to_owners(Sample& s, const Team& team) {
+  const std::size_t feet = s.foot.size(), first = s.list.pairs - feet;
+  if (feet > 0)
+    team.for_ranges(feet, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t p = first + begin; p < first + end; ++p)
+        if (acts(s.list.force[p])) s.list.force[p].torque_j += shifted_torque_j(s, p, s.foot[p - first]);
+    });
+  for (std::size_t p = s.list.polygons; p < s.list.size(); ++p)
+    if (acts(s.list.force[p])) s.list.force[p].torque_i += shifted_torque_i(s, p, *point_foot_of(s, p));
+}
+
+Vec2 own_lever(const Sample& s, std::size_t slot) {
+  const Foot* foot = point_foot_of(s, slot);
+  return foot ? foot->lever : lever_of(s, s.list.i[slot]);
+}
+
+double own_torque_i(const Sample& s, std::size_t slot) {
+  const Foot* foot = point_foot_of(s, slot);
+  return s.list.force[slot].torque_i - (foot ? shifted_torque_i(s, slot, *foot) : 0.0);
+}
+
+Vec2 partner_lever(const Sample& s, std::size_t slot) {
+  if (s.part.empty() || s.list.j[slot] < 0) return {};
+  const Foot* foot = foot_of(s, slot);
+  return foot ? foot->lever : s.lever[s.list.owner[slot]];
+}
+
+double own_torque_j(const Sample& s, std::size_t slot) {
+  const Foot* foot = foot_of(s, slot);
+  return s.list.force[slot].torque_j - (foot ? shifted_torque_j(s, slot, *foot) : 0.0);
+}
+
+int rows_between(const Sample& s, std::size_t slot) {
+  const std::int32_t j = s.list.j[slot], n = static_cast<std::int32_t>(s.count);
+  if (j < 0) return 0;
+  const Foot* foot = foot_of(s, slot);
+  int rows = foot ? foot->shift.y : j >= n ? s.ghost[j - n].shift.y : 0;
+  if (s.part.empty()) return rows;
+  const auto shift = [&](std::int32_t k) { return s.part[s.record[k].grain].shift.y; };
+  if (!foot) rows += shift(s.list.owner[slot]);
+  return rows - shift(s.list.i[slot]);
 }
 
 Vec2 between_centres(const Sample& s, std::size_t slot, Vec2 branch) {
