@@ -8,34 +8,32 @@
 namespace arenite::recipe {
 namespace {
 
-/// A key that had another name. Sections come before what they hold, which stands under their name of now; `*` is an item of a list.
-struct FormerKey {
-  std::string_view section, former, now;
-};
-constexpr std::array former_keys{
-    FormerKey{"", "frame", "container"},
-    FormerKey{"", "raster", "grid"},
-    FormerKey{"", "twin", "simulation"},
-    FormerKey{"bidisperse", "cut", "truncation"},
-    FormerKey{"bidisperse", "cut_each_class", "truncate_each_class"},
-    FormerKey{"stages.*", "frames", "snapshots"},
-    FormerKey{"stages.*", "masses", "mass_scaling"},
-    FormerKey{"stages.*", "rest", "equilibrium"},
-    FormerKey{"container", "load_swing", "load_peak_to_peak"},
-    FormerKey{"camera", "frame_emissivity", "container_emissivity"},
-    FormerKey{"camera", "plate_frames", "reference_frames"},
-    FormerKey{"camera", "plate_cold", "reference_cold"},
-    FormerKey{"camera", "plate_warm", "reference_warm"},
+/// A key in a section, or a word that a key takes, that had another name; `*` is an item of a list.
+struct Renamed {
+  std::string_view where, former, now;
 };
 
-/// The same for a word that a choice takes.
-struct FormerWord {
-  std::string_view key, former, now;
+/// Sections come before what they hold, which stands under their name of now.
+constexpr std::array former_keys{
+    Renamed{"", "frame", "container"},
+    Renamed{"", "raster", "grid"},
+    Renamed{"", "twin", "simulation"},
+    Renamed{"bidisperse", "cut", "truncation"},
+    Renamed{"bidisperse", "cut_each_class", "truncate_each_class"},
+    Renamed{"stages.*", "frames", "snapshots"},
+    Renamed{"stages.*", "masses", "mass_scaling"},
+    Renamed{"stages.*", "rest", "equilibrium"},
+    Renamed{"container", "load_swing", "load_peak_to_peak"},
+    Renamed{"camera", "frame_emissivity", "container_emissivity"},
+    Renamed{"camera", "plate_frames", "reference_frames"},
+    Renamed{"camera", "plate_cold", "reference_cold"},
+    Renamed{"camera", "plate_warm", "reference_warm"},
 };
+
 constexpr std::array former_words{
-    FormerWord{"stages.*.mass_scaling", "own", "none"},
-    FormerWord{"stages.*.mass_scaling", "even", "uniform"},
-    FormerWord{"temperature.from", "plates", "references"},
+    Renamed{"stages.*.mass_scaling", "own", "none"},
+    Renamed{"stages.*.mass_scaling", "even", "uniform"},
+    Renamed{"temperature.from", "plates", "references"},
 };
 
 /// Lines that a resolved recipe of version 0.1 did not have: keys that came later, as they stand where nothing else is asked for.
@@ -60,25 +58,20 @@ std::string below(std::string_view section, std::string_view key) {
   return section.empty() ? std::string(key) : fmt::format("{}.{}", section, is_item ? "*" : key);
 }
 
-std::string_view key_now(std::string_view section, std::string_view former) {
-  for (const FormerKey& each : former_keys)
-    if (each.section == section && each.former == former) return each.now;
-  return former;
+template <auto from, auto to> std::string_view renamed(std::string_view section, std::string_view key) {
+  for (const Renamed& each : former_keys)
+    if (each.where == section && each.*from == key) return each.*to;
+  return key;
 }
-
-std::string_view key_then(std::string_view section, std::string_view now) {
-  for (const FormerKey& each : former_keys)
-    if (each.section == section && each.now == now) return each.former;
-  return now;
-}
+constexpr auto key_now = renamed<&Renamed::former, &Renamed::now>, key_then = renamed<&Renamed::now, &Renamed::former>;
 
 void rename_below(Node& node, const std::string& path, std::vector<std::string>& notices) {
   const auto note = [&](std::string_view former, std::string_view now) {
     std::string sentence = fmt::format("{} is now called {}; the former name is still read", former, now);
     if (std::find(notices.begin(), notices.end(), sentence) == notices.end()) notices.push_back(std::move(sentence));
   };
-  for (const FormerWord& each : former_words) {
-    if (node.kind != Node::Kind::text || node.text != each.former || path != each.key) continue;
+  for (const Renamed& each : former_words) {
+    if (node.kind != Node::Kind::text || node.text != each.former || path != each.where) continue;
     note(fmt::format("{} = \"{}\"", path, each.former), fmt::format("\"{}\"", each.now));
     node.text = each.now;
   }
@@ -138,8 +131,8 @@ std::string under_former_names(std::string_view toml) {
       std::string section = line.find('.') < equals ? "" : heading;
       const std::string key = renamed_path(line.substr(0, equals), key_then, section);
       std::string value = line.substr(equals + 3);
-      for (const FormerWord& each : former_words)
-        if (section == each.key && value == fmt::format("\"{}\"", each.now)) value = fmt::format("\"{}\"", each.former);
+      for (const Renamed& each : former_words)
+        if (section == each.where && value == fmt::format("\"{}\"", each.now)) value = fmt::format("\"{}\"", each.former);
       line = fmt::format("{} = {}", key, value);
     }
     text += line + "\n";

@@ -13,8 +13,6 @@
 namespace arenite::recipe {
 namespace {
 
-using Visitor = ParameterVisitor;
-
 void declare(Visitor& v, Material& material) {
   v.number({"density", "Mass density.", true}, material.density, "kg/m^3", range::positive);
   v.number({"youngs_modulus", "Young's modulus E, for contact.normal = \"hertz_mindlin\"."}, material.youngs_modulus, "GPa", range::positive);
@@ -194,7 +192,7 @@ void declare(Visitor& v, Population& population, const Recipe& recipe) {
             fmt::format("the largest grain ({}) is wider than the container ({})", format_quantity(largest, "mm"), format_quantity(width, "mm")));
 }
 
-void declare(ParameterVisitor& v, Recipe& recipe) {
+void declare(Visitor& v, Recipe& recipe) {
   v.text({"title", "One line for the head of reports."}, recipe.title);
   std::int64_t seed = static_cast<std::int64_t>(recipe.seed);
   v.integer({"seed", "Seed of all random numbers: the same seed gives the same sample."}, seed, {0, std::numeric_limits<std::int64_t>::max()});

@@ -10,7 +10,6 @@
 namespace arenite::recipe {
 namespace {
 
-using Visitor = ParameterVisitor;
 using dem::Programme;
 
 /// Two numbers, along x and y; none stand for none.

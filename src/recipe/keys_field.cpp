@@ -45,8 +45,6 @@ const std::vector<Word>& words(grid::Cavity) {
 
 namespace {
 
-using Visitor = ParameterVisitor;
-
 void declare(Visitor& v, BidisperseSection& classes, const Materials& materials) {
   auto& law = classes.law;
   v.number({"large_radius", "Mean radius of the large disks.", true}, law.large_radius, "mm", range::positive);
@@ -143,7 +141,7 @@ peridynamics::Stiffness StiffnessSection::resolved() const { return {matrix, int
 
 peridynamics::Toughness ToughnessSection::resolved() const { return {matrix, interface.value_or(matrix), particle.value_or(3.5 * matrix)}; }
 
-void declare_bidisperse(ParameterVisitor& v, Recipe& recipe) {
+void declare_bidisperse(Visitor& v, Recipe& recipe) {
   const bool sampled = recipe.packing.method == PackingParameters::Method::poisson;
   v.when(sampled, "packing.method = \"poisson\"", [&](Visitor& outer) {
     outer.optional_section<BidisperseSection>({"bidisperse", "Two size classes of disks in a square box of their own.", sampled}, recipe.bidisperse,
@@ -151,7 +149,7 @@ void declare_bidisperse(ParameterVisitor& v, Recipe& recipe) {
   });
 }
 
-void declare_field(ParameterVisitor& v, Recipe& recipe) {
+void declare_field(Visitor& v, Recipe& recipe) {
   v.optional_section<cement::CementParameters>({"cement", "Binding matrix between the grains, put there when the stages are over."}, recipe.cement,
                                                [](Visitor& inner, cement::CementParameters& law) { declare(inner, law); });
   v.optional_section<GridSection>({"grid", "The square of nodes that the cemented packing becomes."}, recipe.grid,
@@ -160,7 +158,7 @@ void declare_field(ParameterVisitor& v, Recipe& recipe) {
                [&](Visitor& inner, Load& load) { declare(inner, load, recipe); });
 }
 
-void declare(ParameterVisitor& v, Load& load, const Recipe& recipe) {
+void declare(Visitor& v, Load& load, const Recipe& recipe) {
   using peridynamics::Loading;
   v.text({"name", "Name of the load, used for its file: letters, digits, _ and -.", true}, load.name);
   require_own_name(v, load, recipe);

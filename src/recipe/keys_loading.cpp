@@ -11,7 +11,7 @@
 
 namespace arenite::recipe {
 
-void declare(ParameterVisitor& v, dem::ContactParameters& contact) {
+void declare(Visitor& v, dem::ContactParameters& contact) {
   v.member({"normal", "Normal force at an overlap h."}, contact.normal);
   v.choice({"stiffness_rule", "Stiffness of a contact of two materials."}, contact.stiffness_rule,
            {{"thesis", "k for like grains, k_i k_j/(k_i + k_j) for unlike ones"}, {"series", "two springs in series, of 2 k_i and 2 k_j"}});
@@ -42,7 +42,7 @@ void declare(ParameterVisitor& v, dem::ContactParameters& contact) {
   v.pairs({"glued_pairs", "Pairs of grains (indices from 0) that are glued, instead of all pairs in the glued region."}, contact.glued_pairs);
 }
 
-void declare(ParameterVisitor& v, dem::IntegrationParameters& integration) {
+void declare(Visitor& v, dem::IntegrationParameters& integration) {
   v.choice({"integrator", "Scheme for Newton's equations."}, integration.integrator, mapped(dem::integrators, &dem::Integrator::word));
   v.number(
       {"time_step", "Time step; one beyond the stable step is refused. Unless given, safety sets it, and masses of a stage that do not allow it shorten it."},
@@ -64,8 +64,6 @@ void declare(ParameterVisitor& v, dem::IntegrationParameters& integration) {
 }
 
 namespace {
-
-using Visitor = ParameterVisitor;
 
 void declare(Visitor& v, EquilibriumCriterion& criterion) {
   v.number({"unbalanced", "Unbalanced force ratio below this."}, criterion.unbalanced, "", range::positive);

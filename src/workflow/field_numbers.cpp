@@ -80,9 +80,8 @@ Numbers bounds(const Numbers& phases, const peridynamics::Stiffness& e) {
   return {{"voigt", b.voigt}, {"hashin_shtrikman_upper", b.shtrikman_upper}, {"hashin_shtrikman_lower", b.shtrikman_lower}, {"reuss", b.reuss}};
 }
 
-// In the order of peridynamics::Ending and of DamageResult::Ending.
+// In the order of peridynamics::Ending.
 constexpr const char* endings[] = {"solved", "not_converged", "stopped", "severed", "empty"};
-constexpr const char* damage_endings[] = {"severed", "dropped", "strain_reached", "events_reached", "not_converged", "stopped", "no_path"};
 
 }  // namespace
 
@@ -157,7 +156,8 @@ void add_failure(Numbers& j, const recipe::Load& load, const peridynamics::Damag
   Numbers l = as_asked(load);
   const peridynamics::Toughness k = load.toughness.resolved();
   l["toughness_Pa_m0.5"] = {{"matrix", k.matrix}, {"interface", k.interface}, {"particle", k.particle}};
-  l.update({{"ending", damage_endings[static_cast<int>(result.ending)]}, {"solves", result.solves}, {"iterations", result.iterations}});
+  l.update(
+      {{"ending", peridynamics::damage_endings[static_cast<std::size_t>(result.ending)].word}, {"solves", result.solves}, {"iterations", result.iterations}});
   j["load"] = l;
   j["modulus_Pa"] = result.modulus;
   j["strength_Pa"] = result.strength;

@@ -78,16 +78,14 @@ std::string fill(const recipe::Recipe& recipe, Packing& packing) {
   packing.grains = packing::draw_grains(recipe.populations, recipe.materials, recipe.packing.grains, recipe.seed);
   packing.domain = frame_of(recipe);
   double& height = packing.domain.wall[top].position;
-  const bool height_given = recipe.container.height > 0;
-  if (recipe.packing.method == Method::random) {
-    if (!height_given) height = packing::height_for(grains, recipe.container.width, recipe.packing.solid_fraction);
-    const Domain part = area_of(packing.domain, recipe.packing.area);
-    const Circles circles(grains);
+  const bool height_given = recipe.container.height > 0, at_random = recipe.packing.method == Method::random;
+  if (at_random && !height_given) height = packing::height_for(grains, recipe.container.width, recipe.packing.solid_fraction);
+  const Domain part = area_of(packing.domain, recipe.packing.area);
+  const Circles circles(grains);
+  if (at_random) {
     circles.check_room(part);
     return "random filling, " + describe(packing::fill_at_random(grains, part, recipe.seed));
   }
-  const Domain part = area_of(packing.domain, recipe.packing.area);
-  const Circles circles(grains);
   const double filled = packing::fill_lattice(grains, part), room = part.height();
   if (!height_given) height = filled;
   else if (filled > room * (1 + 1e-12))
@@ -120,16 +118,6 @@ std::string sample(const recipe::Recipe& recipe, Packing& packing) {
       100 * report.volume_ratio_error, 1e3 * report.gap, left_out, report.solid_fraction);
 }
 
-std::string fill_by_method(const recipe::Recipe& recipe, Packing& packing) {
-  switch (recipe.packing.method) {
-    case Method::file: return read(recipe, packing);
-    case Method::poisson: return sample(recipe, packing);
-    case Method::random:
-    case Method::lattice: break;
-  }
-  return fill(recipe, packing);
-}
-
 }  // namespace
 
 StageResult make_packing(const recipe::Recipe& recipe) {
@@ -138,7 +126,9 @@ StageResult make_packing(const recipe::Recipe& recipe) {
   Frame& frame = result.frames.emplace_back();
   frame.label = "start";
   frame.packing.materials = recipe.materials;
-  result.outcome = fill_by_method(recipe, frame.packing);
+  if (recipe.packing.method == Method::file) result.outcome = read(recipe, frame.packing);
+  else if (recipe.packing.method == Method::poisson) result.outcome = sample(recipe, frame.packing);
+  else result.outcome = fill(recipe, frame.packing);
   if (recipe.glued) packing::mark_region(frame.packing.grains, frame.packing.domain, *recipe.glued);
   return result;
 }

@@ -34,8 +34,6 @@ void rename_former(const fs::path& folder, const std::vector<PlannedStage>& plan
       if (fs::exists(folder / former) && !fs::exists(folder / stage.file)) fs::rename(folder / former, folder / stage.file, error);
 }
 
-namespace {}  // namespace
-
 ResultFolder::ResultFolder(fs::path out, const std::vector<PlannedStage>& plan)
     : ResultFolder((rename_former(out, plan), rename_former(out / "earlier", plan), std::move(out)), mapped(plan, &PlannedStage::file)) {}
 
@@ -101,16 +99,16 @@ texture::Options options_of(const Provenance& provenance, const fs::path& file, 
   return texture_options(recipe, recipe.stages.size());
 }
 
-struct Measurable {
-  Packing packing;
-  texture::Options options;
-};
-
-Measurable last_packing(const fs::path& run, const std::string& stage) {
+/// The last state of a stage, measured as its recipe asks where `choose` does not ask otherwise.
+template <class Choose> FinalState measured(const fs::path& run, const std::string& stage, Choose choose) {
   const fs::path file = file_of(run, stage);
   StageResult result = io::read_stage(file);
   if (result.frames.empty()) throw InputError(file.string(), 0, "this stage holds no state; remove it and run the study again");
-  return {std::move(result.frames.back().packing), options_of(result.provenance, file, run)};
+  texture::Options options = options_of(result.provenance, file, run);
+  choose(options);
+  Packing& packing = result.frames.back().packing;
+  texture::Texture texture = texture::measure(packing, options);
+  return {std::move(packing), std::move(texture)};
 }
 
 const recipe::Load& load_of(const recipe::Recipe& recipe, const fs::path& run, const std::string& name) {
@@ -169,20 +167,16 @@ texture::Options texture_options(const Provenance& provenance) {
 }
 
 FinalState final_state(const fs::path& run, bool rev, const std::string& stage, int sectors) {
-  auto [packing, options] = last_packing(run, stage);
-  if (!rev) options.rev_sizes = 0;
-  options.sectors = sectors;
-  texture::Texture texture = texture::measure(packing, options);
-  return {std::move(packing), std::move(texture)};
+  return measured(run, stage, [&](texture::Options& options) {
+    if (!rev) options.rev_sizes = 0;
+    options.sectors = sectors;
+  });
 }
 
 Numbers texture_with_border(const fs::path& run, double border) {
-  auto [packing, options] = last_packing(run, "");
-  options.rev_sizes = 0;
-  options.border = border;
-  texture::Texture texture = texture::measure(packing, options);
-  texture.per_grain = {};
-  return texture::numbers(texture, false);
+  FinalState state = measured(run, "", [&](texture::Options& options) { options.rev_sizes = 0, options.border = border; });
+  state.texture.per_grain = {};
+  return texture::numbers(state.texture, false);
 }
 
 Numbers curves_of(FinalState state) {

@@ -38,21 +38,9 @@ std::array<double, 4> critical_stretches(const DamageOptions& o, double dx) {
 
 /// How a pull ended and what came of it, in words.
 std::string sentence_of(const DamageResult& r) {
-  using Ending = DamageResult::Ending;
-  const auto end = [&] {
-    switch (r.ending) {
-      case Ending::severed: return "the sample came apart";
-      case Ending::dropped: return "the stress fell to the share at which the pull ends";
-      case Ending::strain_reached: return "the largest strain was reached";
-      case Ending::events_reached: return "the largest number of rounds was reached";
-      case Ending::not_converged: return "a static solve did not converge";
-      case Ending::stopped: return "stopped";
-      case Ending::no_path: break;
-    }
-    return "nothing ties the bottom row to the top row";
-  };
-  if (r.ending == Ending::no_path) return end();
-  return fmt::format("{}; strength {:.6g} Pa, {} bonds broken in {} solves", end(), r.strength, r.broken.size(), r.solves);
+  const char* end = damage_endings[static_cast<std::size_t>(r.ending)].phrase;
+  if (r.ending == DamageResult::Ending::no_path) return end;
+  return fmt::format("{}; strength {:.6g} Pa, {} bonds broken in {} solves", end, r.strength, r.broken.size(), r.solves);
 }
 
 }  // namespace

@@ -63,6 +63,18 @@ struct DamageResult : PullRecord {
   StressField at_strength;  ///< the field when the stress was largest; size 0 if nothing carried
 };
 
+/// An ending as files name it and as a sentence says it, in the order of DamageResult::Ending.
+struct DamageEnding {
+  const char *word, *phrase;
+};
+inline constexpr DamageEnding damage_endings[] = {{"severed", "the sample came apart"},
+                                                  {"dropped", "the stress fell to the share at which the pull ends"},
+                                                  {"strain_reached", "the largest strain was reached"},
+                                                  {"events_reached", "the largest number of rounds was reached"},
+                                                  {"not_converged", "a static solve did not converge"},
+                                                  {"stopped", "stopped"},
+                                                  {"no_path", "nothing ties the bottom row to the top row"}};
+
 /// Moves the top row, quasi-statically, breaking bonds as they reach the critical stretch of their type. Loads are found, not stepped: between two
 /// breaks the response is linear, so the next break is known exactly. Bonds break in stretch only, under compression and shear too; broken faces do
 /// not touch again. Under compression a sample splits into columns, which carry on: bound such a run by its strain or its rounds. Throws InputError

@@ -70,14 +70,11 @@ void add_pieces(const Grid& grid, const Buffer<std::int32_t>& owner, const Cell&
       const std::int32_t k = y * Pieces::cell + x, root = sets.find(k);
       if (root == k) {
         piece[static_cast<unsigned>(k)] = pieces.count();
-        pieces.owner.push_back(owner[i]);
-        pieces.cell_x.push_back(c.x0 / Pieces::cell);
-        pieces.cell_y.push_back(c.y0 / Pieces::cell);
-        pieces.nodes.push_back(0);
+        pieces.list.push_back({owner[i], c.x0 / Pieces::cell, c.y0 / Pieces::cell});
       }
       const std::int32_t p = piece[static_cast<unsigned>(root)];
       pieces.of_node[i] = p;
-      ++pieces.nodes[static_cast<std::size_t>(p)];
+      ++pieces.list[static_cast<std::size_t>(p)].nodes;
     }
 }
 

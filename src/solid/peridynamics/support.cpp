@@ -61,7 +61,7 @@ Support share_ties(const Pieces& pieces, JoinedSets& sets, std::vector<std::uint
     (whole[root] == 3   ? support.carrying
      : whole[root] == 2 ? support.held_above
      : whole[root] == 1 ? support.held_below
-                        : support.floating) += static_cast<std::size_t>(pieces.nodes[p]);
+                        : support.floating) += static_cast<std::size_t>(pieces.list[p].nodes);
   }
   support.solid = support.carrying + support.held_above + support.held_below + support.floating;
   return support;
@@ -70,20 +70,16 @@ Support share_ties(const Pieces& pieces, JoinedSets& sets, std::vector<std::uint
 /// Leaves only the pieces that are tied to both clamps.
 void keep_carrying(const Grid& grid, const std::vector<std::uint8_t>& ties, Pieces& pieces) {
   std::vector<std::int32_t> number(ties.size(), Pieces::none);
-  Pieces kept;
+  std::vector<Pieces::Piece> kept;
   for (std::size_t p = 0; p < ties.size(); ++p) {
     if (ties[p] != 3) continue;
-    number[p] = kept.count();
-    kept.owner.push_back(pieces.owner[p]);
-    kept.cell_x.push_back(pieces.cell_x[p]);
-    kept.cell_y.push_back(pieces.cell_y[p]);
-    kept.nodes.push_back(pieces.nodes[p]);
+    number[p] = static_cast<std::int32_t>(kept.size());
+    kept.push_back(pieces.list[p]);
   }
   grid.each([&](std::ptrdiff_t i, int) {
     if (std::int32_t& p = pieces.of_node[i]; p >= 0) p = number[static_cast<std::size_t>(p)];
   });
-  kept.of_node = std::move(pieces.of_node);
-  pieces = std::move(kept);
+  pieces.list = std::move(kept);
 }
 
 /// Leaves only bonds between nodes that carry, clamped ones among them.

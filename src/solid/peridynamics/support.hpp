@@ -20,11 +20,13 @@ struct Pieces {
   static constexpr int cell = 16;  ///< nodes a side
   static constexpr std::int32_t none = -1;
 
-  Buffer<std::int32_t> of_node;     ///< padded; none for void and for rows with both components prescribed
-  std::vector<std::int32_t> owner;  ///< of each piece
-  std::vector<std::int32_t> cell_x, cell_y;
-  std::vector<std::int32_t> nodes;  ///< how many each holds
-  std::int32_t count() const { return static_cast<std::int32_t>(owner.size()); }
+  struct Piece {
+    std::int32_t owner, cell_x, cell_y;
+    std::int32_t nodes = 0;  ///< how many it holds
+  };
+  Buffer<std::int32_t> of_node;  ///< padded; none for void and for rows with both components prescribed
+  std::vector<Piece> list;
+  std::int32_t count() const { return static_cast<std::int32_t>(list.size()); }
 };
 
 /// `prescribed` has one entry a row (kernels.hpp).

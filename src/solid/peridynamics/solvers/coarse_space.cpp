@@ -72,16 +72,16 @@ CoarseSpace::CoarseSpace(const Bonds& bonds, Pieces pieces, const BlockDiagonal<
     if (factor_->positive() || repairs_ == 3) break;
   }
   load_.resize(2 * static_cast<std::size_t>(nodes_));
-  moments_.resize(8 * pieces_.owner.size());
+  moments_.resize(8 * pieces_.list.size());
 }
 
 void CoarseSpace::number_corners(const std::vector<Coupling>& couplings) {
-  const std::size_t corners = 4 * pieces_.owner.size();
+  const std::size_t corners = 4 * pieces_.list.size();
   JoinedSets sets(corners);
   for (const Coupling& c : couplings) {
-    const auto p = static_cast<std::size_t>(c.p), q = static_cast<std::size_t>(c.q);
-    if (c.p == c.q || pieces_.owner[p] != pieces_.owner[q]) continue;
-    const int right = pieces_.cell_x[q] - pieces_.cell_x[p], up = pieces_.cell_y[q] - pieces_.cell_y[p];
+    const Pieces::Piece &p = pieces_.list[static_cast<std::size_t>(c.p)], &q = pieces_.list[static_cast<std::size_t>(c.q)];
+    if (c.p == c.q || p.owner != q.owner) continue;
+    const int right = q.cell_x - p.cell_x, up = q.cell_y - p.cell_y;
     for (int a = 0; a < 4; ++a) {
       const int x = (a & 1) - right, y = (a >> 1) - up;
       if (x < 0 || x > 1 || y < 0 || y > 1) continue;
@@ -165,7 +165,7 @@ void CoarseSpace::correct(Plane<const float> r, Plane<float> z) {
   }
   std::fill(load_.begin(), load_.end(), 0.0);
   constexpr double h = 1.0 / Pieces::cell;
-  for (std::size_t p = 0; p < pieces_.owner.size(); ++p)
+  for (std::size_t p = 0; p < pieces_.list.size(); ++p)
     for (unsigned c = 0; c < 2; ++c) {
       const float* m = &moments_[8 * p + 4 * c];
       const double one = m[0], s = h * m[1], t = h * m[2], st = h * h * m[3];
@@ -173,7 +173,7 @@ void CoarseSpace::correct(Plane<const float> r, Plane<float> z) {
       for (unsigned a = 0; a < 4; ++a) load_[2 * static_cast<std::size_t>(corner_[4 * p + a]) + c] += weight[a];
     }
   factor_->solve(load_);
-  for (std::size_t p = 0; p < pieces_.owner.size(); ++p)
+  for (std::size_t p = 0; p < pieces_.list.size(); ++p)
     for (unsigned c = 0; c < 2; ++c) {
       double u[4];
       for (unsigned a = 0; a < 4; ++a) u[a] = load_[2 * static_cast<std::size_t>(corner_[4 * p + a]) + c];

@@ -55,10 +55,10 @@ struct CouplingSum {
   std::vector<std::int32_t> latest;  ///< of each piece's couplings, the newest; they form a chain
   std::vector<std::int32_t> next;
 
-  CouplingSum(const Bonds& b, const Pieces& p) : bonds(b), pieces(p), blocks(bond_blocks(b)), latest(p.owner.size(), -1) {
-    self.resize(p.owner.size());
+  CouplingSum(const Bonds& b, const Pieces& p) : bonds(b), pieces(p), blocks(bond_blocks(b)), latest(p.list.size(), -1) {
+    self.resize(p.list.size());
     for (std::int32_t k = 0; k < p.count(); ++k) self[static_cast<std::size_t>(k)] = {k, k, {}};
-    cross.reserve(6 * p.owner.size());
+    cross.reserve(6 * p.list.size());
   }
 
   Coupling& between(std::int32_t p, std::int32_t q) {

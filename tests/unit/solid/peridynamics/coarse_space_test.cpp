@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/mapped.hpp"
 #include "core/random.hpp"
 #include "solid/peridynamics/solvers/coarse_space.hpp"
 #include "support/cemented_sample.hpp"
@@ -24,7 +25,7 @@ struct Prepared {
 
 TEST(Pieces, EveryPieceHasOneOwnerAndOneCellAndHoldsTogether) {
   const Prepared s(0.4);
-  std::vector<std::int32_t> nodes(s.pieces.owner.size(), 0);
+  std::vector<std::int32_t> nodes(s.pieces.list.size(), 0);
   for (int y = 0; y < s.map.height; ++y)
     for (int x = 0; x < s.map.width; ++x) {
       const auto p = s.pieces.of_node[s.bonds.grid.index(x, y)];
@@ -32,12 +33,12 @@ TEST(Pieces, EveryPieceHasOneOwnerAndOneCellAndHoldsTogether) {
       ASSERT_EQ(p >= 0, solid) << x << " " << y;
       if (p < 0) continue;
       const auto k = static_cast<std::size_t>(p);
-      ASSERT_EQ(s.pieces.cell_x[k], x / Pieces::cell);
-      ASSERT_EQ(s.pieces.cell_y[k], y / Pieces::cell);
-      if (s.map.phase[s.map.index(x, y)] == Phase::particle) { ASSERT_EQ(s.pieces.owner[k], s.map.grain[s.map.index(x, y)]); }
+      ASSERT_EQ(s.pieces.list[k].cell_x, x / Pieces::cell);
+      ASSERT_EQ(s.pieces.list[k].cell_y, y / Pieces::cell);
+      if (s.map.phase[s.map.index(x, y)] == Phase::particle) { ASSERT_EQ(s.pieces.list[k].owner, s.map.grain[s.map.index(x, y)]); }
       ++nodes[k];
     }
-  EXPECT_EQ(nodes, s.pieces.nodes);
+  EXPECT_EQ(nodes, mapped(s.pieces.list, &Pieces::Piece::nodes));
 }
 
 void expect_energy_of_bonds(Prepared s, Prescribed bottom) {
@@ -45,7 +46,7 @@ void expect_energy_of_bonds(Prepared s, Prescribed bottom) {
   s.pieces = cut_into_pieces(s.map, s.bonds, s.prescribed);
   const auto sums = couplings(s.bonds, s.pieces, block_diagonal(s.bonds), s.prescribed);
   RandomStream random(1, Purpose::test);
-  std::vector<double> corner(8 * s.pieces.owner.size());
+  std::vector<double> corner(8 * s.pieces.list.size());
   for (double& c : corner) c = random.uniform(-1, 1);
   Field<double> u(s.bonds.grid.padded_size()), f(s.bonds.grid.padded_size());
   for (int y = 0; y < s.map.height; ++y)
