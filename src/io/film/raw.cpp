@@ -163,10 +163,8 @@ FilmPointer open_sidecar(const Bytes& bytes, const FilmChoice& choice) {
   // Without a count the file must end with a frame, or the sizes are not those of the film.
   const std::uint64_t used = layout.offset + static_cast<std::uint64_t>(there) * layout.stride;
   if (frames < 0 && used - static_cast<std::uint64_t>(frame_header) != film->size())
-    refuse(film->name(),
-           "has {} bytes, which is no whole number of frames of {} x {} pixels as {} says; "
-           "correct its sizes or add frames = {}",
-           film->size(), width, height, bytes->name(), there);
+    refuse(film->name(), "has {} bytes, which is no whole number of frames of {} x {} pixels as {} says; correct its sizes or add frames = {}", film->size(),
+           width, height, bytes->name(), there);
   return plain_film(film, std::move(info), layout, choice);
 }
 

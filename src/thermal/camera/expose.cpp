@@ -50,8 +50,7 @@ Canvas canvas_for(const Scene& scene, const Optics& optics, int margin) {
   const double points = static_cast<double>(optics.width) * static_cast<double>(optics.height) * n * n;
   if (points > most_points)
     throw refusal(
-        "a picture of {} x {} pixels with {} x {} points each is too large, {:.2g} points; lower camera.width, height or "
-        "supersampling, or raise optical_pixel",
+        "a picture of {} x {} pixels with {} x {} points each is too large, {:.2g} points; lower camera.width, height or supersampling, or raise optical_pixel",
         optics.width, optics.height, n, n, points);
   Canvas canvas{static_cast<int>(optics.width) * n + 2 * margin, static_cast<int>(optics.height) * n + 2 * margin, optics.pixel / n, 0, 0, {}, {}};
   const Vec2 middle = middle_of(scene);

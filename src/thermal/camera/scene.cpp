@@ -33,8 +33,7 @@ void check_points(const Grains& grains, std::size_t count, const Optics& optics)
   for (std::size_t g = 0; g < count; ++g) points += 4 * (grains.radius[g] / cell) * (grains.radius[g] / cell);
   if (!(points <= most_points))
     throw refusal(
-        "pixels of {:.3g} mm with {} x {} points each lay {:.2g} points over the grains, too many to look at; raise camera.pixel or "
-        "lower supersampling",
+        "pixels of {:.3g} mm with {} x {} points each lay {:.2g} points over the grains, too many to look at; raise camera.pixel or lower supersampling",
         1e3 * optics.pixel, optics.supersampling, optics.supersampling, points);
 }
 

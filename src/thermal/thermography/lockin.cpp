@@ -27,8 +27,7 @@ int possible_harmonics(const std::vector<double>& time, const LockinOptions& o) 
   const double nyquist = nyquist_frequency(time), cycles = o.frequency * (time.back() - time.front());
   if (o.frequency >= nyquist)
     throw refusal(
-        "the load frequency of {:.6g} Hz is at or above the Nyquist frequency of {:.6g} Hz, half the frame rate; "
-        "such a film does not show the load's cycle",
+        "the load frequency of {:.6g} Hz is at or above the Nyquist frequency of {:.6g} Hz, half the frame rate; such a film does not show the load's cycle",
         o.frequency, nyquist);
   const double frame = 0.5 / nyquist;
   if (cycles + o.frequency * frame < 1 - 1e-9)
