@@ -13,9 +13,8 @@ namespace {
 bool is_ramped(const SideDrive& drive) { return drive.kind == SideDrive::Kind::force; }
 
 int side_index(const std::string& name) {
-  for (int side = 0; side < 4; ++side)
-    if (name == side_names[side]) return side;
-  return bottom;
+  const auto side = std::find(side_names.begin(), side_names.end(), name);
+  return side == side_names.end() ? bottom : static_cast<int>(side - side_names.begin());
 }
 
 std::int64_t ramp_increments(const Stage& stage) {
