@@ -88,10 +88,10 @@ TEST(Bonds, StiffnessOfThePairIsThatOfABeam) {
   Sample s = bonded(pair_of_disks(0), cemented());
   const auto j = static_cast<std::size_t>(s.bond_slots[0].j);
   move(s, j, {1e-6, 0}, 0);  // pulled
-  EXPECT_NEAR(std::abs(force_on_bond(s).fx), k * 1e-6, 1e-8 * k * 1e-6);
+  EXPECT_NEAR(std::abs(force_on_bond(s).on_i.x), k * 1e-6, 1e-8 * k * 1e-6);
   move(s, j, {-1e-6, 1e-6}, 0);  // sheared
   const SlotForce across = force_on_bond(s);
-  EXPECT_NEAR(std::abs(across.fy), k / 2.5 * 1e-6, 1e-6 * k * 1e-6);
+  EXPECT_NEAR(std::abs(across.on_i.y), k / 2.5 * 1e-6, 1e-6 * k * 1e-6);
   EXPECT_NEAR(std::abs(across.torque_i + across.torque_j), k / 2.5 * 1e-6 * 0.016, 1e-6 * k * 1e-6 * 0.016);
   move(s, j, {0, -1e-6}, 1e-5);  // turned alone: bent, and sheared by its arm of 6 mm
   const SlotForce bent = force_on_bond(s);
