@@ -129,7 +129,7 @@ Tensor2 sum_of_moments(const Sample& s, const Team& team) {
 }
 
 bool has_driven_edge(const Sample& s) {
-  for (std::size_t side = 0; side < 4; ++side)
+  for (int side = 0; side < 4; ++side)
     if (!s.domain.wall[side].present && s.wall[side].drive.kind == WallDrive::Kind::force) return true;
   return false;
 }
@@ -153,17 +153,14 @@ void compute_forces(Sample& s, const Team& team) {
 void sum_edge_forces(Sample& s, const Team& team) {
   if (!s.domain.periodic_x && !s.domain.periodic_y) return;
   const Tensor2 sum = sum_of_moments(s, team);
+  const auto give = [](Wall& low, Wall& high, double normal, double tangential) {
+    low.force = high.force = normal;
+    high.shear_force = tangential;
+    low.shear_force = -tangential;
+  };
   auto& w = s.domain.wall;
-  if (s.domain.periodic_x) {
-    w[left].force = w[right].force = sum.xx / s.domain.width();
-    w[right].shear_force = sum.yx / s.domain.width();
-    w[left].shear_force = -w[right].shear_force;
-  }
-  if (s.domain.periodic_y) {
-    w[bottom].force = w[top].force = sum.yy / s.domain.height();
-    w[top].shear_force = sum.xy / s.domain.height();
-    w[bottom].shear_force = -w[top].shear_force;
-  }
+  if (s.domain.periodic_x) give(w[left], w[right], sum.xx / s.domain.width(), sum.yx / s.domain.width());
+  if (s.domain.periodic_y) give(w[bottom], w[top], sum.yy / s.domain.height(), sum.xy / s.domain.height());
 }
 
 void Engine::advance(std::int64_t steps) {

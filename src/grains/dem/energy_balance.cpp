@@ -124,13 +124,10 @@ Snapshot take(const Sample& s) {
   });
   add_contacts(s, shot);
   add_bonds(s, shot);
-  if (s.domain.periodic_x) {
-    shot.edge[right].dash = -shot.edge[left].dash;
-    shot.edge[right].slip = -shot.edge[left].slip;
-  }
-  if (s.domain.periodic_y) {
-    shot.edge[top].dash = -shot.edge[bottom].dash;
-    shot.edge[top].slip = -shot.edge[bottom].slip;
+  for (const int low : {left, bottom}) {
+    if (!s.domain.periodic(low)) continue;
+    shot.edge[low + 1].dash = -shot.edge[low].dash;
+    shot.edge[low + 1].slip = -shot.edge[low].slip;
   }
   for (std::size_t side = 0; side < 4; ++side) {
     auto& edge = shot.edge[side];

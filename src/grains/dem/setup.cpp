@@ -70,10 +70,9 @@ void check_packing(Problems& problems, const Packing& start, bool by_moduli) {
     problems.unless(std::isfinite(g.x[k] + g.y[k] + g.vx[k] + g.vy[k] + g.omega[k]), "grain {} has a coordinate or velocity that is not a number", g.id[k]);
     problems.unless(g.material[k] >= 0 && static_cast<std::size_t>(g.material[k]) < start.materials.size(),
                     "material {} of grain {} is not among the {} materials", g.material[k], g.id[k], start.materials.size());
-    const auto& w = domain.wall;
-    const bool in_x = (!w[left].present || g.x[k] >= w[left].position) && (!w[right].present || g.x[k] <= w[right].position);
-    const bool in_y = (!w[bottom].present || g.y[k] >= w[bottom].position) && (!w[top].present || g.y[k] <= w[top].position);
-    problems.unless(in_x && in_y, "the centre of grain {} is outside of the container", g.id[k]);
+    bool inside = true;
+    for (int side = 0; side < 4; ++side) inside = inside && (!domain.wall[side].present || domain.depth(side, g.centre(k)) >= 0);
+    problems.unless(inside, "the centre of grain {} is outside of the container", g.id[k]);
   }
 }
 
@@ -155,13 +154,11 @@ void recall_bonds(Sample& s) {
 
 /// The periodic sides have no walls; their `wall` entries are the edges of the cell.
 void clear_periodic_walls(Domain& domain) {
-  if (domain.periodic_x) domain.wall[left].present = domain.wall[right].present = false;
-  if (domain.periodic_y) domain.wall[bottom].present = domain.wall[top].present = false;
-  for (auto& wall : domain.wall) wall.velocity = wall.force = wall.shear_force = 0;
+  for (int side = 0; side < 4; ++side) {
+    Wall& wall = domain.wall[side];
+    wall = {wall.present && !domain.periodic(side), wall.position};
+  }
 }
-
-/// Share of a step by which the places are ahead of the velocities that memories of friction are fed with.
-double lead_of(const Sample& s) { return integrator_of(s).lead; }
 
 }  // namespace
 
@@ -178,7 +175,7 @@ ContactLaws choose_laws(const ContactParameters& contact, double lead, double la
 }
 
 ContactLaws laws_between_steps(const Sample& s) {
-  const double lead = lead_of(s);
+  const double lead = integrator_of(s).lead;
   return choose_laws(s.contact, lead * s.dt, (1.0 - lead) * s.dt);
 }
 
@@ -239,7 +236,7 @@ Sample make_sample(const Packing& start, const ContactParameters& contact, const
   bond_touching_pairs(s);
   recall_cohesion(s);
   recall_contacts(s);
-  s.laws = choose_laws(contact, 0.0, (1.0 - lead_of(s)) * s.dt);  // the springs do not move before the first step
+  s.laws = choose_laws(contact, 0.0, (1.0 - integrator_of(s).lead) * s.dt);  // the springs do not move before the first step
   compute_forces(s);
   sum_edge_forces(s);
   s.laws = laws_between_steps(s);

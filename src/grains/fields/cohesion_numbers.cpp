@@ -1,7 +1,6 @@
 #include "grains/fields/flow_numbers.hpp"
 
 #include <algorithm>
-#include <array>
 #include <numbers>
 #include <string>
 
@@ -44,13 +43,13 @@ double pressure_on(const Domain& domain) {
 
 /// Largest tension on a side that moves outward, Pa; 0 where none does.
 double tensile_strength(const StageResult& result, const dem::Stage& stage, double thickness) {
-  constexpr std::array<std::array<const char*, 2>, 4> across{{{"bottom", "top"}, {"bottom", "top"}, {"left", "right"}, {"left", "right"}}};
   double strength = 0;
-  for (std::size_t side = 0; side < side_names.size(); ++side) {
+  for (int side = 0; side < 4; ++side) {
     if (stage.side[side].kind != dem::SideDrive::Kind::velocity || !(stage.side[side].value < 0)) continue;
     const History& history = result.history;
-    const auto *force = history.find(std::string(side_names[side]) + "_force"), *from = history.find(std::string(across[side][0]) + "_position"),
-               *to = history.find(std::string(across[side][1]) + "_position");
+    const int beside = side < bottom ? bottom : left;  // with the next one the ends of the side
+    const auto *force = history.find(std::string(side_names[side]) + "_force"), *from = history.find(std::string(side_names[beside]) + "_position"),
+               *to = history.find(std::string(side_names[beside + 1]) + "_position");
     if (!force || !from || !to) continue;
     for (std::size_t k = 0; k < force->size(); ++k) strength = std::max(strength, -(*force)[k] / (((*to)[k] - (*from)[k]) * thickness));
   }

@@ -15,15 +15,14 @@ Ends segment_at(const Boundary& boundary, std::size_t point) { return {boundary.
 
 /// The nearest point of an element to a place.
 Vec2 nearest_of(const Boundary& boundary, const Element& element, Vec2 place) {
-  const auto [a, b] = segment_at(boundary, static_cast<std::size_t>(element.point));
-  if (!element.segment) return a;
-  return geometry::nearest_on_segment(a, b, place);
+  const auto [a, b] = segment_at(boundary, element.point);
+  return element.segment ? geometry::nearest_on_segment(a, b, place) : a;
 }
 
 /// A place as the image of an element that is nearest to it sees it; itself where nothing is periodic.
 Vec2 seen_from(const Domain& domain, const Boundary& boundary, const Element& element, Vec2 place) {
   if (!domain.periodic_x && !domain.periodic_y) return place;
-  const auto [a, b] = segment_at(boundary, static_cast<std::size_t>(element.point));
+  const auto [a, b] = segment_at(boundary, element.point);
   const Vec2 middle = element.segment ? 0.5 * (a + b) : a, near = middle + domain.nearest_image(place - middle);
   const int across = domain.periodic_x ? 1 : 0, up = domain.periodic_y ? 1 : 0;
   Vec2 best = near;
@@ -126,16 +125,15 @@ Kinematics element_kinematics(const Sample& s, const DiskRecord& d, std::int32_t
   Kinematics c;
   const Element& element = s.element[number];
   const Boundary& boundary = s.domain.boundaries[element.boundary];
-  const auto point = static_cast<std::size_t>(element.point);
   const Vec2 place = seen_from(s.domain, boundary, element, d.place);
-  const auto [a, b] = segment_at(boundary, point);
+  const auto [a, b] = segment_at(boundary, element.point);
   const Vec2 along = b - a;
   Vec2 foot = a;
   if (element.segment) {
     const double share = dot(place - a, along) / dot(along, along);
     if (!(share > 0 && share < 1)) return c;
     foot = a + share * along;
-  } else if (!is_beyond(s.domain, boundary, point, place)) {
+  } else if (!is_beyond(s.domain, boundary, element.point, place)) {
     return c;
   }
   c.branch = place - foot;
@@ -147,7 +145,7 @@ Kinematics point_kinematics(const Sample& s, const DiskRecord& foot, std::int32_
   Kinematics c;
   const Element& element = s.element[number];
   const Boundary& boundary = s.domain.boundaries[element.boundary];
-  const auto [here, next] = segment_at(boundary, static_cast<std::size_t>(element.point));
+  const auto [here, next] = segment_at(boundary, element.point);
   c.branch = seen_from(s.domain, boundary, element, foot.place) - here;
   lean_on_boundary(c, s, foot, boundary, here, next - here);
   return c;
@@ -164,12 +162,12 @@ Vec2 touched_place(const Sample& s, std::size_t slot, const Kinematics& c) {
 
 bool has_crossed(const Sample& s, std::size_t slot) {
   const Element& element = touched_element(s, s.list.j[slot]);
-  const auto b = static_cast<std::size_t>(element.boundary), point = static_cast<std::size_t>(element.point), k = static_cast<std::size_t>(s.list.i[slot]);
-  const Boundary &now = s.domain.boundaries[b], &then = s.listed_domain.boundaries[b];
+  const std::int32_t k = s.list.i[slot];
+  const Boundary &now = s.domain.boundaries[element.boundary], &then = s.listed_domain.boundaries[element.boundary];
   if (!element.segment || !now.present) return false;
   const Vec2 listed{s.listed_x[k], s.listed_y[k]}, before = seen_from(s.domain, then, element, listed);
   const Vec2 place = before + (s.record[k].place - listed);
-  return side_of(segment_at(then, point), before) * side_of(segment_at(now, point), place) < 0;
+  return side_of(segment_at(then, element.point), before) * side_of(segment_at(now, element.point), place) < 0;
 }
 
 }  // namespace arenite::dem

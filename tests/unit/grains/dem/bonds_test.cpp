@@ -41,8 +41,7 @@ Sample bonded(const Packing& start, const ContactParameters& contact) {
 }
 
 void move(Sample& s, std::size_t disk, Vec2 by, double turn) {
-  s.record[disk].x += by.x;
-  s.record[disk].y += by.y;
+  s.record[disk].place += by;
   s.angle[disk] += turn;
 }
 
@@ -57,7 +56,7 @@ TEST(Bonds, ForcesAreMinusTheGradientOfTheEnergyHoweverFarThePairHasTurned) {
     ASSERT_EQ(s.bond_slots.size(), 1u);
     const auto i = static_cast<std::size_t>(s.bond_slots[0].i), j = static_cast<std::size_t>(s.bond_slots[0].j);
     // As a rigid body by `turned`, and then a strain of all three kinds.
-    const Vec2 d{s.record[j].x - s.record[i].x, s.record[j].y - s.record[i].y}, e{std::cos(turned), std::sin(turned)};
+    const Vec2 d = s.record[j].place - s.record[i].place, e{std::cos(turned), std::sin(turned)};
     move(s, j, Vec2{e.x * d.x - e.y * d.y, e.y * d.x + e.x * d.y} - d + Vec2{2e-5, -4e-5}, turned + 0.003);
     move(s, i, {}, turned - 0.004);
     const SlotForce f = force_on_bond(s);
@@ -70,16 +69,16 @@ TEST(Bonds, ForcesAreMinusTheGradientOfTheEnergyHoweverFarThePairHasTurned) {
       move(s, disk, h * way, h * turn);
       return (above - below) / (2 * h);
     };
-    const double scale = std::hypot(f.fx, f.fy);
+    const double scale = norm(f.on_i);
     EXPECT_GT(scale, 100);
-    EXPECT_NEAR(f.fx, -slope(i, {1, 0}, 0), 1e-6 * scale) << turned;
-    EXPECT_NEAR(f.fy, -slope(i, {0, 1}, 0), 1e-6 * scale) << turned;
-    EXPECT_NEAR(-f.fx, -slope(j, {1, 0}, 0), 1e-6 * scale) << turned;
+    EXPECT_NEAR(f.on_i.x, -slope(i, {1, 0}, 0), 1e-6 * scale) << turned;
+    EXPECT_NEAR(f.on_i.y, -slope(i, {0, 1}, 0), 1e-6 * scale) << turned;
+    EXPECT_NEAR(-f.on_i.x, -slope(j, {1, 0}, 0), 1e-6 * scale) << turned;
     EXPECT_NEAR(f.torque_i, -slope(i, {}, 1), 1e-6 * scale * 0.01) << turned;
     EXPECT_NEAR(f.torque_j, -slope(j, {}, 1), 1e-6 * scale * 0.01) << turned;
     // Angular momentum: the torques and the couple of the forces vanish together.
     const Vec2 branch = beam_motion(s, s.bond_slots[0]).branch;
-    EXPECT_NEAR(cross(branch, {f.fx, f.fy}) + f.torque_i + f.torque_j, 0, 1e-12 * scale * 0.016);
+    EXPECT_NEAR(cross(branch, f.on_i) + f.torque_i + f.torque_j, 0, 1e-12 * scale * 0.016);
   }
 }
 
@@ -89,10 +88,10 @@ TEST(Bonds, StiffnessOfThePairIsThatOfABeam) {
   Sample s = bonded(pair_of_disks(0), cemented());
   const auto j = static_cast<std::size_t>(s.bond_slots[0].j);
   move(s, j, {1e-6, 0}, 0);  // pulled
-  EXPECT_NEAR(std::abs(force_on_bond(s).fx), k * 1e-6, 1e-8 * k * 1e-6);
+  EXPECT_NEAR(std::abs(force_on_bond(s).on_i.x), k * 1e-6, 1e-8 * k * 1e-6);
   move(s, j, {-1e-6, 1e-6}, 0);  // sheared
   const SlotForce across = force_on_bond(s);
-  EXPECT_NEAR(std::abs(across.fy), k / 2.5 * 1e-6, 1e-6 * k * 1e-6);
+  EXPECT_NEAR(std::abs(across.on_i.y), k / 2.5 * 1e-6, 1e-6 * k * 1e-6);
   EXPECT_NEAR(std::abs(across.torque_i + across.torque_j), k / 2.5 * 1e-6 * 0.016, 1e-6 * k * 1e-6 * 0.016);
   move(s, j, {0, -1e-6}, 1e-5);  // turned alone: bent, and sheared by its arm of 6 mm
   const SlotForce bent = force_on_bond(s);
