@@ -39,7 +39,6 @@ const Sample& sample() {
 void report(benchmark::State& state, const InferredForces& f) {
   state.counters["grains"] = static_cast<double>(sample().truth.grains.size());
   state.counters["contacts"] = static_cast<double>(f.contacts.size());
-  if (f.pixels) state.counters["pixels"] = static_cast<double>(f.pixels);
   state.counters["fn_error"] = test::relative_error(f.contacts.fn, sample().truth.contacts.fn);
   state.counters["ft_error"] = test::relative_error(f.contacts.ft, sample().truth.contacts.ft);
 }

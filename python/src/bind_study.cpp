@@ -57,9 +57,9 @@ py::dict columns_of(const campaign::CollectedTable& table) {
     bool any_error = false;
     for (const auto& row : table.rows) {
       const auto& number = row.numbers[k];
-      values.push_back(number ? number->value : NAN);
-      errors.push_back(number && number->error ? *number->error : NAN);
-      any_error = any_error || (number && number->error);
+      values.push_back(number.value);
+      errors.push_back(number.error);
+      any_error = any_error || std::isfinite(number.error);
     }
     if (!d.contains(table.names[k].c_str())) d[py::str(table.names[k])] = taken_over(std::move(values));
     if (any_error) d[py::str(table.names[k] + "_error")] = taken_over(std::move(errors));

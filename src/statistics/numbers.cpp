@@ -213,6 +213,11 @@ void put(Numbers& to, const std::string& name, const ByName<Estimate>& values) {
   if (!group.empty()) to[name] = group;
 }
 
+Numbers described(Numbers value, const char* unit, const char* sentence) {
+  value.means({unit, sentence});
+  return value;
+}
+
 Numbers curve(const Curve& c) { return {{"x", numbers(c.x)}, {"y", numbers(c.y)}, {"error", numbers(c.error)}}; }
 
 }  // namespace arenite::statistics

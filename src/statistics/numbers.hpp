@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <initializer_list>
 #include <map>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -23,9 +24,14 @@ class NumbersError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// What a number is and its unit (empty: it has none), as its statistic declares them.
+struct Meaning {
+  std::string unit, sentence;
+};
+
 /// What is measured, as an ordered tree: a node is a value (truth, integer, real, text), a list of nodes, or nodes with names. Braces make trees as
 /// they are written in JSON: {{"z", 3.9}, {"sectors", {1, 2, 3}}}. A number that is not finite is not known. Files, tables, pages and Python are made
-/// of it (`json`, io/hdf5, report, python/src).
+/// of it (`json`, io/hdf5, report, python/src). A value that a statistic declares, alone or as {"value", "error"}, has a meaning.
 class Numbers {
  public:
   enum class Kind : std::uint8_t { unknown, truth, integer, natural, real, text, list, tree };
@@ -96,6 +102,11 @@ class Numbers {
   /// Takes over all of another tree's.
   void update(const Numbers& other);
 
+  /// Nothing where none was declared.
+  const Meaning* meaning() const { return meaning_.get(); }
+  void means(Meaning meaning) { meaning_ = std::make_shared<const Meaning>(std::move(meaning)); }
+  void means_as(const Numbers& other) { meaning_ = other.meaning_; }
+
   /// As a number, truth, text or list of such; throws NumbersError if it is none.
   template <class T> T get() const {
     if constexpr (std::same_as<T, bool>) return as_truth();
@@ -114,7 +125,7 @@ class Numbers {
   }
   std::string value(std::string_view name, const char* otherwise) const { return value(name, std::string(otherwise)); }
 
-  /// Numbers are equal by value, whatever their kind.
+  /// Numbers are equal by value, whatever their kind and meaning.
   friend bool operator==(const Numbers& a, const Numbers& b);
 
  private:
@@ -134,6 +145,7 @@ class Numbers {
   std::string text_;
   Items items_;
   std::vector<std::string> names_;
+  std::shared_ptr<const Meaning> meaning_;
 };
 
 /// As JSON, in one line or with `indent` spaces a level. Text that is not UTF-8 is written with marks in its place.
@@ -157,6 +169,13 @@ void put(Numbers& to, const std::string& name, const TensorEstimate& t);
 void put(Numbers& to, const std::string& name, const Tensor2& t);
 void put(Numbers& to, const std::string& name, const ByName<Estimate>& values);
 
+/// With its unit and what it is.
+Numbers described(Numbers value, const char* unit, const char* sentence);
+template <class T> void put(Numbers& to, const std::string& name, const T& value, const char* unit, const char* sentence) {
+  put(to, name, value);
+  if (to.contains(name)) to[name].means({unit, sentence});
+}
+
 /// A number of a statistic S, declared once: its name in files and tables, its unit (empty: it has none), what it is, and where it stands.
 template <class S> struct Declared {
   const char *name, *unit, *sentence;
@@ -170,6 +189,7 @@ template <class S, std::size_t N> void put_all(Numbers& to, const S& statistic, 
         [&](const auto member) {
           if constexpr (std::is_integral_v<std::remove_cvref_t<decltype(statistic.*member)>>) to[d.name] = statistic.*member;
           else put(to, d.name, statistic.*member);
+          if (to.contains(d.name)) to[d.name].means({d.unit, d.sentence});
         },
         d.member);
 }

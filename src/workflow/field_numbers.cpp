@@ -12,6 +12,8 @@
 namespace arenite::workflow {
 namespace {
 
+using statistics::described;
+
 Numbers estimate(const statistics::Estimate& e) {
   Numbers j{{"value", e.value}};
   if (std::isfinite(e.error)) j["error"] = e.error;
@@ -23,18 +25,18 @@ const char* const parameter_names[] = {"", "width", "", "thickness_m", "volume_m
 /// Volumes of pores or voids over pi radius^2 with their density, and what the rules left out.
 Numbers volumes(const PhaseMap& map, grid::Cavity kind, const grid::CavityRules& rules, double radius) {
   const auto s = grid::cavity_statistics(find_cavities(map, kind, rules), map.dx, radius);
-  Numbers j{{"count", s.count}};
-  if (s.count > 0) j["mean"] = estimate({s.mean, s.mean_error});
+  Numbers j{{"count", described(s.count, "", kind == grid::Cavity::pore ? "Spaces between grains, matrix or not" : "Spaces that nothing fills")}};
+  if (s.count > 0) j["mean"] = described(estimate({s.mean, s.mean_error}), "", "Mean volume over pi times the reference radius squared");
   if (s.count > 1) {
-    j["deviation"] = estimate({s.deviation, s.deviation_error});
-    j["cv"] = estimate({s.cv, s.cv_error});
-    if (s.peak > 0) j["peak"] = s.peak;
-    j["tenth"] = s.tenth;
-    j["median"] = s.median;
+    j["deviation"] = described(estimate({s.deviation, s.deviation_error}), "", "Standard deviation of these volumes");
+    j["cv"] = described(estimate({s.cv, s.cv_error}), "", "Their standard deviation over their mean");
+    if (s.peak > 0) j["peak"] = described(s.peak, "", "Volume where their density is highest");
+    j["tenth"] = described(s.tenth, "", "Volume below which a tenth of them lies");
+    j["median"] = described(s.median, "", "Median of these volumes");
     j["pdf"] = {{"edge", s.density.edge}, {"density", s.density.density}, {"error", s.density.error}};
   }
-  j["specks"] = s.specks;
-  j["at_border"] = s.cut;
+  j["specks"] = described(s.specks, "", "Too small to count");
+  j["at_border"] = described(s.cut, "", "Left out as they reach the border");
   return j;
 }
 
@@ -44,8 +46,9 @@ bool has_classes(const PhaseMap& map) {
 
 Numbers phases(const PhaseMap& map) {
   const auto f = grid::phase_fractions(map);
-  Numbers j{{"particle", f.particle}, {"matrix", f.matrix}, {"void", f.empty}};
-  if (has_classes(map)) j.update({{"large", f.large}, {"small", f.small}});
+  const char* sentence = "Share of the nodes";
+  Numbers j{{"particle", described(f.particle, "", sentence)}, {"matrix", described(f.matrix, "", sentence)}, {"void", described(f.empty, "", sentence)}};
+  if (has_classes(map)) j.update({{"large", described(f.large, "", sentence)}, {"small", described(f.small, "", sentence)}});
   return j;
 }
 
@@ -57,8 +60,18 @@ Numbers grains(const PhaseMap& map) {
 }
 
 Numbers coordination(const texture::GapCoordination& z, double gap) {
-  return {{"gap_m", gap},         {"large_grains", z.large}, {"small_grains", z.small}, {"Z", estimate(z.mean)},  {"Z_l", estimate(z.l)},
-          {"Z_s", estimate(z.s)}, {"Z_ll", estimate(z.ll)},  {"Z_ls", estimate(z.ls)},  {"Z_sl", estimate(z.sl)}, {"Z_ss", estimate(z.ss)}};
+  Numbers j{{"gap_m", described(gap, "m", "Largest distance of the surfaces of neighbours")},
+            {"large_grains", described(z.large, "", "Large grains that count")},
+            {"small_grains", described(z.small, "", "Small grains that count")}};
+  const auto add = [&](const char* name, const statistics::Estimate& e, const char* sentence) { j[name] = described(estimate(e), "", sentence); };
+  add("Z", z.mean, "Mean of Z_l and Z_s");
+  add("Z_l", z.l, "Neighbours of a large grain");
+  add("Z_s", z.s, "Neighbours of a small grain");
+  add("Z_ll", z.ll, "Large neighbours of a large grain");
+  add("Z_ls", z.ls, "Small neighbours of a large grain");
+  add("Z_sl", z.sl, "Large neighbours of a small grain");
+  add("Z_ss", z.ss, "Small neighbours of a small grain");
+  return j;
 }
 
 Numbers support(const peridynamics::Support& s) {
@@ -87,13 +100,15 @@ constexpr const char* endings[] = {"solved", "not_converged", "stopped", "severe
 
 Numbers map_numbers(const PhaseMap& map, const grid::CavityRules& rules, double reference_radius) {
   Numbers j;
-  j["map"] = {{"width", map.width}, {"height", map.height}, {"dx_m", map.dx}};
+  j["map"] = {{"width", described(map.width, "", "Nodes along x")},
+              {"height", described(map.height, "", "Nodes along y")},
+              {"dx_m", described(map.dx, "m", "Distance of nodes")}};
   j["grains"] = grains(map);
   j["phases"] = phases(map);
   const auto fractions = grid::phase_fractions(map);
-  j["solid_fraction"] = fractions.particle;
-  j["S_m"] = fractions.saturation;
-  if (fractions.small > 0) j["volume_ratio"] = fractions.large / fractions.small;
+  j["solid_fraction"] = described(fractions.particle, "", "Share of the nodes in grains");
+  j["S_m"] = described(fractions.saturation, "", "Share of the space between grains that matrix fills, of the nodes");
+  if (fractions.small > 0) j["volume_ratio"] = described(fractions.large / fractions.small, "", "Area of large over area of small grains");
   const auto through = grid::find_percolation(map, rules.eight_connected);
   j["percolates"] = {{"solid_bottom_top", through.solid_bottom_top},
                      {"solid_left_right", through.solid_left_right},
@@ -112,44 +127,52 @@ void add_reports(Numbers& j, const SampleReports& reports) {
   const auto& c = reports.cement;
   const auto& r = reports.grid;
   const auto kind = static_cast<std::size_t>(reports.law.kind);
-  j["area_error"] = {{"particle", r.particle_area_error}, {"matrix", r.matrix_area_error}};
-  j["exact"] = {{"solid_fraction", c.areas.particle / c.areas.window}, {"S_m", c.saturation}};
-  Numbers cement{{"kind", recipe::word_of(reports.law.kind)}, {"gap_m", *reports.law.gap}, {"necks", c.necks}};
+  const char* off = "Area of the nodes over the exact area, less 1";
+  j["area_error"] = {{"particle", described(r.particle_area_error, "", off)}, {"matrix", described(r.matrix_area_error, "", off)}};
+  j["exact"] = {{"solid_fraction", described(c.areas.particle / c.areas.window, "", "Share of the area in grains, of exact areas")},
+                {"S_m", described(c.saturation, "", "Share of the space between grains that matrix fills, of exact areas")}};
+  Numbers cement{{"kind", recipe::word_of(reports.law.kind)},
+                 {"gap_m", described(*reports.law.gap, "m", "Largest gap that a neck bridges")},
+                 {"necks", described(c.necks, "", "Pairs of grains with a neck")}};
   if (parameter_names[kind][0] != '\0') cement[parameter_names[kind]] = c.parameter;
   if (reports.law.saturation) cement["saturation_error"] = c.saturation_error;
   if (reports.law.kind == cement::CementParameters::Kind::menisci) cement.update({{"ruptured", c.ruptured}, {"capped", c.capped}});
   j["cement"] = cement;
-  j["grid"] = {{"corner_m", {r.window.x_min, r.window.y_min}},
-               {"side_m", r.window.width()},
-               {"necks", r.necks},
-               {"lost_necks", r.lost_necks},
-               {"lost_area_m2", r.lost_area},
-               {"thinnest_neck_nodes", r.thinnest_neck},
-               {"smallest_grain_nodes", r.smallest_grain}};
+  j["grid"] = {{"corner_m", described({r.window.x_min, r.window.y_min}, "m", "Lower left corner of the window in the sample")},
+               {"side_m", described(r.window.width(), "m", "Side of the window")},
+               {"necks", described(r.necks, "", "Necks in the window")},
+               {"lost_necks", described(r.lost_necks, "", "Necks without a node")},
+               {"lost_area_m2", described(r.lost_area, "m^2", "Their area")},
+               {"thinnest_neck_nodes", described(r.thinnest_neck, "", "Nodes across the thinnest neck")},
+               {"smallest_grain_nodes", described(r.smallest_grain, "", "Nodes across the smallest grain")}};
   if (reports.coordination) j["coordination"] = coordination(*reports.coordination, *reports.law.gap);
 }
 
 void add_load(Numbers& j, const recipe::Load& load, const peridynamics::LoadReport& report, const std::optional<peridynamics::EffectiveModuli>& moduli) {
   Numbers l = as_asked(load);
-  l.update({{"strain", load.strain},
-            {"method", recipe::word_of(load.method)},
-            {"ending", endings[static_cast<int>(report.ending)]},
-            {"iterations", report.iterations},
-            {"residual", report.residual},
-            {"reaction_balance_error", report.identity_defect},
-            {"top_force_N_per_m", {report.top_force.x, report.top_force.y}},
-            {"nodes", support(report.support)},
-            {"loose_nodes", report.loose_nodes},
-            {"hinges", report.hinges.size()}});
+  l.update(
+      {{"strain", described(load.strain, "", "Strain of the sample")},
+       {"method", recipe::word_of(load.method)},
+       {"ending", endings[static_cast<int>(report.ending)]},
+       {"iterations", described(report.iterations, "", "Iterations of the solver")},
+       {"residual", described(report.residual, "", "Out-of-balance force over that of uniform strain")},
+       {"reaction_balance_error", described(report.identity_defect, "", "Sum of sigma_yy over the volume against the clamp's force times the height, less 1")},
+       {"top_force_N_per_m", described({report.top_force.x, report.top_force.y}, "N/m", "Force of the upper clamp on the sample, a metre of depth")},
+       {"nodes", support(report.support)},
+       {"loose_nodes", described(report.loose_nodes, "", "Nodes that no bond holds in some direction")},
+       {"hinges", described(report.hinges.size(), "", "Nodes about which a part of the sample can turn")}});
   j["load"] = l;
   if (report.ending == peridynamics::Ending::solved) {
-    j["modulus_Pa"] = report.modulus;
-    if (load.loading != peridynamics::Loading::shear) j["poisson"] = report.poisson;
+    j["modulus_Pa"] = described(report.modulus, "Pa", "Apparent modulus, mean stress over strain");
+    if (load.loading != peridynamics::Loading::shear) j["poisson"] = described(report.poisson, "", "Apparent Poisson's ratio, of the middle half");
     if (j.contains("phases")) j["modulus_bounds_Pa"] = bounds(j["phases"], load.stiffness.resolved());
   }
   if (moduli)
-    j["moduli"] = {
-        {"E_x_Pa", moduli->young_x}, {"E_y_Pa", moduli->young_y}, {"nu_xy", moduli->poisson_xy}, {"nu_yx", moduli->poisson_yx}, {"G_Pa", moduli->shear}};
+    j["moduli"] = {{"E_x_Pa", described(moduli->young_x, "Pa", "Young's modulus along x")},
+                   {"E_y_Pa", described(moduli->young_y, "Pa", "Young's modulus along y")},
+                   {"nu_xy", described(moduli->poisson_xy, "", "Poisson's ratio, pulled along x")},
+                   {"nu_yx", described(moduli->poisson_yx, "", "Poisson's ratio, pulled along y")},
+                   {"G_Pa", described(moduli->shear, "Pa", "Shear modulus")}};
 }
 
 void add_failure(Numbers& j, const recipe::Load& load, const peridynamics::DamageResult& result) {
@@ -159,16 +182,19 @@ void add_failure(Numbers& j, const recipe::Load& load, const peridynamics::Damag
   l.update(
       {{"ending", peridynamics::damage_endings[static_cast<std::size_t>(result.ending)].word}, {"solves", result.solves}, {"iterations", result.iterations}});
   j["load"] = l;
-  j["modulus_Pa"] = result.modulus;
-  j["strength_Pa"] = result.strength;
+  j["modulus_Pa"] = described(result.modulus, "Pa", "Apparent modulus before the first bond breaks");
+  j["strength_Pa"] = described(result.strength, "Pa", "Greatest mean stress");
   std::array<std::size_t, 4> by_type{};
   for (const auto& bond : result.broken) ++by_type[bond.type & 3u];
-  Numbers failure{{"broken", {{"matrix", by_type[1]}, {"interface", by_type[2]}, {"particle", by_type[3]}}}, {"energy_balance_error", result.energy_defect}};
+  Numbers failure{{"broken", {{"matrix", by_type[1]}, {"interface", by_type[2]}, {"particle", by_type[3]}}},
+                  {"energy_balance_error", described(result.energy_defect, "", "Largest |work - elastic - released energy| over the work")}};
   for (const auto& state : result.curve)
-    if (state.stress == result.strength) failure["strain_at_strength"] = state.strain;
+    if (state.stress == result.strength) failure["strain_at_strength"] = described(state.strain, "", "Strain at the greatest mean stress");
   if (!result.curve.empty()) {
     const auto& last = result.curve.back();
-    failure.update({{"work_J_per_m", last.work}, {"released_J_per_m", last.released}, {"bond_energy_J_per_m", last.bond_energy}});
+    failure.update({{"work_J_per_m", described(last.work, "J/m", "Work of the load, a metre of depth")},
+                    {"released_J_per_m", described(last.released, "J/m", "Elastic energy lost as bonds broke, a metre of depth")},
+                    {"bond_energy_J_per_m", described(last.bond_energy, "J/m", "Of that, what the broken bonds held")}});
   }
   j["failure"] = failure;
 }
@@ -177,8 +203,10 @@ void add_agreement(Numbers& j, const stress::GrainComparison& comparison) {
   const auto add = [&](const char* component, const stress::ByName<stress::Agreement>& sets) {
     for (const auto& [name, a] : sets) {
       Numbers& one = j["grain_stress_against_contacts"][component][name];
-      one = {{"grains", a.grains}, {"correlation", estimate(a.correlation)}, {"slope", estimate(a.slope)}};
-      if (std::isfinite(a.rms)) one["rms"] = a.rms;
+      one = {{"grains", described(a.grains, "", "Grains that are compared")},
+             {"correlation", described(estimate(a.correlation), "", "Pearson's correlation of both stresses")},
+             {"slope", described(estimate(a.slope), "", "Of the field's stress over its mean against that of the contacts")}};
+      if (std::isfinite(a.rms)) one["rms"] = described(a.rms, "", "Root mean square of their difference");
     }
   };
   add("sigma_yy", comparison.yy);

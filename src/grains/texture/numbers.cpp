@@ -8,9 +8,76 @@ namespace arenite::texture {
 namespace {
 
 using statistics::curve;
+using statistics::Declared;
+using statistics::described;
 using statistics::matrix;
 using statistics::numbers;
 using statistics::put;
+using statistics::put_all;
+using statistics::tree_of;
+
+constexpr Declared<Fabric> fabric_numbers[] = {
+    {"contacts", "", "Contacts of the set", &Fabric::contacts},
+    {"a_c", "", "Contact anisotropy 2 (phi_1 - phi_2), T eq. 1.8; 0: contacts in all directions alike", &Fabric::a_c},
+    {"theta_c_deg", "deg", "Direction of most contacts, from x", &Fabric::theta_c_deg},
+    {"phi", "", "Fabric tensor <n (x) n>, T eq. 1.6", &Fabric::phi},
+    {"a_c_signed", "", "a_c cos 2(theta_c - theta_load): positive along the load", &Fabric::a_c_signed},
+    {"a_c_noise", "", "a_c that as many random directions give", &Fabric::noise},
+    {"a_n", "", "Anisotropy of the mean normal force", &Fabric::a_n},
+    {"theta_n_deg", "deg", "Direction of the largest normal forces, from x", &Fabric::theta_n_deg},
+    {"a_t", "", "Anisotropy of the mean tangential force", &Fabric::a_t}};
+
+constexpr Declared<Mode> mode_numbers[] = {{"amplitude", "", "|<exp(i m theta)>| of contact directions", &Mode::amplitude},
+                                           {"phase_deg", "deg", "Direction of its maximum, in [0, 360/m)", &Mode::phase_deg},
+                                           {"noise", "", "Amplitude that as many random directions give", &Mode::noise}};
+
+constexpr Declared<Distribution> distribution_numbers[] = {
+    {"fraction_above_mean_of_all", "", "Share of the set above the mean of all", &Distribution::fraction_above_mean_of_all},
+    {"maximum", "", "Largest value over the mean", &Distribution::maximum}};
+
+constexpr Declared<ExponentialTail> tail_numbers[] = {
+    {"beta_line", "", "The same by a straight line through ln of the survival function", &ExponentialTail::line_beta},
+    {"line_r2", "", "Share of that logarithm's variance that the line explains", &ExponentialTail::line_r2},
+    {"tail_count", "", "Values above the mean", &ExponentialTail::count},
+    {"log_likelihood_ratio", "", "ln L(exponential) - ln L(half-Gaussian)", &ExponentialTail::likelihood_ratio},
+    {"p_value", "", "That the exponential's lead is chance (Vuong's test, one-sided)", &ExponentialTail::p_value}};
+
+constexpr Declared<Distribution> relation_numbers[] = {
+    {"k", "", "Height of the pdf at the mean, 1/k = 1/(1 - alpha) + 1/beta", &Distribution::k},
+    {"beta2_over_product", "", "beta^2/((1 - alpha)(2 - alpha)); 1 where T eq. 1.5 holds", &Distribution::relation}};
+
+constexpr Declared<Coordination> coordination_numbers[] = {
+    {"rattlers", "", "Share of grains with fewer than two contacts that carry force", &Coordination::rattlers},
+    {"unlike_contacts_twice", "", "2 (N_XX + N_XY)/N_X (T 4.3.1)", &Coordination::doubled},
+    {"parts_of_z", "", "2 N_AB over all grains (T 5.3.1); the parts add up to z", &Coordination::parts},
+    {"share_of_contacts", "", "N_AB over all contacts", &Coordination::share}};
+
+constexpr Declared<Stress> stress_numbers[] = {
+    {"in_window", "Pa", "Stress of the grains in the window, tension positive", &Stress::inner},
+    {"sum_over_grains", "Pa", "Stress as the sum over grains", &Stress::grains},
+    {"from_walls_and_weight", "Pa", "Stress from the forces on walls and from weight; the same in equilibrium", &Stress::walls},
+    {"pressure_Pa", "Pa", "Mean of the principal stresses, compression positive", &Stress::pressure},
+    {"deviator_Pa", "Pa", "Half the difference of the principal stresses", &Stress::deviator},
+    {"axis_of_compression_deg", "deg", "Direction of greatest compression, from x", &Stress::axis_deg},
+    {"strong_share_of_pressure", "", "Share of the pressure that contacts above the mean force carry", &Stress::strong_pressure_share},
+    {"strong_share_of_deviator", "", "Share of the deviator that contacts above the mean force carry", &Stress::strong_deviator_share}};
+
+constexpr Declared<Quality> quality_numbers[] = {
+    {"doubled_rows", "", "Contacts that stood twice and were merged", &Quality::doubled_rows},
+    {"negative_forces", "", "Contacts with negative normal force", &Quality::negative_forces},
+    {"negative_share", "", "Share of contacts with negative normal force", &Quality::negative_share},
+    {"median_imbalance", "", "Median |sum F| of grains with at least 3 contacts over the mean force", &Quality::median_imbalance},
+    {"friction_ratio_max", "", "Largest |F_t|/F_n of contacts that push", &Quality::friction_ratio_max},
+    {"sliding_share", "", "Share of contacts within 0.001 of the largest |F_t|/F_n", &Quality::sliding_share}};
+
+constexpr Declared<LocalOrder> order_numbers[] = {
+    {"psi6", "", "Mean |<exp(6 i theta)>| over a grain's contacts", &LocalOrder::psi6},
+    {"triangular_share", "", "Share of grains with five or more like neighbours and psi_6 of these above 0.9", &LocalOrder::ordered}};
+
+constexpr Declared<LongAxes> long_axes_numbers[] = {{"grains", "", "Grains with a long axis", &LongAxes::grains},
+                                                    {"noise", "", "Order that as many random directions give", &LongAxes::noise},
+                                                    {"order", "", "|<exp(2 i theta)>| of long axes; 0 at random, 1 all alike", &LongAxes::order},
+                                                    {"direction_deg", "deg", "Direction of most long axes, from x", &LongAxes::direction_deg}};
 
 /// The numbers of the set "all" with those of the others in a group.
 template <class T, class Make> Numbers by_set(const ByName<T>& sets, const char* group, const Make& make) {
@@ -22,21 +89,8 @@ template <class T, class Make> Numbers by_set(const ByName<T>& sets, const char*
 }
 
 Numbers fabric_set(const Fabric& f, bool curves) {
-  Numbers j{{"contacts", f.contacts}};
-  put(j, "a_c", f.a_c);
-  put(j, "theta_c_deg", f.theta_c_deg);
-  put(j, "phi", f.phi);
-  put(j, "a_c_signed", f.a_c_signed);
-  put(j, "a_c_noise", f.noise);
-  put(j, "a_n", f.a_n);
-  put(j, "theta_n_deg", f.theta_n_deg);
-  put(j, "a_t", f.a_t);
-  for (const Mode& mode : f.modes) {
-    Numbers& m = j["modes"][std::to_string(mode.m)];
-    put(m, "amplitude", mode.amplitude);
-    put(m, "phase_deg", mode.phase_deg);
-    put(m, "noise", mode.noise);
-  }
+  Numbers j = tree_of(f, fabric_numbers);
+  for (const Mode& mode : f.modes) put_all(j["modes"][std::to_string(mode.m)], mode, mode_numbers);
   if (curves) {
     j["sectors"] = numbers(f.sectors);
     j["sector_force_N"] = numbers(f.sector_force);
@@ -46,7 +100,7 @@ Numbers fabric_set(const Fabric& f, bool curves) {
 
 Numbers fabric(const Texture& t, bool curves) {
   Numbers j = by_set(t.fabric, "sets", [&](const Fabric& f) { return fabric_set(f, curves); });
-  put(j, "load_axis_deg", t.load_axis_deg);
+  put(j, "load_axis_deg", t.load_axis_deg, "deg", "Direction of the load, from x, that signs refer to");
   if (curves && !t.threshold.threshold.empty())
     j["threshold"] = {{"force", numbers(t.threshold.threshold)},
                       {"a_c_below", numbers(t.threshold.below)},
@@ -56,23 +110,22 @@ Numbers fabric(const Texture& t, bool curves) {
   return j;
 }
 
-/// `mean` and `share` are what the set calls its mean and its share above the mean.
-Numbers distribution(const Distribution& d, const char* mean, const char* share, bool curves) {
-  Numbers j{{"count", d.count}};
-  put(j, mean, d.mean);
-  put(j, share, d.fraction_above_mean);
-  put(j, "fraction_above_mean_of_all", d.fraction_above_mean_of_all);
-  put(j, "maximum", d.maximum);
-  put(j, "beta", d.tail.beta);
-  put(j, "beta_error", d.tail.beta.error);
-  put(j, "beta_line", d.tail.line_beta);
-  put(j, "line_r2", d.tail.line_r2);
-  put(j, "tail_count", static_cast<double>(d.tail.count));
-  put(j, "log_likelihood_ratio", d.tail.likelihood_ratio);
-  put(j, "p_value", d.tail.p_value);
-  put(j, "alpha", d.weak.alpha);
-  put(j, "k", d.k);
-  put(j, "beta2_over_product", d.relation);
+/// What a kind of values calls its mean and the share above it.
+struct Names {
+  const char *mean, *unit, *share;
+};
+constexpr Names force_names{"mean_N", "N", "strong_share"}, stress_names{"mean_Pa", "Pa", "P0"};
+
+Numbers distribution(const Distribution& d, const Names& names, bool curves) {
+  Numbers j{{"count", described(d.count, "", "Values of the set")}};
+  put(j, names.mean, d.mean, names.unit, "Mean of the set");
+  put(j, names.share, d.fraction_above_mean, "", "Share above the set's own mean, P_0");
+  put_all(j, d, distribution_numbers);
+  put(j, "beta", d.tail.beta, "", "Decay of values above the mean, P ~ exp(-beta x), by maximum likelihood");
+  put(j, "beta_error", d.tail.beta.error, "", "Standard error of beta");
+  put_all(j, d.tail, tail_numbers);
+  put(j, "alpha", d.weak.alpha, "", "Exponent of values below the mean, P ~ x^-alpha, by maximum likelihood");
+  put_all(j, d, relation_numbers);
   if (curves) {
     j["pdf"] = curve(d.pdf);
     j["pdf_over_all"] = curve(d.pdf_over_all);
@@ -81,41 +134,22 @@ Numbers distribution(const Distribution& d, const char* mean, const char* share,
   return j;
 }
 
-Numbers distributions(const ByName<Distribution>& sets, const char* mean, const char* share, const char* group, bool curves) {
-  return by_set(sets, group, [&](const Distribution& d) { return distribution(d, mean, share, curves); });
+Numbers distributions(const ByName<Distribution>& sets, const Names& names, const char* group, bool curves) {
+  return by_set(sets, group, [&](const Distribution& d) { return distribution(d, names, curves); });
 }
 
 Numbers coordination(const Coordination& z) {
   Numbers j = Numbers::tree();
-  for (const auto& [name, value] : z.mean) put(j, name == "all without rattlers" ? "without_rattlers" : name, value);
-  put(j, "rattlers", z.rattlers);
-  put(j, "unlike_contacts_twice", z.doubled);
-  put(j, "parts_of_z", z.parts);
-  put(j, "share_of_contacts", z.share);
+  for (const auto& [name, value] : z.mean)
+    put(j, name == "all without rattlers" ? "without_rattlers" : name, value, "", "Mean number of contacts a grain, of the pair or set that the name says");
+  put_all(j, z, coordination_numbers);
   j["histogram"] = numbers(z.histogram);
   return j;
 }
 
 void put_stress(Numbers& to, const Stress& s) {
-  put(to, "stress", s.whole);
-  Numbers j = Numbers::tree();
-  put(j, "in_window", s.inner);
-  put(j, "sum_over_grains", s.grains);
-  put(j, "from_walls_and_weight", s.walls);
-  put(j, "pressure_Pa", s.pressure);
-  put(j, "deviator_Pa", s.deviator);
-  put(j, "axis_of_compression_deg", s.axis_deg);
-  put(j, "strong_share_of_pressure", s.strong_pressure_share);
-  put(j, "strong_share_of_deviator", s.strong_deviator_share);
-  if (!j.empty()) to["stress_details"] = j;
-}
-
-Numbers quality(const Quality& q) {
-  Numbers j{{"doubled_rows", q.doubled_rows}, {"negative_forces", q.negative_forces}, {"negative_share", q.negative_share}};
-  put(j, "median_imbalance", q.median_imbalance);
-  put(j, "friction_ratio_max", q.friction_ratio_max);
-  put(j, "sliding_share", q.sliding_share);
-  return j;
+  put(to, "stress", s.whole, "Pa", "Mean stress of the sample, tension positive");
+  if (Numbers j = tree_of(s, stress_numbers); !j.empty()) to["stress_details"] = j;
 }
 
 Numbers rows(const PerGrain& g) {
@@ -135,7 +169,7 @@ void put_fabric(Lines& lines, const std::string& name, const Fabric& f) {
 
 void put_distribution(Lines& lines, const std::string& what, const Distribution& d, const char* unit, double scale = 1) {
   lines.put("mean " + what, d.mean, unit, scale);
-  lines.put("share above the mean, " + what, d.fraction_above_mean);
+  lines.put("fraction above the mean, " + what, d.fraction_above_mean);
   lines.put("beta of the strong tail, " + what, d.tail.beta);
 }
 
@@ -160,32 +194,26 @@ void put_stress(Lines& lines, const Stress& s) {
 Numbers numbers(const Texture& t, bool curves) {
   Numbers j{{"grains", t.grains}, {"contacts", t.contacts}, {"wall_contacts", t.wall_contacts}};
   j["considered"] = {{"grains", t.considered_grains}, {"contacts", t.considered_contacts}, {"border_m", t.window.border}};
-  j["mean_diameter_m"] = t.mean_diameter;
-  put(j, "solid_fraction", t.solid_fraction);
+  j["mean_diameter_m"] = described(t.mean_diameter, "m", "Mean diameter of grains");
+  put(j, "solid_fraction", t.solid_fraction, "", "Area of grains over area of the sample");
   j["coordination"] = coordination(t.coordination);
   if (!t.fabric.empty()) j["fabric"] = fabric(t, curves);
   put_stress(j, t.stress);
   if (!t.force.compressive.empty()) {
-    j["force"] = distributions(t.force.compressive, "mean_N", "strong_share", "by_type", curves);
-    put(j["force"], "tensile_share", t.force.tensile_share);
+    j["force"] = distributions(t.force.compressive, force_names, "by_type", curves);
+    put(j["force"], "tensile_share", t.force.tensile_share, "", "Share of contacts that pull");
     if (!t.force.tensile.empty()) {
-      j["force"]["tensile"] = distributions(t.force.tensile, "mean_N", "strong_share", "by_type", curves);
-      put(j["force"]["tensile"], "mean_over_compressive_mean", t.force.tensile_mean_ratio);
+      j["force"]["tensile"] = distributions(t.force.tensile, force_names, "by_type", curves);
+      put(j["force"]["tensile"], "mean_over_compressive_mean", t.force.tensile_mean_ratio, "", "Mean pull over mean push");
     }
   }
-  if (!t.sigma_norm.sets.empty()) j["sigma_norm"] = distributions(t.sigma_norm.sets, "mean_Pa", "P0", "by_material", curves);
-  j["local_order"] = Numbers::tree();
-  put(j["local_order"], "psi6", t.order.psi6);
-  put(j["local_order"], "triangular_share", t.order.ordered);
-  if (t.long_axes.grains > 0) {
-    j["long_axes"] = {{"grains", t.long_axes.grains}, {"noise", t.long_axes.noise}};
-    put(j["long_axes"], "order", t.long_axes.order);
-    put(j["long_axes"], "direction_deg", t.long_axes.direction_deg);
-  }
+  if (!t.sigma_norm.sets.empty()) j["sigma_norm"] = distributions(t.sigma_norm.sets, stress_names, "by_material", curves);
+  j["local_order"] = tree_of(t.order, order_numbers);
+  if (t.long_axes.grains > 0) j["long_axes"] = tree_of(t.long_axes, long_axes_numbers);
   if (!t.rev.mean.empty())
     j["rev"] = {
         {"area_share", numbers(t.rev.area_share)}, {"mean", numbers(t.rev.mean)}, {"deviation", numbers(t.rev.deviation)}, {"error", numbers(t.rev.error)}};
-  j["quality"] = quality(t.quality);
+  j["quality"] = tree_of(t.quality, quality_numbers);
   j["notes"] = t.notes;
   if (curves) j["by_grain"] = rows(t.per_grain);
   return j;

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -17,6 +18,8 @@ struct NumberRows {
   std::vector<std::string> name, text;
   std::vector<std::uint8_t> depth, kind;
   std::vector<double> value;
+  std::vector<std::int64_t> described;  ///< rows of what has a meaning
+  std::vector<std::string> unit, sentence;
 
   void transfer(const Hdf5Group& at) {
     at.texts("name", name);
@@ -24,10 +27,21 @@ struct NumberRows {
     at.array("kind", kind);
     at.array("value", value, "of the name");
     at.texts("text", text);
+    if (at.reads() ? !at.has_group("meaning") : described.empty()) return;
+    const auto meaning = at.group("meaning");
+    meaning.note("row", "place in the arrays of numbers");
+    meaning.array("row", described);
+    meaning.texts("unit", unit);
+    meaning.texts("sentence", sentence);
   }
 
   void add(const std::string& path, std::uint8_t level, const Numbers& node) {
     constexpr double exact = 9007199254740992.0;  // integers beyond are kept as text
+    if (const Meaning* m = node.meaning()) {
+      described.push_back(static_cast<std::int64_t>(name.size()));
+      unit.push_back(m->unit);
+      sentence.push_back(m->sentence);
+    }
     name.push_back(path);
     depth.push_back(level);
     kind.push_back(static_cast<std::uint8_t>(node.kind()));
@@ -82,10 +96,10 @@ std::string_view name_now(std::string_view name) {
 /// The tree with other names, or other values in place of its own.
 template <class Name, class Leaf> Numbers remade(const Numbers& numbers, const Name& name, const Leaf& leaf) {
   if (numbers.is_list()) return mapped(numbers, [&](const Numbers& item) { return remade(item, name, leaf); });
-  if (!numbers.is_tree()) return leaf(numbers);
-  Numbers tree = Numbers::tree();
-  for (const auto& [own, item] : numbers.items()) tree[name(own)] = remade(item, name, leaf);
-  return tree;
+  Numbers made = numbers.is_tree() ? Numbers::tree() : leaf(numbers);
+  for (const auto& [own, item] : numbers.items()) made[name(own)] = remade(item, name, leaf);
+  made.means_as(numbers);
+  return made;
 }
 
 Numbers under_names_of_now(const Numbers& numbers) { return remade(numbers, name_now, std::identity()); }
@@ -99,6 +113,8 @@ Numbers finite(const Numbers& numbers) {
 /// Takes rows from `row` on that lie deeper than their parent.
 Numbers node_at(const NumberRows& table, std::size_t& row) {
   const std::size_t own = row++;
+  const auto described = std::ranges::lower_bound(table.described, static_cast<std::int64_t>(own));
+  const auto m = static_cast<std::size_t>(described - table.described.begin());
   Numbers node = leaf(static_cast<Numbers::Kind>(table.kind[own]), table.value[own], table.text[own]);
   const std::size_t prefix = table.name[own].empty() ? 0 : table.name[own].size() + 1;
   while (row < table.name.size() && table.depth[row] == table.depth[own] + 1) {
@@ -108,6 +124,7 @@ Numbers node_at(const NumberRows& table, std::size_t& row) {
     if (node.is_list()) node.push_back(std::move(item));
     else node[name] = std::move(item);
   }
+  if (described != table.described.end() && *described == static_cast<std::int64_t>(own)) node.means({table.unit[m], table.sentence[m]});
   return node;
 }
 
@@ -116,7 +133,8 @@ Numbers read_rows(const Hdf5Group& at) {
   table.transfer(at);
   const std::size_t rows = table.name.size();
   if (rows == 0) return {};
-  if (table.text.size() != rows || table.depth.size() != rows || table.kind.size() != rows || table.value.size() != rows || table.depth[0] != 0)
+  if (table.text.size() != rows || table.depth.size() != rows || table.kind.size() != rows || table.value.size() != rows || table.depth[0] != 0 ||
+      table.unit.size() != table.described.size() || table.sentence.size() != table.described.size() || !std::ranges::is_sorted(table.described))
     at.refuse("holds numbers whose columns do not agree");
   std::size_t row = 0;
   try {

@@ -4,17 +4,17 @@
 namespace arenite::io {
 namespace {
 
-struct Scalar {
+struct EquilibriumScalar {
   const char* name;
   double Equilibrium::*member;
   bool always;  ///< false: 0 in files that do not have it
 };
-constexpr Scalar equilibrium_scalars[] = {{"unbalanced_ratio", &Equilibrium::unbalanced_ratio, true},
-                                          {"kinetic_ratio", &Equilibrium::kinetic_ratio, true},
-                                          {"mobilisation", &Equilibrium::mobilisation, true},
-                                          {"wall_speed [m/s]", &Equilibrium::wall_speed, true},
-                                          {"falling", &Equilibrium::falling, false},
-                                          {"loose_kinetic_ratio", &Equilibrium::loose_kinetic, false}};
+constexpr EquilibriumScalar equilibrium_scalars[] = {{"unbalanced_ratio", &Equilibrium::unbalanced_ratio, true},
+                                                     {"kinetic_ratio", &Equilibrium::kinetic_ratio, true},
+                                                     {"mobilisation", &Equilibrium::mobilisation, true},
+                                                     {"wall_speed [m/s]", &Equilibrium::wall_speed, true},
+                                                     {"falling", &Equilibrium::falling, false},
+                                                     {"loose_kinetic_ratio", &Equilibrium::loose_kinetic, false}};
 
 void transfer_energies(const Hdf5Group& at, Frame& frame) {
   const auto energies = at.group("energies");

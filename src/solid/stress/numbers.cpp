@@ -10,8 +10,33 @@ namespace arenite::stress {
 namespace {
 
 using statistics::curve;
+using statistics::Declared;
 using statistics::matrix;
 using statistics::put;
+
+constexpr Declared<NodeCounts> node_numbers[] = {{"nodes", "", "Nodes of particles and matrix that count", &NodeCounts::nodes},
+                                                 {"clamp_nodes", "", "Nodes left out as clamp rows", &NodeCounts::clamp_nodes},
+                                                 {"surface_nodes", "", "Nodes left out that border another phase or grain", &NodeCounts::surface_nodes},
+                                                 {"unloaded_nodes", "", "Nodes without any stress", &NodeCounts::unloaded_nodes}};
+
+constexpr Declared<Distribution> distribution_numbers[] = {
+    {"count", "", "Nodes of the set", &Distribution::count},
+    {"mean_Pa", "Pa", "Mean stress of the set, tension positive", &Distribution::mean},
+    {"mean_over_sample_mean", "", "Mean stress of the set over that of the sample", &Distribution::relative_mean},
+    {"variance", "", "Variance of the stress over the sample's mean", &Distribution::variance},
+    {"own_variance", "", "Variance of the stress over the set's own mean", &Distribution::own_variance},
+    {"skewness", "", "Skewness of the stress", &Distribution::skewness},
+    {"excess_kurtosis", "", "Excess kurtosis of the stress; 0: as a Gaussian", &Distribution::excess_kurtosis},
+    {"fraction_above_own_mean", "", "Share of nodes above the set's own mean", &Distribution::fraction_above_mean},
+    {"fraction_above_sample_mean", "", "Share of nodes above the sample's mean", &Distribution::fraction_above_mean_of_all},
+    {"quantiles", "", "Stress over the sample's mean below which this share of nodes lies", &Distribution::quantiles},
+    {"minimum", "", "Least stress over the sample's mean", &Distribution::minimum},
+    {"maximum", "", "Largest stress over the sample's mean", &Distribution::maximum}};
+
+constexpr Declared<ComponentStatistics> component_numbers[] = {
+    {"sample_mean_Pa", "Pa", "The mean that stresses are divided by", &ComponentStatistics::sample_mean},
+    {"mean_over_nodes_Pa", "Pa", "Mean over nodes of particles and matrix", &ComponentStatistics::mean_over_nodes},
+    {"mean_over_area_Pa", "Pa", "Mean over the whole area, the void as zero", &ComponentStatistics::mean_over_area}};
 
 /// Six digits are more than counting gives.
 Numbers even(const statistics::EvenDensity& pdf) {
@@ -21,18 +46,7 @@ Numbers even(const statistics::EvenDensity& pdf) {
 }
 
 Numbers distribution(const Distribution& d, bool curves) {
-  Numbers j{{"count", d.count}};
-  put(j, "mean_Pa", d.mean);
-  put(j, "mean_over_sample_mean", d.relative_mean);
-  put(j, "variance", d.variance);
-  put(j, "own_variance", d.own_variance);
-  put(j, "skewness", d.skewness);
-  put(j, "excess_kurtosis", d.excess_kurtosis);
-  put(j, "fraction_above_own_mean", d.fraction_above_mean);
-  put(j, "fraction_above_sample_mean", d.fraction_above_mean_of_all);
-  put(j, "quantiles", d.quantiles);
-  put(j, "minimum", d.minimum);
-  put(j, "maximum", d.maximum);
+  Numbers j = tree_of(d, distribution_numbers);
   if (d.tail.count > 0) j["tail"] = tree_of(d.tail, statistics::tail_numbers);
   if (Numbers fit = tree_of(d.q_gaussian, statistics::q_gaussian_numbers); !fit.empty()) j["q_gaussian"] = fit;
   if (std::isfinite(d.peak.at)) j["peak"] = {{"at", d.peak.at}, {"height", d.peak.height}};
@@ -44,10 +58,7 @@ Numbers distribution(const Distribution& d, bool curves) {
 }
 
 Numbers component(const ComponentStatistics& c, bool curves) {
-  Numbers j = Numbers::tree();
-  put(j, "sample_mean_Pa", c.sample_mean);
-  put(j, "mean_over_nodes_Pa", c.mean_over_nodes);
-  put(j, "mean_over_area_Pa", c.mean_over_area);
+  Numbers j = tree_of(c, component_numbers);
   j["normalised_by"] = c.over_mean ? "mean" : "root mean square";
   for (const auto& [name, set] : c.sets) j["sets"][name] = distribution(set, curves);
   return j;
@@ -57,7 +68,7 @@ Numbers grains(const GrainStresses& g, bool rows) {
   std::size_t whole = 0;
   for (const auto w : g.whole) whole += w;
   Numbers j{{"whole", whole}};
-  for (const auto& [name, mean] : g.mean) put(j["mean_stress_Pa"], name, mean);
+  for (const auto& [name, mean] : g.mean) put(j["mean_stress_Pa"], name, mean, "Pa", "Mean stress of whole grains, tension positive");
   if (!rows) return j;
   Numbers centres = Numbers::list(), stresses = Numbers::list();
   for (std::size_t i = 0; i < g.nodes.size(); ++i) {
@@ -82,7 +93,7 @@ using statistics::with_error;
 void put_set(Lines& lines, const std::string& what, const Distribution& d) {
   if (d.relative_mean.error > 1e-12) lines.put("mean, " + what, d.relative_mean, "of the sample's");
   lines.put("variance, " + what, d.variance);
-  lines.put("share above the mean, " + what, d.fraction_above_mean);
+  lines.put("fraction above the mean, " + what, d.fraction_above_mean);
   if (const Estimate* q = statistics::find(d.quantiles, "99.9 %")) lines.put("99.9 % quantile, " + what, *q);
   lines.put("excess kurtosis, " + what, d.excess_kurtosis);
   if (std::isfinite(d.tail.slope.value))
@@ -94,7 +105,7 @@ void put_set(Lines& lines, const std::string& what, const Distribution& d) {
 }  // namespace
 
 Numbers numbers(const Statistics& s, bool curves) {
-  Numbers j{{"nodes", s.nodes}, {"clamp_nodes", s.clamp_nodes}, {"surface_nodes", s.surface_nodes}, {"unloaded_nodes", s.unloaded_nodes}};
+  Numbers j = statistics::tree_of<NodeCounts>(s, node_numbers);
   j["options"] = options(s.options);
   for (const auto& c : s.components) j[name_of(c.component)] = component(c, curves);
   if (!s.grains.nodes.empty()) j["grains"] = grains(s.grains, curves);

@@ -9,12 +9,12 @@
 namespace arenite::thermography {
 namespace {
 
-struct Sums {
+struct PixelSums {
   std::vector<double> sum, differences;
   std::vector<float> before;
 };
 
-template <class T> void add_frame(const T* pixel, bool first, Sums& sums, FrameStatistics& s) {
+template <class T> void add_frame(const T* pixel, bool first, PixelSums& sums, FrameStatistics& s) {
   const std::size_t n = s.mean.size();
   for (std::size_t i = 0; i < n; ++i) {
     const auto x = static_cast<float>(pixel[i]);
@@ -112,7 +112,7 @@ FrameStatistics frame_statistics(FilmSource& film, std::size_t most_frames) {
   const std::size_t n = info.pixels(), all = static_cast<std::size_t>(info.frames);
   FrameStatistics s{info.width, info.height, most_frames == 0 ? all : std::min(all, most_frames), {}, {}, {}, {}};
   for (auto* array : {&s.mean, &s.noise, &s.least, &s.most}) array->resize(n);
-  Sums sums{std::vector<double>(n), std::vector<double>(n), std::vector<float>(n)};
+  PixelSums sums{std::vector<double>(n), std::vector<double>(n), std::vector<float>(n)};
   constexpr std::size_t most_pixels = std::size_t{1} << 21;
   const std::size_t at_once = std::max<std::size_t>(1, most_pixels / std::max<std::size_t>(1, n));
   read_frames(film, 0, s.frames, at_once, [&](const auto* pixels, std::size_t first, std::size_t some) {

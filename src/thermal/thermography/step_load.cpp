@@ -43,7 +43,7 @@ Matrix some_pixels(FilmSource& film, const Progress& progress) {
   return changing;
 }
 
-/// Sums over frames so far: of products of polynomials, and of every pixel's values with them.
+/// StepSums over frames so far: of products of polynomials, and of every pixel's values with them.
 struct Side {
   Matrix normal, value;
 
@@ -80,9 +80,9 @@ double find_step(const Matrix& series, const std::vector<double>& time, int drif
 }
 
 /// Weighed sums of all pixels' values, less the pixel's first one.
-class Sums {
+class StepSums {
  public:
-  Sums(std::size_t pixels, std::size_t size) : pixels_(pixels), base_(pixels), squares_(pixels), sum_(size, std::vector<double>(pixels)) {}
+  StepSums(std::size_t pixels, std::size_t size) : pixels_(pixels), base_(pixels), squares_(pixels), sum_(size, std::vector<double>(pixels)) {}
 
   /// False if stopped.
   bool pass(FilmSource& film, const StepSide& side, const Team& team, const std::function<bool(std::size_t)>& progress) {
@@ -130,7 +130,7 @@ class Sums {
   std::vector<std::vector<double>> sum_;
 };
 
-void fill(StepMaps& maps, const StepSides& sides, const Sums (&sums)[2]) {
+void fill(StepMaps& maps, const StepSides& sides, const StepSums (&sums)[2]) {
   const std::size_t pixels = static_cast<std::size_t>(maps.width) * static_cast<std::size_t>(maps.height);
   for (auto* map : {&maps.jump, &maps.standard_error, &maps.level, &maps.drift_before, &maps.drift_after, &maps.residual}) map->resize(pixels);
   const double spread = std::sqrt(sides.variance());
@@ -190,7 +190,7 @@ StepMaps step_load(FilmSource& film, const StepOptions& o) {
   maps.drift_order = o.drift_order;
   maps.relaxation_before = sides.before.relaxation;
   maps.relaxation_after = sides.after.relaxation;
-  Sums sums[2] = {Sums(film.info().pixels(), sides.before.height.rows()), Sums(film.info().pixels(), sides.after.height.rows())};
+  StepSums sums[2] = {StepSums(film.info().pixels(), sides.before.height.rows()), StepSums(film.info().pixels(), sides.after.height.rows())};
   const Team team(o.threads);
   std::size_t read = 0;
   const auto progress = [&](std::size_t frames) {

@@ -12,12 +12,12 @@
 namespace arenite::validation {
 namespace {
 
-struct Asked {
+struct Question {
   Kind kind;
   Outcome outcome;
 };
 
-Judgement of(std::initializer_list<Asked> all) {
+Judgement of(std::initializer_list<Question> all) {
   Judgement judgement;
   for (const auto& [kind, outcome] : all) judgement.checks.push_back({"a number", "1", "", "0.9 to 1.1", {1, 0.01, 4}, {0.9, 1.1}, outcome, kind});
   return judgement;
