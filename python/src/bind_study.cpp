@@ -1,5 +1,6 @@
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -7,6 +8,7 @@
 #include "calls.hpp"
 #include "campaign/collect.hpp"
 #include "campaign/run_study.hpp"
+#include "core/mapped.hpp"
 #include "io/table/table.hpp"
 #include "module.hpp"
 #include "report/summary.hpp"
@@ -53,14 +55,9 @@ py::dict columns_of(const campaign::CollectedTable& table) {
   }
   if (table.means) d["runs"] = by_row(table, [](const auto& row) { return row.runs; });
   for (std::size_t k = 0; k < table.names.size(); ++k) {
-    std::vector<double> values, errors;
-    bool any_error = false;
-    for (const auto& row : table.rows) {
-      const auto& number = row.numbers[k];
-      values.push_back(number.value);
-      errors.push_back(number.error);
-      any_error = any_error || std::isfinite(number.error);
-    }
+    const auto numbers = mapped(table.rows, [&](const auto& row) { return row.numbers[k]; });
+    auto values = mapped(numbers, &statistics::Estimate::value), errors = mapped(numbers, &statistics::Estimate::error);
+    const bool any_error = std::any_of(errors.begin(), errors.end(), [](double error) { return std::isfinite(error); });
     if (!d.contains(table.names[k].c_str())) d[py::str(table.names[k])] = taken_over(std::move(values));
     if (any_error) d[py::str(table.names[k] + "_error")] = taken_over(std::move(errors));
   }

@@ -43,7 +43,7 @@ TEST(Page, OfAStudyIsPaintedInABrowser) {
   for (const char* gamma : {"1", "5"})
     for (const char* width : {"", "0.2"})
       for (const char* seed : {"1", "2"})
-        table.rows.push_back({seed, "done", {gamma, width, seed}, 1, {campaign::Estimate{10 + std::stod(gamma) + std::stod(seed), {}}}});
+        table.rows.push_back({seed, "done", {gamma, width, seed}, 1, {campaign::Estimate{10 + std::stod(gamma) + std::stod(seed)}}});
   const auto figures = report::read_figures(
       "[[figures]]\nid = \"points\"\ntitle = \"Points\"\nx = \"gamma\"\ny = [\"z\"]\nby = \"width\"\nby_label = \"\u03b7\"\nby_empty = \"full\"\n"
       "x_label = \"gamma\"\nreferences = [ { y = 15, label = \"source: 15\" } ]\n"

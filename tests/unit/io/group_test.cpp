@@ -38,7 +38,7 @@ std::string take_text(const Hdf5Group& at, const char* name) {
   return text;
 }
 
-Hdf5Group sample() {
+Hdf5Group written() {
   const Hdf5Group file;
   const auto group = file.group("frames").group("0000");
   put(group, "x", std::vector<double>{1, 2}, "m");
@@ -51,7 +51,7 @@ Hdf5Group sample() {
 }
 
 TEST(Hdf5Group, TellsTheFileAndThePlaceOfWhatIsMissing) {
-  const auto frame = sample().group("frames").group("0000");
+  const auto frame = written().group("frames").group("0000");
   EXPECT_EQ(complaint([&] { take_array<double>(frame, "y"); }),
             "some.h5: /frames/0000 has no array \"y\"; remove the file and make it again with \"arenite run\"");
   EXPECT_NE(complaint([&] { frame.group("contacts"); }).find("no group \"contacts\""), std::string::npos);
@@ -60,7 +60,7 @@ TEST(Hdf5Group, TellsTheFileAndThePlaceOfWhatIsMissing) {
 }
 
 TEST(Hdf5Group, TellsWhatIsOfAnotherKind) {
-  const auto frame = sample().group("frames").group("0000");
+  const auto frame = written().group("frames").group("0000");
   EXPECT_NE(complaint([&] { take_text(frame, "x"); }).find("not text"), std::string::npos);
   EXPECT_NE(complaint([&] { take<std::string>(frame, "time [s]"); }).find("not text"), std::string::npos);
   EXPECT_NE(complaint([&] { take_array<double>(frame, "recipe"); }).find("not a one-dimensional array"), std::string::npos);
@@ -68,7 +68,7 @@ TEST(Hdf5Group, TellsWhatIsOfAnotherKind) {
 }
 
 TEST(Hdf5Group, GivesBackEmptyArraysAndTextsAndTheOrderOfMembers) {
-  const auto frame = sample().group("frames").group("0000");
+  const auto frame = written().group("frames").group("0000");
   EXPECT_TRUE(take_array<std::int32_t>(frame, "empty").empty());
   EXPECT_EQ(take<std::string>(frame, "label"), "");
   EXPECT_EQ(frame.unit("x"), "m");
