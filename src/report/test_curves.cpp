@@ -148,9 +148,9 @@ statistics::Measured over(const std::vector<double>& values, std::size_t first, 
   return statistics::mean_of(means);
 }
 
-Numbers with_interval(const statistics::Measured& m) {
+Numbers with_interval(const statistics::Measured& m, const char* sentence) {
   const auto interval = statistics::confidence_95(m);
-  return {{"value", m.value}, {"error", m.error}, {"low_95", interval.low}, {"high_95", interval.high}};
+  return statistics::described({{"value", m.value}, {"error", m.error}, {"low_95", interval.low}, {"high_95", interval.high}}, "", sentence);
 }
 
 }  // namespace
@@ -214,8 +214,9 @@ Numbers numbers_of(const TestCurves& curves, const CriticalState& state) {
           {"from", state.from},
           {"to", state.to},
           {"sure", state.sure},
-          {curves.ratio_name(), with_interval(state.ratio)},
-          {"solid_fraction", with_interval(state.solid_fraction)}};
+          {curves.ratio_name(), with_interval(state.ratio, curves.sheared ? "Shear over normal stress on the sides, mean over the critical state"
+                                                                          : "q/p by the forces on the sides, mean over the critical state")},
+          {"solid_fraction", with_interval(state.solid_fraction, "Of the whole box, mean over the critical state")}};
 }
 
 }  // namespace arenite::report

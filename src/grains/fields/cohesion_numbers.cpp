@@ -63,22 +63,24 @@ Numbers cohesion_numbers(const StageResult& result, const dem::Stage& stage, con
   const Packing& end = result.frames.back().packing;
   const Packing& start = before ? *before : end;
   if (end.cohesive.empty() && start.cohesive.empty()) return Numbers::tree();
-  Numbers j{{"pairs", end.cohesive.size()}, {"pairs_apart", std::count_if(end.cohesive.begin(), end.cohesive.end(), acts_across_gap)}};
+  using statistics::described;
+  Numbers j{{"pairs", described(end.cohesive.size(), "", "Pairs of grains that cohere")},
+            {"pairs_apart", described(std::count_if(end.cohesive.begin(), end.cohesive.end(), acts_across_gap), "", "Of these, pairs that do not touch")}};
   const double pull = pull_at_contact(start), thickness = end.domain.thickness;
   if (!(pull > 0)) return {{"cohesion", j}};
   const Means means = means_of(start);
   const double load = stage.gravity ? means.mass * stage.gravity_size : pressure_on(start.domain) * means.diameter * thickness;
-  j["pull_N"] = pull;
-  if (load > 0) j["bond_number"] = pull / load;
+  j["pull_N"] = described(pull, "N", "Mean pull of a pair at contact");
+  if (load > 0) j["bond_number"] = described(pull / load, "", "That pull over the load of a grain");
   if (const double strength = tensile_strength(result, stage, thickness); before && strength > 0) {
     const double fraction = means.area / start.domain.area(),
                  neighbours = 2.0 * static_cast<double>(start.cohesive.size()) / static_cast<double>(start.grains.size());
-    j["tensile_strength_Pa"] = strength;
+    j["tensile_strength_Pa"] = described(strength, "Pa", "Largest tension on a side that moves outward");
     const double rumpf = fraction * neighbours * pull / (std::numbers::pi * means.diameter * thickness), pressure = pressure_on(start.domain);
-    j["rumpf_Pa"] = rumpf;
+    j["rumpf_Pa"] = described(rumpf, "Pa", "Rumpf's estimate of the tensile strength");
     if (!(pressure > 0)) return {{"cohesion", j}};
-    j["tensile_strength_over_pressure"] = strength / pressure;
-    j["rumpf_over_pressure"] = rumpf / pressure;
+    j["tensile_strength_over_pressure"] = described(strength / pressure, "", "Tensile strength over the pressure before");
+    j["rumpf_over_pressure"] = described(rumpf / pressure, "", "Rumpf's estimate over the pressure before");
   }
   return {{"cohesion", j}};
 }

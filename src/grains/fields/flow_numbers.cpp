@@ -16,21 +16,26 @@
 namespace arenite::fields {
 namespace {
 
+using statistics::described;
+
 constexpr double degrees = 180 / std::numbers::pi;
 
-Numbers estimate(double value, double error, double scale = 1) { return {{"value", scale * value}, {"error", scale * error}}; }
+Numbers estimate(double value, double error, const char* unit, const char* sentence, double scale = 1) {
+  return described({{"value", scale * value}, {"error", scale * error}}, unit, sentence);
+}
 
 Numbers discharge_numbers(const StageResult& result) {
   const auto *time = result.history.find("time"), *mass = result.history.find("passed_mass"), *grains = result.history.find("passed");
   if (!time || !mass || !grains || time->size() < 2) return Numbers::tree();
   const Discharge by_mass = find_discharge(*time, *mass), by_grains = find_discharge(*time, *grains);
   if (!std::isfinite(by_mass.rate.value)) return Numbers::tree();
-  Numbers j{{"steady", by_mass.steady},
-            {"rate_kg_s", estimate(by_mass.rate.value, by_mass.rate.error)},
-            {"rate_grains_s", estimate(by_grains.rate.value, by_grains.rate.error)},
-            {"begin_s", by_mass.begin},
-            {"end_s", by_mass.end}};
-  if (const double opening = narrowest_opening(result.frames.back().packing.domain); std::isfinite(opening)) j["opening_m"] = opening;
+  Numbers j{{"steady", described(by_mass.steady, "", "Whether the discharge has a steady part")},
+            {"rate_kg_s", estimate(by_mass.rate.value, by_mass.rate.error, "kg/s", "Rate of discharge over its steady part")},
+            {"rate_grains_s", estimate(by_grains.rate.value, by_grains.rate.error, "1/s", "The same in grains")},
+            {"begin_s", described(by_mass.begin, "s", "Begin of the steady part")},
+            {"end_s", described(by_mass.end, "s", "End of the steady part")}};
+  if (const double opening = narrowest_opening(result.frames.back().packing.domain); std::isfinite(opening))
+    j["opening_m"] = described(opening, "m", "Narrowest opening between boundaries");
   return j;
 }
 
@@ -51,8 +56,8 @@ void put_mean_angle(Numbers& j, const StageResult& result, Vec2 gravity) {
   const statistics::Measured all = statistics::mean_of(angles), one = statistics::mean_of({angles.begin(), middle}),
                              two = statistics::mean_of({middle, angles.end()});
   if (!(all.error > 0) || !(std::abs(one.value - two.value) < 3 * std::hypot(one.error, two.error))) return;
-  j["mean_angle_deg"] = estimate(all.value, all.error, degrees);
-  j["states_in_mean"] = angles.size();
+  j["mean_angle_deg"] = estimate(all.value, all.error, "deg", "Mean angle of the surface over the second half of the states", degrees);
+  j["states_in_mean"] = described(angles.size(), "", "States that it is the mean of");
 }
 
 /// Way of the farther front, and beside the column that was there before. A front of grains is known to half a grain.
@@ -60,13 +65,13 @@ void put_runout(Numbers& j, const FreeSurface& now, const FreeSurface& then) {
   const double width = then.right - then.left, way = std::max(now.right - then.right, then.left - now.left);
   const double height = std::accumulate(then.height.begin(), then.height.end(), 0.0) / static_cast<double>(then.height.size()) - then.bottom;
   if (way > 0.5 * now.diameter) {
-    j["runout_m"] = estimate(way, 0.5 * now.diameter);
-    j["runout_over_width"] = estimate(way / width, 0.5 * now.diameter / width);
+    j["runout_m"] = estimate(way, 0.5 * now.diameter, "m", "How far the farther front has moved");
+    j["runout_over_width"] = estimate(way / width, 0.5 * now.diameter / width, "", "The same over the width before");
   }
-  j["width_before_m"] = width;
-  j["height_before_m"] = height;
-  j["aspect_ratio_before"] = height / width;
-  j["height_over_width"] = (now.top - now.bottom) / width;
+  j["width_before_m"] = described(width, "m", "Width before the stage");
+  j["height_before_m"] = described(height, "m", "Mean height before the stage");
+  j["aspect_ratio_before"] = described(height / width, "", "Height over width before the stage");
+  j["height_over_width"] = described((now.top - now.bottom) / width, "", "Height now over the width before the stage");
 }
 
 /// Mean of the second half of a column, and its error by the scatter of ten blocks: neighbours in time are not independent.
@@ -89,10 +94,11 @@ void put_floor(Numbers& j, const StageResult& result, const FreeSurface& now, do
   const statistics::Measured force = late_mean(result.history, "bottom_force");
   const double sides = late_mean(result.history, "left_force").value + late_mean(result.history, "right_force").value, area = d.width() * d.thickness;
   if (!(force.value > 0) || !(sides > 0)) return;
-  j["height_m"] = std::accumulate(now.height.begin(), now.height.end(), 0.0) / static_cast<double>(now.height.size()) - now.bottom;
-  j["pressure_Pa"] = estimate(force.value, force.error, 1 / area);
-  j["hydrostatic_Pa"] = weight / area;
-  j["wall_friction"] = (weight - force.value) / sides;
+  const double height = std::accumulate(now.height.begin(), now.height.end(), 0.0) / static_cast<double>(now.height.size()) - now.bottom;
+  j["height_m"] = described(height, "m", "Mean height of the filling");
+  j["pressure_Pa"] = estimate(force.value, force.error, "Pa", "Pressure on the floor, mean of the second half of the stage", 1 / area);
+  j["hydrostatic_Pa"] = described(weight / area, "Pa", "Weight of the filling over the floor's area");
+  j["wall_friction"] = described((weight - force.value) / sides, "", "Weight that the walls carry over their normal force");
 }
 
 double weight_of(const Packing& packing, double gravity) {
@@ -104,13 +110,17 @@ double weight_of(const Packing& packing, double gravity) {
 Numbers surface_numbers(const StageResult& result, const dem::Stage& stage, const Packing* before) {
   const Vec2 gravity{std::sin(stage.gravity_angle), -std::cos(stage.gravity_angle)};
   const FreeSurface now = find_free_surface(result.frames.back().packing, gravity);
-  Numbers j{{"grains", now.grains}, {"left_m", now.left}, {"right_m", now.right}, {"bottom_m", now.bottom}, {"top_m", now.top}};
-  const auto put_angle = [&j](const char* name, const statistics::Estimate& angle) {
-    if (std::isfinite(angle.value)) j[name] = estimate(angle.value, angle.error, degrees);
+  Numbers j{{"grains", described(now.grains, "", "Grains of the heap")},
+            {"left_m", described(now.left, "m", "Its left front")},
+            {"right_m", described(now.right, "m", "Its right front")},
+            {"bottom_m", described(now.bottom, "m", "Its lowest grain's lower edge")},
+            {"top_m", described(now.top, "m", "Its highest grain's upper edge")}};
+  const auto put_angle = [&j](const char* name, const statistics::Estimate& angle, const char* sentence) {
+    if (std::isfinite(angle.value)) j[name] = estimate(angle.value, angle.error, "deg", sentence, degrees);
   };
-  put_angle("angle_deg", now.angle);
-  put_angle("left_angle_deg", now.left_flank.angle);
-  put_angle("right_angle_deg", now.right_flank.angle);
+  put_angle("angle_deg", now.angle, "Angle of the whole free surface, counter-clockwise");
+  put_angle("left_angle_deg", now.left_flank.angle, "Angle of the left flank");
+  put_angle("right_angle_deg", now.right_flank.angle, "Angle of the right flank");
   if (stage.duration && result.frames.size() >= 12) put_mean_angle(j, result, gravity);
   if (before) {
     const FreeSurface then = find_free_surface(*before, gravity);
