@@ -76,7 +76,6 @@ class Circles {
 std::string fill(const recipe::Recipe& recipe, Packing& packing) {
   auto& grains = packing.grains;
   packing.grains = packing::draw_grains(recipe.populations, recipe.materials, recipe.packing.grains, recipe.seed);
-  packing.domain = frame_of(recipe);
   double& height = packing.domain.wall[top].position;
   const bool height_given = recipe.container.height > 0, at_random = recipe.packing.method == Method::random;
   if (at_random && !height_given) height = packing::height_for(grains, recipe.container.width, recipe.packing.solid_fraction);
@@ -96,7 +95,6 @@ std::string fill(const recipe::Recipe& recipe, Packing& packing) {
 
 std::string read(const recipe::Recipe& recipe, Packing& packing) {
   const auto path = std::filesystem::path(recipe.source_file).parent_path() / recipe.packing.file;
-  packing.domain = frame_of(recipe);
   packing.grains = io::read_placed_grains(path, recipe.materials, packing.domain);
   const auto report = packing::relax(packing.grains, packing.domain, 1e-3);
   return fmt::format("read from file with overlaps up to {:.2g} %, {}", 100 * report.overlap_before, describe(report));
@@ -105,7 +103,6 @@ std::string read(const recipe::Recipe& recipe, Packing& packing) {
 /// The classes get the materials that [bidisperse] names for them.
 std::string sample(const recipe::Recipe& recipe, Packing& packing) {
   const recipe::BidisperseSection& classes = *recipe.bidisperse;
-  packing.domain = frame_of(recipe);
   const auto report = packing::sample_bidisperse(packing, classes.law, recipe.seed);
   const std::size_t material[] = {index_of(recipe.materials, classes.large), index_of(recipe.materials, classes.small)};
   for (auto& m : packing.grains.material) m = static_cast<std::int32_t>(material[m]);
@@ -126,6 +123,7 @@ StageResult make_packing(const recipe::Recipe& recipe) {
   Frame& frame = result.frames.emplace_back();
   frame.label = "start";
   frame.packing.materials = recipe.materials;
+  frame.packing.domain = frame_of(recipe);
   if (recipe.packing.method == Method::file) result.outcome = read(recipe, frame.packing);
   else if (recipe.packing.method == Method::poisson) result.outcome = sample(recipe, frame.packing);
   else result.outcome = fill(recipe, frame.packing);

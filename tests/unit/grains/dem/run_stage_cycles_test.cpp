@@ -31,7 +31,7 @@ TEST(StrainCycles, GoToAndFroBetweenTwoStrainsAndBackToTheForce) {
   Engine engine(start, {}, {});
   Stage stage;
   stage.name = "cycle";
-  stage.strain_cycles = StrainCycles{"top", 0.0002, 0.001, 0.5, 400, 100};
+  stage.strain_cycles = StrainCycles{top, 0.0002, 0.001, 0.5, 400, 100};
   const StageRun run = to_its_end(engine, stage);
   const auto &at_maximum = column(run.result.cycles, "at_maximum"), &position = column(run.result.cycles, "top_position");
   const auto &force = column(run.result.cycles, "top_force"), &cycle = column(run.result.cycles, "cycle");
@@ -58,7 +58,7 @@ TEST(StrainCycles, ShearACellToAndFro) {
   Engine engine(start, {}, {});
   Stage stage;
   stage.name = "cycle";
-  stage.strain_cycles = StrainCycles{"shear", -0.01, 0.01, 10, 3, {}};
+  stage.strain_cycles = StrainCycles{StrainCycles::shear, -0.01, 0.01, 10, 3, {}};
   const StageRun run = to_its_end(engine, stage);
   const auto& strain = column(run.result.cycles, "shear_strain");
   ASSERT_EQ(strain.size(), 6u);
@@ -70,7 +70,7 @@ TEST(StrainCycles, ResumeToTheSameBits) {
   const Packing start = crowd(8, 8, 3, 0.0125);
   Stage stage;
   stage.name = "cycle";
-  stage.strain_cycles = StrainCycles{"right", 0, 0.002, 2, 5, {}};
+  stage.strain_cycles = StrainCycles{right, 0, 0.002, 2, 5, {}};
   stage.side[top] = {SideDrive::Kind::pressure, 1e5};
   Engine whole(start, {}, {}), cut(start, {}, {}), again(start, {}, {});
   to_its_end(whole, stage);
@@ -90,7 +90,7 @@ TEST(StressCycles, KnowEveryCycleOfThousandsWithoutItsStates) {
   Stage stage;
   stage.name = "cycle";
   stage.side[top] = {SideDrive::Kind::force, 100};
-  stage.cycles = Cycles{"top", 100, 1000, 1000, 1, 500};
+  stage.cycles = Cycles{top, 100, 1000, 1000, 1, 500};
   stage.equilibrium = {0.004, 0.01, 1, 1e9, -1, 100000};
   const StageRun run = to_its_end(engine, stage);
   ASSERT_TRUE(run.result.converged) << run.result.outcome;
