@@ -102,7 +102,7 @@ void describe_grains(TextLines& lines, const FilmResult& r) {
                  {"travel, largest", "/motion/largest_travel_pixels", "pixels"}});
   if (!lines.has("/texture/sigma_norm")) return;
   lines.section("Peak-to-peak stress of the grains over its mean",
-                {{"P_0, share above the mean", "/texture/sigma_norm/P0"}, {"beta of the tail", "/texture/sigma_norm/beta"}});
+                {{"P_0, fraction above the mean", "/texture/sigma_norm/P0"}, {"beta of the tail", "/texture/sigma_norm/beta"}});
 }
 
 /// How the forces agree with the film and with what was given beside it.
@@ -146,7 +146,7 @@ std::string film_text(const FilmResult& r) {
     lines.section("Contact forces (peak to peak)", {{"contacts proposed", "/forces/proposed"},
                                                     {"of these there", "/forces/present"},
                                                     {"mean normal force", "/forces/mean_N", "N"},
-                                                    {"share above the mean", "/forces/fraction_above_mean"},
+                                                    {"fraction above the mean", "/forces/fraction_above_mean"},
                                                     {"standard error, normal", "/forces/fn_error_N", "N"},
                                                     {"standard error, tangential", "/forces/ft_error_N", "N"}});
   if (lines.has("/checks")) describe_checks(lines, r.numbers["checks"]);

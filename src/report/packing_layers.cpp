@@ -62,10 +62,9 @@ Numbers shapes_of(Grains grains, NumberBlock& block) {
 
 void add_grain_values(Numbers& out, const Packing& packing, NumberBlock& block) {
   std::vector<double> pressure, deviator;
-  for (const Tensor2& moment : texture::grain_moments(packing)) {
-    const double r = packing.grains.radius[pressure.size()], volume = std::numbers::pi * r * r * packing.domain.thickness;
-    pressure.push_back(-0.5 * trace(moment) / volume);
-    deviator.push_back(0.5 * std::hypot(moment.xx - moment.yy, moment.xy + moment.yx) / volume);
+  for (const Tensor2& stress : texture::grain_stresses(packing)) {
+    pressure.push_back(-0.5 * trace(stress));
+    deviator.push_back(texture::deviator(stress));
   }
   out["pressure"] = block.add_reals(pressure);
   out["deviator"] = block.add_coarse(deviator);

@@ -124,7 +124,7 @@ std::string state_of(const StageResult& last) {
 void add_forces(TextLines& rows, const texture::Texture& t) {
   if (const auto* all = texture::find(t.force.compressive, "all")) {
     add(rows, "mean normal force <F>", all->mean, "of contacts that push", " N");
-    add(rows, "share above the mean P_0", all->fraction_above_mean, "of contacts with F > <F>");
+    add(rows, "fraction above the mean P_0", all->fraction_above_mean, "of contacts with F > <F>");
     add(rows, "strong forces' decay beta", all->tail.beta, "P(F) ~ exp(-beta F/<F>) for F > <F>");
   }
   const texture::Stress& s = t.stress;

@@ -64,8 +64,8 @@ std::vector<Crack> cracks_of(const std::vector<peridynamics::BrokenBond>& broken
 
 /// Stresses of the grains of the map from the contact forces of the packing, in the order of the labels; empty without.
 std::vector<Tensor2> contact_stresses(const FieldResult& result) {
-  if (result.packing.contacts.size() == 0) return {};
-  auto sigma = texture::measure(result.packing, {.rev_sizes = 0}).per_grain.sigma;
+  if (result.packing.contacts.size() == 0 || !(result.packing.domain.thickness > 0)) return {};
+  auto sigma = texture::grain_stresses(result.packing);
   sigma.resize(std::min(sigma.size(), result.map.grain_class.size()));
   return sigma;
 }

@@ -10,41 +10,56 @@
 namespace arenite::workflow {
 namespace {
 
+using statistics::described;
 using statistics::Estimate;
 using statistics::put;
 
-Numbers directions_of(const Packing& packing) {
-  const Numbers measured = texture::numbers(texture::measure(packing, {.rev_sizes = 0}), true);
-  Numbers out = Numbers::tree();
-  if (!measured.contains("fabric")) return out;
+/// Adds the contact orientations of one source under its name, where it has contacts.
+void add_directions(Numbers& out, const char* source, const texture::Texture& texture) {
+  const Numbers measured = texture::numbers(texture, true);
+  if (!measured.contains("fabric") || measured["fabric"].value("contacts", 0) == 0) return;
   for (const char* key : {"contacts", "a_c", "theta_c_deg", "a_c_noise", "sectors"})
-    if (measured["fabric"].contains(key)) out[key] = measured["fabric"][key];
+    if (measured["fabric"].contains(key)) out[source][key] = measured["fabric"][key];
+}
+
+texture::Texture measured(const FilmResult& film) { return texture::measure(film.packing, {.rev_sizes = 0, .grain_sigma_hyd = film.peak_to_peak.sigma_hyd}); }
+
+Numbers directions_of(const FilmResult& film, const texture::Texture& texture, const Packing* simulation) {
+  Numbers out = Numbers::tree();
+  if (film.packing.contacts.size() == 0) return out;
+  add_directions(out, "film", texture);
+  if (simulation) add_directions(out, "simulation", texture::measure(*simulation, {.rev_sizes = 0}));
   return out;
 }
 
 Numbers film_of(const FilmResult& r) {
-  return {{"format", r.film.format}, {"camera", r.film.camera},
-          {"width", r.film.width},   {"height", r.film.height},
-          {"frames", r.film.frames}, {"frame_rate_Hz", r.film.frame_rate},
-          {"pixel_m", r.pixel},      {"bad_pixels", std::count(r.bad.begin(), r.bad.end(), std::uint8_t{1})}};
+  return {{"format", r.film.format},
+          {"camera", r.film.camera},
+          {"width", described(r.film.width, "", "Pixels along x")},
+          {"height", described(r.film.height, "", "Pixels along y")},
+          {"frames", described(r.film.frames, "", "Frames of the film")},
+          {"frame_rate_Hz", described(r.film.frame_rate, "Hz", "Frame rate")},
+          {"pixel_m", described(r.pixel, "m", "Side of a pixel on the sample")},
+          {"bad_pixels", described(std::count(r.bad.begin(), r.bad.end(), std::uint8_t{1}), "", "Pixels that were replaced")}};
 }
 
 Numbers lockin_of(const FilmResult& r) {
   const LockinMaps& m = r.maps;
-  Numbers j{{"convention", name_of(m.convention)}, {"frames", m.frames}};
-  put(j, "frequency_Hz", Estimate{m.frequency, m.frequency_error});
-  put(j, "reference_phase_deg", m.reference_phase * 180 / std::numbers::pi);
-  put(j, "standard_error_K", median_of_finite(m.standard_error));
-  put(j, "residual_K", median_of_finite(m.residual));
-  if (!m.second_harmonic.empty()) put(j, "second_harmonic_K", median_of_finite(m.second_harmonic));
+  Numbers j{{"convention", name_of(m.convention)}, {"frames", described(m.frames, "", "Frames of whole cycles")}};
+  put(j, "frequency_Hz", Estimate{m.frequency, m.frequency_error}, "Hz", "Frequency of the load");
+  put(j, "reference_phase_deg", m.reference_phase * 180 / std::numbers::pi, "deg", "Phase of the load at the first frame");
+  put(j, "standard_error_K", median_of_finite(m.standard_error), "K", "Median standard error of a pixel's amplitude");
+  put(j, "residual_K", median_of_finite(m.residual), "K", "Median of what the fit leaves in a pixel");
+  if (!m.second_harmonic.empty()) put(j, "second_harmonic_K", median_of_finite(m.second_harmonic), "K", "Median amplitude at twice the frequency");
   return j;
 }
 
 Numbers grains_of(const FilmResult& r) {
-  Numbers j{{"all", r.packing.grains.size()}};
+  Numbers j{{"all", described(r.packing.grains.size(), "", "Grains that were found")}};
   for (std::size_t m = 0; m < r.packing.materials.size(); ++m)
     j[r.packing.materials[m].name] = std::count(r.packing.grains.material.begin(), r.packing.grains.material.end(), static_cast<std::int32_t>(m));
-  if (!r.grains.position_error.empty()) put(j, "position_error_pixels", median(r.grains.position_error, statistics::unknown));
+  if (!r.grains.position_error.empty())
+    put(j, "position_error_pixels", median(r.grains.position_error, statistics::unknown), "pixels", "Median standard error of a grain's place");
   return j;
 }
 
@@ -54,9 +69,9 @@ Numbers motion_of(const FilmResult& r) {
     travel.push_back(2 * std::hypot(r.motion.cos_x[i], r.motion.sin_x[i], std::hypot(r.motion.cos_y[i], r.motion.sin_y[i])));
   Numbers j = Numbers::tree();
   if (travel.empty()) return j;
-  put(j, "median_travel_pixels", median(travel, statistics::unknown));
-  put(j, "largest_travel_pixels", *std::max_element(travel.begin(), travel.end()));
-  put(j, "standard_error_pixels", median(r.motion.error, statistics::unknown));
+  put(j, "median_travel_pixels", median(travel, statistics::unknown), "pixels", "Median travel of a grain, peak to peak");
+  put(j, "largest_travel_pixels", *std::max_element(travel.begin(), travel.end()), "pixels", "Largest travel of a grain, peak to peak");
+  put(j, "standard_error_pixels", median(r.motion.error, statistics::unknown), "pixels", "Median standard error of the travel");
   return j;
 }
 
@@ -71,16 +86,18 @@ Numbers forces_of(const FilmResult& r) {
   for (const double f : between) mean += f / n;
   for (const double f : between) squares += (f - mean) * (f - mean);
   const auto above = static_cast<double>(std::count_if(between.begin(), between.end(), [&](double f) { return f > mean; }));
-  Numbers j{{"proposed", r.fit.proposed}, {"present", contacts.size()}, {"between_grains", between.size()}};
-  put(j, "present_error", r.fit.present_error);
+  Numbers j{{"proposed", described(r.fit.proposed, "", "Contacts that could be there by distance")},
+            {"present", described(contacts.size(), "", "Contacts that are there by their forces")},
+            {"between_grains", described(between.size(), "", "Of these, contacts between grains")}};
+  put(j, "present_error", r.fit.present_error, "", "Standard error of how many are there");
   if (between.size() > 1) {
     // Of the sample's contacts, and of how many there are: one more or less of those that carry next to nothing.
     const double spread = std::sqrt(squares / (n - 1) / n), counted = mean * r.fit.present_error / n;
-    put(j, "mean_N", Estimate{mean, std::hypot(spread, counted)});
-    put(j, "fraction_above_mean", Estimate{above / n, std::sqrt(above * (n - above) / n) / n});
+    put(j, "mean_N", Estimate{mean, std::hypot(spread, counted)}, "N", "Mean normal force between grains, peak to peak");
+    put(j, "fraction_above_mean", Estimate{above / n, std::sqrt(above * (n - above) / n) / n}, "", "Share of contacts above the mean force");
   }
-  put(j, "fn_error_N", median(r.fn_error, statistics::unknown));
-  put(j, "ft_error_N", median(r.ft_error, statistics::unknown));
+  put(j, "fn_error_N", median(r.fn_error, statistics::unknown), "N", "Median standard error of a normal force");
+  put(j, "ft_error_N", median(r.ft_error, statistics::unknown), "N", "Median standard error of a tangential force");
   return j;
 }
 
@@ -89,14 +106,15 @@ Numbers checks_of(const FilmResult& r) {
   Numbers j = Numbers::tree();
   const ForceFit& fit = r.fit;
   if (fit.over_noise > 0) {
-    put(j, "misfit_over_noise", fit.over_noise);
-    put(j, "misfit_over_signal", fit.over_signal);
-    put(j, "field_error_that_agrees", fit.model_error);
+    put(j, "misfit_over_noise", fit.over_noise, "", "What the fit of forces leaves in a pixel over its noise");
+    put(j, "misfit_over_signal", fit.over_signal, "", "The same over the signal");
+    put(j, "field_error_that_agrees", fit.model_error, "", "Relative error of the grains' fields that would explain it");
   }
-  if (r.rim_blur > 0) put(j, "blur_of_rims_pixels", r.rim_blur);
-  if (fit.load != 0) put(j, "load_by_forces_N", fit.load);
+  if (r.rim_blur > 0) put(j, "blur_of_rims_pixels", r.rim_blur, "pixels", "Blur that the rims of grains show");
+  if (fit.load != 0) put(j, "load_by_forces_N", fit.load, "N", "Load as the forces on the walls have it, peak to peak");
   for (std::size_t m = 0; m < fit.factor_scale.size(); ++m)
-    put(j["factor_scale"], r.packing.materials[m].name, Estimate{fit.factor_scale[m], fit.factor_scale_error[m]});
+    put(j["factor_scale"], r.packing.materials[m].name, Estimate{fit.factor_scale[m], fit.factor_scale_error[m]}, "",
+        "Thermoelastic factor that the film asks for over the one given");
   j["doubts"] = r.doubts;
   return j;
 }
@@ -106,7 +124,10 @@ Numbers agreement_of(const FilmResult& r, const std::vector<double>& simulation,
   const auto add = [&](const std::string& name, const std::vector<std::uint8_t>& counts) {
     const Agreement a = agreement(r.peak_to_peak.sigma_hyd, simulation, counts);
     if (a.grains < 3) return;
-    j[name] = {{"grains", a.grains}, {"correlation", a.correlation}, {"rms_sigma_norm", a.rms_sigma_norm}, {"slope", a.slope}};
+    j[name] = {{"grains", described(a.grains, "", "Grains that are compared")},
+               {"correlation", described(a.correlation, "", "Pearson's correlation of the grains' stresses, film and simulation")},
+               {"rms_sigma_norm", described(a.rms_sigma_norm, "", "Root mean square difference of the stresses, each over its mean")},
+               {"slope", described(a.slope, "", "Simulation against film, through the origin")}};
   };
   add("all", considered);
   for (std::size_t m = 0; m < r.packing.materials.size(); ++m) {
@@ -160,16 +181,7 @@ void normalise(GrainStresses& source, const Packing& packing, const std::vector<
 
 }  // namespace
 
-Numbers film_directions(const FilmResult& film, const Packing* simulation) {
-  Numbers out = Numbers::tree();
-  const auto add = [&](const char* name, const Packing& packing) {
-    if (Numbers directions = directions_of(packing); directions.value("contacts", 0) > 0) out[name] = std::move(directions);
-  };
-  if (film.packing.contacts.size() == 0) return out;
-  add("film", film.packing);
-  if (simulation) add("simulation", *simulation);
-  return out;
-}
+Numbers film_directions(const FilmResult& film, const Packing* simulation) { return directions_of(film, measured(film), simulation); }
 
 Agreement agreement(const std::vector<double>& one, const std::vector<double>& other, const std::vector<std::uint8_t>& counts) {
   std::vector<double> a, b;
@@ -193,9 +205,10 @@ Agreement agreement(const std::vector<double>& one, const std::vector<double>& o
 Numbers film_numbers(const FilmResult& r, const Packing* simulation) {
   Numbers j{{"film", film_of(r)}, {"lockin", lockin_of(r)}, {"grains", grains_of(r)}, {"motion", motion_of(r)}, {"forces", forces_of(r)}};
   if (r.fit.proposed > 0) j["checks"] = checks_of(r);
-  if (auto directions = film_directions(r, simulation); !directions.empty()) j["directions"] = std::move(directions);
+  if (r.packing.contacts.size() == 0 && r.peak_to_peak.size() == 0) return j;
+  const texture::Texture texture = measured(r);
+  if (auto directions = directions_of(r, texture, simulation); !directions.empty()) j["directions"] = std::move(directions);
   if (r.peak_to_peak.size() == 0) return j;
-  const auto texture = texture::measure(r.packing, {.rev_sizes = 0, .grain_sigma_hyd = r.peak_to_peak.sigma_hyd});
   j["texture"] = texture::numbers(texture);
   if (!r.simulation.empty())
     j["simulation"] = {{"peak_to_peak", agreement_of(r, r.simulation.peak_to_peak, texture.per_grain.considered)},

@@ -142,6 +142,8 @@ Tensor2 wall_moment(const Packing& packing, Vec2 gravity) {
   return sum;
 }
 
+double deviator(const Tensor2& s) { return 0.5 * std::hypot(s.xx - s.yy, s.xy + s.yx); }
+
 void measure_stress(const View& view, Texture& texture) {
   Stress& stress = texture.stress;
   split_by_strength(view, stress);
@@ -157,9 +159,21 @@ void measure_stress(const View& view, Texture& texture) {
   const Tensor2& s = stress.whole.value;
   const double difference = s.xx - s.yy, shear = s.xy + s.yx;
   stress.pressure = -0.5 * trace(s);
-  stress.deviator = 0.5 * std::hypot(difference, shear);
+  stress.deviator = deviator(s);
   const double axis = 0.5 * std::atan2(-shear, -difference) * 180 / std::numbers::pi;
   stress.axis_deg = axis < 0 ? axis + 180 : axis;
+}
+
+/// By the internal moment of a grain.
+Tensor2 stress_of(const Packing& packing, std::size_t grain, const Tensor2& moment) {
+  const double r = packing.grains.radius[grain];
+  return 1 / (std::numbers::pi * r * r * packing.domain.thickness) * moment;
+}
+
+std::vector<Tensor2> grain_stresses(const Packing& packing) {
+  std::vector<Tensor2> stresses = grain_moments(packing);
+  for (std::size_t g = 0; g < stresses.size(); ++g) stresses[g] = stress_of(packing, g, stresses[g]);
+  return stresses;
 }
 
 /// Stress of every grain over its own volume (T eq. 1.11). The normalised stress needs no length, since it cancels.
@@ -176,7 +190,7 @@ void measure_grain_stress(const View& view, Texture& texture) {
     if (view.considered[g]) mean += per_length[g] / static_cast<double>(view.grains.size());
     if (!view.has_thickness) continue;
     const double length = view.packing.domain.thickness;
-    rows.sigma.push_back(1 / (area * length) * moments[g]);
+    rows.sigma.push_back(stress_of(view.packing, g, moments[g]));
     rows.sigma_hyd.push_back(per_length[g] / length);
   }
   for (const double value : per_length) rows.sigma_norm.push_back(mean != 0 ? value / mean : 0);

@@ -218,6 +218,10 @@ Tensor2 link_moment(const Packing& packing);
 
 /// Internal moment of every grain about its centre, N m (T eq. 1.9). Their sum is the sum over contacts, bonds and pulls across gaps.
 std::vector<Tensor2> grain_moments(const Packing& packing);
+/// Mean stress of every grain over its own volume, Pa, tension positive (T eq. 1.11).
+std::vector<Tensor2> grain_stresses(const Packing& packing);
+/// Half the difference of the principal values, of the symmetric part.
+double deviator(const Tensor2& stress);
 
 /// Mass of a grain by its material's density, kg.
 double mass_of(const Packing& packing, std::size_t grain);
