@@ -7,6 +7,7 @@
 
 #include "commands.hpp"
 #include "film_reading.hpp"
+#include "report/result_text.hpp"
 #include "report/summary.hpp"
 #include "run_status.hpp"
 #include "validation/studies.hpp"
@@ -19,7 +20,7 @@ namespace fs = std::filesystem;
 struct ShowArguments {
   std::string result;
   FilmReading reading;
-  bool json = false, all = false, states = false;
+  bool json = false, all = false, states = false, numbers = false;
 };
 
 constexpr const char* give_a_result = "give the folder that `arenite run`, `arenite film` or `arenite load --out` wrote, or a .h5 file of it";
@@ -82,6 +83,7 @@ std::string shown(const ShowArguments& a) {
     return a.json ? to_json(film.numbers, 2) + "\n" : film.text;
   }
   const report::Summary summary(a.result);
+  if (a.numbers) return report::described(summary.numbers());
   return a.json ? to_json(summary.numbers(), 2) + "\n" : a.all ? summary.all() : summary.text();
 }
 
@@ -107,6 +109,9 @@ void add_show(Options& command, int&) {
   command.add("result", a->result, "Stage file (.h5) or folder of a run, or a film: a file, a folder of frames, or a name with *").required().type("RESULT");
   command.add("--json", a->json, "Print everything as JSON: provenance, stages, texture of the last state; or what a film says about itself");
   command.add("--all", a->all, "Print every number, not the headlines alone").not_with("--json");
+  command.add("--numbers", a->numbers, "Print every number under its name in files and tables, with error, unit and what it is")
+      .not_with("--json")
+      .not_with("--all");
   command.add("--states", a->states, "Print one row a stored state as CSV: strains, stress and texture along the loading").not_with("--json").not_with("--all");
   a->reading.add_to(command);
   command.work = [a] { std::fputs(shown_with_status(*a).c_str(), stdout); };

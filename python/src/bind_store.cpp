@@ -146,6 +146,16 @@ void bind_store(py::module_& m) {
       .def_readonly("films", &Result::films, "What a film gave.")
       .def_property_readonly(
           "numbers", [](const Result& r) { return to_python(numbers_of(r)); }, "As `arenite show --json` prints them; the end of a name is its unit.")
+      .def_property_readonly(
+          "meanings",
+          [](const Result& r) {
+            py::dict meanings;
+            const Numbers numbers = numbers_of(r);
+            for (const auto& [name, number, meaning] : named_numbers(numbers))
+              if (meaning) meanings[py::str(name)] = py::make_tuple(meaning->unit, meaning->sentence);
+            return meanings;
+          },
+          "Unit and sentence of each number by its dotted name, {\"texture.solid_fraction\": (\"\", \"Area of grains over area of the sample\"), ...}.")
       .def("__repr__", [](const Result& r) {
         return fmt::format("<arenite.Result {}: {} stages, {} fields, {} films>", r.path.empty() ? r.title : r.path, r.run.stages.size(), r.run.fields.size(),
                            r.films.size());

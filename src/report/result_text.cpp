@@ -231,6 +231,15 @@ std::string field_headlines(const Numbers& numbers) {
   return std::move(rows).text();
 }
 
+std::string described(const Numbers& numbers) {
+  std::string text;
+  for (const auto& [name, number, meaning] : named_numbers(numbers)) {
+    const std::string value = shown(*number), unit = meaning ? meaning->unit : "";
+    if (!value.empty()) text += fmt::format("{:<48} {:<26} {}\n", name, value + (unit.empty() ? "" : " " + unit), meaning ? meaning->sentence : "");
+  }
+  return text;
+}
+
 std::string field_text(const Numbers& numbers) {
   TextLines lines(numbers);
   describe_sample(lines);

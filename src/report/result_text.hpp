@@ -50,6 +50,9 @@ std::string flow_text(const Numbers& numbers);
 /// A result on nodes, from its numbers (FieldResult::numbers).
 std::string field_headlines(const Numbers& numbers);
 
+/// Every number on a line: its name in files and tables, its value with error and unit, and what it is.
+std::string described(const Numbers& numbers);
+
 /// All numbers of a result on nodes.
 std::string field_text(const Numbers& numbers);
 

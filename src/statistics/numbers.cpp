@@ -46,6 +46,13 @@ Numbers numbers_of(const Json& j) {
   return out;
 }
 
+void add_named(std::vector<NamedNumber>& all, const std::string& name, const Numbers& node, const Meaning* of_group) {
+  const Meaning* meaning = node.meaning() ? node.meaning() : of_group;
+  if (node.is_number() || node.is_truth() || (node.is_tree() && node.contains("value"))) all.push_back({name, &node, meaning});
+  else if (node.is_tree())
+    for (const auto& [own, item] : node.items()) add_named(all, name.empty() ? own : name + "." + own, item, meaning);
+}
+
 bool is_pair(const Numbers& n) { return n.is_list() && n.size() == 2 && n.front().is_text(); }
 
 }  // namespace
@@ -179,6 +186,12 @@ double Numbers::as_real() const {
 bool operator==(const Numbers& a, const Numbers& b) {
   if (a.is_number() && b.is_number()) return a.is_real() || b.is_real() ? a.get<double>() == b.get<double>() : a.integer_ == b.integer_;
   return a.kind_ == b.kind_ && a.integer_ == b.integer_ && a.text_ == b.text_ && a.names_ == b.names_ && a.items_ == b.items_;
+}
+
+std::vector<NamedNumber> named_numbers(const Numbers& tree) {
+  std::vector<NamedNumber> all;
+  add_named(all, "", tree, nullptr);
+  return all;
 }
 
 std::string to_json(const Numbers& numbers, int indent) { return json_of(numbers).dump(indent, ' ', false, Json::error_handler_t::replace); }

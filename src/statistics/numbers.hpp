@@ -148,6 +148,15 @@ class Numbers {
   std::shared_ptr<const Meaning> meaning_;
 };
 
+/// A number of a tree by its dotted name ("coordination.all"), alone or as {"value", "error"}. Its meaning is its own, or that of the group it is in.
+struct NamedNumber {
+  std::string name;
+  const Numbers* number = nullptr;
+  const Meaning* meaning = nullptr;
+};
+/// All that the tree holds, in its order, without lists.
+std::vector<NamedNumber> named_numbers(const Numbers& tree);
+
 /// As JSON, in one line or with `indent` spaces a level. Text that is not UTF-8 is written with marks in its place.
 std::string to_json(const Numbers& numbers, int indent = -1);
 /// Nothing where the text is not JSON.

@@ -42,6 +42,15 @@ TEST(Show, JsonHasProvenanceStagesAndTheTextureOfTheLastState) {
   for (const char* field : {"solid_fraction", "fabric", "stress", "sigma_norm"}) EXPECT_TRUE(j.contains(field)) << field;
 }
 
+TEST(Show, NumbersHaveTheirErrorUnitAndSentence) {
+  const TemporaryFolder folder;
+  io::write_stage(folder / "01-compact.h5", sample());
+  const auto shown = arenite("show " + (folder / "01-compact.h5").string() + " --numbers");
+  ASSERT_EQ(shown.status, 0) << shown.err;
+  EXPECT_NE(shown.out.find("coordination.all "), std::string::npos) << shown.out;
+  EXPECT_NE(shown.out.find("Mean number of contacts a grain"), std::string::npos) << shown.out;
+}
+
 TEST(Show, AStoredTextureIsNotMeasuredAgain) {
   const TemporaryFolder folder;
   auto result = sample();

@@ -68,6 +68,12 @@ def test_notebooks_show_numbers_without_matplotlib(result, monkeypatch):
     assert "<table>" in text and "<img" not in text
 
 
+def test_numbers_say_their_unit_and_what_they_are(result):
+    assert result.meanings["texture.force.mean_N"] == ("N", "Mean of the set")
+    assert result.meanings["modulus_Pa"][0] == "Pa"
+    assert arenite.open(result.path).meanings == result.meanings
+
+
 def test_results_open_again(result):
     again = arenite.open(result.path)
     assert [s.name for s in again.stages] == ["packing", "compact", "rest"] and len(again.fields) == 2

@@ -192,8 +192,12 @@ void put_stress(Lines& lines, const Stress& s) {
 }  // namespace
 
 Numbers numbers(const Texture& t, bool curves) {
-  Numbers j{{"grains", t.grains}, {"contacts", t.contacts}, {"wall_contacts", t.wall_contacts}};
-  j["considered"] = {{"grains", t.considered_grains}, {"contacts", t.considered_contacts}, {"border_m", t.window.border}};
+  Numbers j{{"grains", described(t.grains, "", "Grains of the sample")},
+            {"contacts", described(t.contacts, "", "Contacts between grains")},
+            {"wall_contacts", described(t.wall_contacts, "", "Contacts with walls")}};
+  j["considered"] = {{"grains", described(t.considered_grains, "", "Grains in the window that statistics are of")},
+                     {"contacts", described(t.considered_contacts, "", "Contacts in that window")},
+                     {"border_m", described(t.window.border, "m", "Strip left out along walls")}};
   j["mean_diameter_m"] = described(t.mean_diameter, "m", "Mean diameter of grains");
   put(j, "solid_fraction", t.solid_fraction, "", "Area of grains over area of the sample");
   j["coordination"] = coordination(t.coordination);

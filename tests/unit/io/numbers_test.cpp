@@ -57,6 +57,19 @@ RC_GTEST_PROP(NumbersTable, GivesBackEveryNumberInItsOrder, ()) {
   RC_ASSERT(through_a_file(n) == n);
 }
 
+TEST(NumbersTable, KeepsWhatEachNumberIs) {
+  const Numbers n{{"z", statistics::described({{"value", 3.9}, {"error", 0.1}}, "", "Contacts of a grain")},
+                  {"list", {1, statistics::described(2, "m", "Second")}},
+                  {"plain", 5}};
+  const Numbers again = through_a_file(n);
+  ASSERT_TRUE(again["z"].meaning());
+  EXPECT_EQ(again["z"].meaning()->sentence, "Contacts of a grain");
+  EXPECT_EQ(again["z"]["value"].meaning(), nullptr);
+  ASSERT_TRUE(again["list"][1].meaning());
+  EXPECT_EQ(again["list"][1].meaning()->unit, "m");
+  EXPECT_EQ(again["plain"].meaning(), nullptr);
+}
+
 TEST(NumbersTable, KeepsIntegersThatNoRealHolds) {
   const Numbers n{{"seed", 18446744073709551615u}, {"low", std::int64_t{-9007199254740993}}, {"text", " padded "}};
   EXPECT_EQ(through_a_file(n), n);

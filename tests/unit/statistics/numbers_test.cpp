@@ -18,6 +18,18 @@ TEST(Numbers, BracesMakeTreesAndLists) {
   EXPECT_EQ(to_json(n), R"({"z":3.5,"fabric":{"a_c":{"value":0.1,"error":0.01},"sectors":[1,2,3]},"notes":[],"twice":["a","b"]})");
 }
 
+TEST(Numbers, OfAGroupMeanWhatItMeansUnlessTheySayIt) {
+  Numbers group{{"glass", {{"value", 3}, {"error", 1}}}, {"steel", statistics::described(4, "m", "of steel")}, {"sectors", {1, 2}}};
+  const Numbers n{{"sets", statistics::described(group, "N", "of a set")}, {"word", "none"}, {"count", 7}};
+  const auto all = named_numbers(n);
+  ASSERT_EQ(all.size(), 3u);
+  EXPECT_EQ(all[0].name, "sets.glass");
+  EXPECT_EQ(all[0].meaning->unit, "N");
+  EXPECT_EQ(all[1].meaning->sentence, "of steel");
+  EXPECT_EQ(all[2].name, "count");
+  EXPECT_EQ(all[2].meaning, nullptr);
+}
+
 TEST(Numbers, KeepTheirOrderAndEveryDigitThroughJson) {
   const std::string text =
       R"({"b":18446744073709551615,"a":-9223372036854775808,"pi":3.141592653589793,"yes":true,"none":null,"word":"\u00e4\n","list":[[1,2.5],{}]})";

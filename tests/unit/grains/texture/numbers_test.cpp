@@ -45,6 +45,15 @@ TEST(TextureJson, HasRowsForDrawingsWhenAsked) {
   EXPECT_FALSE(j["force"]["cumulative"]["x"].empty());
 }
 
+TEST(TextureJson, SaysOfEveryNumberWhatItIs) {
+  for (const auto& [name, number, meaning] : named_numbers(numbers(measure(test::random_network(3, 400))))) {
+    ASSERT_TRUE(meaning) << name;
+    EXPECT_FALSE(meaning->sentence.empty()) << name;
+    for (const char* unit : {"deg", "Pa", "N", "m"})
+      if (name.ends_with("_" + std::string(unit))) EXPECT_EQ(meaning->unit, unit) << name;
+  }
+}
+
 TEST(TextureJson, OfAnEmptyPackingIsValid) { EXPECT_EQ(Json::parse(to_json(numbers(measure(Packing{}))))["grains"], 0); }
 
 }  // namespace
