@@ -45,6 +45,7 @@ constexpr std::array later_lines{
     LaterLine{"contact", "bonds = \"none\""},
     LaterLine{"contact", "cohesion = \"none\""},
     LaterLine{"stages.*", "bond = false"},
+    LaterLine{"loads.*", "bond_law = \"elastic_brittle\""},
     LaterLine{"populations.*", "shape = \"disk\""},
     LaterLine{"stages.*", "slide = { left = \"0 mm/s\", right = \"0 mm/s\", bottom = \"0 mm/s\", top = \"0 mm/s\" }"},
     LaterLine{"stages.*", "rough = { left = false, right = false, bottom = false, top = false }"},

@@ -167,6 +167,7 @@ void declare(Visitor& v, Load& load, const Recipe& recipe) {
   v.choice({"lower", "What holds the bottom row."}, load.lower, words(load.lower));
   v.require(load.loading != Loading::shear || load.lower == peridynamics::LowerEdge::fixed, {"lower", "loading"},
             "a lower edge that slides carries no shear; fix it, or choose tension or compression");
+  v.member({"bond_law", "Law of the bonds between nodes."}, load.bond_law);
   v.flag({"failure",
           "Load until it breaks: bonds break at the critical stretch of their type, load by load. In compression a sample splits and goes on carrying; "
           "max_strain ends it."},

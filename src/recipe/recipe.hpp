@@ -95,6 +95,7 @@ struct Load {
   Axis axis = Axis::y;
   peridynamics::LowerEdge lower = peridynamics::LowerEdge::fixed;
   peridynamics::Method method = peridynamics::Method::static_solve;
+  peridynamics::BondLawChoice bond_law{};
   double strain = 1e-4, tolerance = 1e-6;
   std::int64_t max_iterations = 0;
   bool exact_stretch = false;

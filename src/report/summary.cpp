@@ -159,8 +159,7 @@ std::string Summary::how_stages_ended() const {
 }
 
 std::string Summary::text() const {
-  const std::string more =
-      "\n`arenite show RESULT --all` prints every number, `--json` the same for programs, `--numbers` what each number is.\n";
+  const std::string more = "\n`arenite show RESULT --all` prints every number, `--json` the same for programs, `--numbers` what each number is.\n";
   if (!films_.empty()) return all();
   if (!fields_.empty()) return how_stages_ended() + field_headlines(fields_.back().numbers) + more;
   const StageResult& last = stages_.back().result;

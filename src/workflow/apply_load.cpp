@@ -35,6 +35,7 @@ template <class Options> Options common_options(const recipe::Load& load, const 
   options.lower = load.lower;
   options.tolerance = load.tolerance;
   options.watch = watch;
+  options.law = load.bond_law;
   return options;
 }
 

@@ -90,7 +90,7 @@ def test_energies_are_counted_from_the_first_row():
 
 
 def a_cyclic_stage():
-    labels = ["rest", "cycle 1 maximum", "cycle 1 minimum", "cycle 2 maximum", "cycle 2 minimum", "cycle 3 maximum"]
+    labels = ["equilibrium", "cycle 1 maximum", "cycle 1 minimum", "cycle 2 maximum", "cycle 2 minimum", "cycle 3 maximum"]
     return a_stage([4.0] * 6, [4.0, 3.6, 3.8, 3.5, 3.7, 3.4], labels=labels, dissipated_friction=[0, 1, 3, 4, 5, 9])
 
 

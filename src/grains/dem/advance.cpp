@@ -77,7 +77,7 @@ constexpr std::size_t pairs_of_a_wall = 4;
 /// All slots in one go of the team: pairs, then walls.
 template <class N, class A, class F> void evaluate(Sample& s, const Team& team, const N& normal, const A& adhesion, const F& friction) {
   const PairTask task = pair_task(s);
-  const auto loop = s.kernel->pairs[loop_index(s.laws)];
+  const auto loop = s.kernel->pair_loops[loop_index(s.laws)];
   const std::size_t pairs = s.list.pairs, walls = s.list.size() - pairs;
   team.for_ranges(pairs + pairs_of_a_wall * walls, [&](std::size_t begin, std::size_t end) {
     if (begin < pairs) loop(task, s.laws, begin, std::min(end, pairs));

@@ -49,7 +49,7 @@ Increment increment_at(const Stage& stage, const std::array<double, 4>& force_at
   const std::int64_t n = ramp_increments(stage);
   if (k < n)
     return on_the_ramp(stage, force_at_start, static_cast<double>(k + 1) / static_cast<double>(n),
-                       n == 1 ? std::string("rest") : fmt::format("increment {} of {}", k + 1, n));
+                       n == 1 ? std::string("equilibrium") : fmt::format("increment {} of {}", k + 1, n));
   const int side = stage.cycles->side;
   return cycle_increment(stage, is_ramped(stage.side[side]) ? stage.side[side].value : force_at_start[side], k - n);
 }

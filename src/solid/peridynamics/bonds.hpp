@@ -105,8 +105,8 @@ enum BondType : unsigned { no_bond = 0, matrix_bond = 1, interface_bond = 2, par
 /// What is prescribed in a row of nodes, as bits.
 enum Prescribed : std::uint8_t { nothing_prescribed = 0, x_prescribed = 1, y_prescribed = 2, both_prescribed = 3 };
 
-/// Throws InputError where a parameter of a law is out of range for a type of bond.
-void check_by_type(const LawParameter& parameter, double matrix, double interface, double particle);
+/// Throws InputError where a parameter of bonds is not positive for a type of bond.
+void check_by_type(const char* parameter, const char* unit, double matrix, double interface, double particle);
 
 /// All bonds of a sample: one word a node, two bits of type for each of its 14 half bonds, those in direction d at bits
 /// 2d and 2d + 1. Nothing else is stored; a broken bond is one whose bits are cleared.

@@ -29,7 +29,7 @@ std::array<double, 4> critical_stretches(const DamageOptions& o, double dx) {
   const Toughness& k = o.toughness;
   return std::visit(
       [&](const auto& law) -> std::array<double, 4> {
-        check_by_type(law.toughness, k.matrix, k.interface, k.particle);
+        check_by_type("toughness", "Pa m^0.5", k.matrix, k.interface, k.particle);
         return {0, law.critical_stretch(k.matrix, e.matrix, dx), law.critical_stretch(k.interface, e.interface, dx),
                 law.critical_stretch(k.particle, e.particle, dx)};
       },

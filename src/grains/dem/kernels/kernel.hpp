@@ -110,7 +110,7 @@ struct Kernel {
   const char* name;
   /// Forces of slots begin .. end-1, all of two disks; one loop for every three laws (loop_index).
   using PairLoop = void (*)(const PairTask&, const ContactLaws&, std::size_t begin, std::size_t end);
-  std::array<PairLoop, law_triples> pairs;
+  std::array<PairLoop, law_triples> pair_loops;
   /// A step of disks begin .. end-1. False if the list has become stale.
   using Sweep = bool (*)(const SweepTask&, std::size_t begin, std::size_t end);
   Sweep verlet, gear;

@@ -1,4 +1,6 @@
 #pragma once
+#include <utility>
+
 #include "grains/dem/kernels/kernel.hpp"
 #include "grains/dem/kernels/pack.hpp"
 #include "grains/dem/sample.hpp"
@@ -67,6 +69,13 @@ __attribute__((flatten)) void pair_loop(const PairTask& given, const ContactLaws
   std::size_t p = begin;
   for (; p + W <= end; p += W) pair_batch<W>(task, shared, normal, adhesion, friction, p);
   for (; p < end; ++p) pair_batch<1>(task, shared, normal, adhesion, friction, p);
+}
+
+/// The loops of all triples of laws, in the order of loop_index.
+template <int W, std::size_t... Q> constexpr std::array<Kernel::PairLoop, law_triples> pair_loops(std::index_sequence<Q...>) {
+  return {pair_loop<W, std::variant_alternative_t<Q / friction_laws / adhesions, NormalLaw::variant>,
+                    std::variant_alternative_t<Q / friction_laws % adhesions, Adhesion::variant>,
+                    std::variant_alternative_t<Q % friction_laws, FrictionLaw::variant>>...};
 }
 
 }  // namespace arenite::dem

@@ -49,8 +49,7 @@ TEST(TextureJson, SaysOfEveryNumberWhatItIs) {
   for (const auto& [name, number, meaning] : named_numbers(numbers(measure(test::random_network(3, 400))))) {
     ASSERT_TRUE(meaning) << name;
     EXPECT_FALSE(meaning->sentence.empty()) << name;
-    for (const char* unit : {"deg", "Pa", "N", "m"})
-      if (name.ends_with("_" + std::string(unit))) EXPECT_EQ(meaning->unit, unit) << name;
+    for (const char* unit : {"deg", "Pa", "N", "m"}) EXPECT_TRUE(!name.ends_with("_" + std::string(unit)) || meaning->unit == unit) << name;
   }
 }
 
