@@ -210,6 +210,25 @@ TEST(Clumps, AStateThatIsSavedAndRestoredGoesOnWithTheSameBits) {
   EXPECT_EQ(resumed.state_hash(), whole.state_hash());
 }
 
+TEST(Clumps, DisksAmongThemTouchAtTheirOwnCentresArms) {
+  Packing p = crowd(true, 5);
+  for (int q = 0; q < 36; ++q) add(p, Disk{{(q % 6 + 1) * 0.0185, (q / 6 + 1) * 0.0185}, 2e-3, pom, {0.3, -0.2}});
+  p.grains.shapes.first.resize(p.grains.size() + 1, p.grains.shapes.first.back());
+  Engine engine(p, {}, {});
+  engine.set_shear_rate(20);
+  engine.advance(3000);
+  EXPECT_GT(engine.list_builds(), 3);
+  const Packing now = engine.packing();
+  std::size_t disks = 0;
+  for (std::size_t c = 0; c < now.contacts.size(); ++c) {
+    if (now.contacts.i[c] < 36) continue;
+    ++disks;
+    EXPECT_EQ(now.contacts.off_i_x[c], 0) << c;
+    EXPECT_EQ(now.contacts.off_i_y[c], 0) << c;
+  }
+  EXPECT_GT(disks, 0U);
+}
+
 /// The force on a clump is minus the slope of the elastic energy: without friction and dashpots, against moving it by hand.
 TEST(Clumps, ForceIsMinusTheGradientOfTheEnergy) {
   dem::ContactParameters law;
