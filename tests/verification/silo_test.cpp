@@ -57,7 +57,7 @@ dem::Stage filling() {
   stage.name = "fill";
   stage.gravity = true;
   stage.drag = 5;
-  stage.equilibrium = {1e-2, 1e-4, 1e-3, {}, -1, 400'000};
+  stage.equilibrium = {1e-2, 1e-4, 1e-3, {}, {}, 400'000};
   return stage;
 }
 

@@ -45,7 +45,7 @@ Stage any_stage(int index, bool has_adhesion) {
   stage.inertial_number = any_number(1e-2);
   stage.glue = has_adhesion && *rc::gen::arbitrary<bool>();
   if (stage.side[bottom].kind == SideDrive::Kind::force) stage.cycles = maybe(Cycles{bottom, any_number(1), any_number(10), 3, 7, {}});
-  stage.equilibrium = {any_number(1e-5), any_number(1e-7), any_number(1e-3), maybe(any_number(1e-2)), maybe(any_number(1e-2)).value_or(-1), 1'000'000};
+  stage.equilibrium = {any_number(1e-5), any_number(1e-7), any_number(1e-3), maybe(any_number(1e-2)), maybe(any_number(1e-2)), 1'000'000};
   return stage;
 }
 

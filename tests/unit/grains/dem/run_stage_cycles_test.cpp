@@ -91,7 +91,7 @@ TEST(StressCycles, KnowEveryCycleOfThousandsWithoutItsStates) {
   stage.name = "cycle";
   stage.side[top] = {SideDrive::Kind::force, 100};
   stage.cycles = Cycles{top, 100, 1000, 1000, 1, 500};
-  stage.equilibrium = {0.004, 0.01, 1, 1e9, -1, 100000};
+  stage.equilibrium = {0.004, 0.01, 1, 1e9, {}, 100000};
   const StageRun run = to_its_end(engine, stage);
   ASSERT_TRUE(run.result.converged) << run.result.outcome;
   const auto &force = column(run.result.cycles, "top_force"), &at_maximum = column(run.result.cycles, "at_maximum");
