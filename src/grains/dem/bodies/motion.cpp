@@ -86,6 +86,7 @@ Load load_on(const Sample& s, std::size_t mover) { return mover < s.count ? cont
 
 void number_parts(Sample& s) {
   if (s.part.empty()) return;
+  std::ranges::fill(s.lever, Vec2{});  // of disks that are grains by themselves
   for (std::size_t k = 0; k < s.count; ++k) s.part_disk[s.record[k].grain] = static_cast<std::int32_t>(k);
   for (const Body& b : s.body) {
     const Vec2 by = direction(b.angle);
