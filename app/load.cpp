@@ -158,9 +158,9 @@ void add_loading(Options& command, LoadArguments& a) {
       .type("MODULI");
   command.add("--exact-stretch", load.exact_stretch, "Stretch of the turned bond, not linearised");
   command.add("--moduli", load.moduli, "Load along both axes and in shear, too, for the moduli of the sample");
-  command.add("--failure", load.failure, "Pull until it breaks; needs --dx");
+  command.add("--failure", load.failure, "Load until it breaks; needs --dx");
   command.add("--toughness", a.toughness, "Of bonds, e.g. \"matrix=0.1 MPa m^0.5\" (the default; interface alike, particle 3.5 times it)").type("TOUGHNESS");
-  command.add("--max-strain", load.max_strain, "A pull to failure ends here at the latest; default 0.1").type("NUMBER");
+  command.add("--max-strain", load.max_strain, "A test to failure ends here at the latest; default 0.1").type("NUMBER");
   command.add("--clamp-rows", load.statistics.clamp_rows, "Rows at both edges that the statistics leave out; default 4").type("N");
   command.add("--leave-out-surface", load.statistics.leave_out_surface, "Statistics without nodes that border another phase or grain");
 }

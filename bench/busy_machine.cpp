@@ -1,6 +1,6 @@
 // Whether two threads hold up what one would have done, beside other programs: the same sample is advanced by one
 // thread and by two, in turn, while `loops` processes do nothing but run. Counter: gain, the speed of two threads over
-// that of one. Below 0.9 the team waits for members that have lost their processor.
+// that of one. Below 0.9 the pool waits for members that have lost their processor.
 #include <benchmark/benchmark.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>

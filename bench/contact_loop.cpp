@@ -93,9 +93,9 @@ ARENITE_CASE("bonded_4000/verlet", rolling, k, verlet, true);
 
 /// Two meetings of two threads with nothing to do, as a step has them: what a step of two threads pays beside its own work.
 void meetings(benchmark::State& state) {
-  const Team team(2);
+  const ThreadPool pool(2);
   for (auto _ : state)
-    for (int meeting = 0; meeting < 2; ++meeting) team.for_ranges(4000, [](std::size_t begin, std::size_t) { benchmark::DoNotOptimize(begin); });
+    for (int meeting = 0; meeting < 2; ++meeting) pool.for_ranges(4000, [](std::size_t begin, std::size_t) { benchmark::DoNotOptimize(begin); });
 }
 BENCHMARK(meetings)->Name("two_meetings/two_threads")->Unit(benchmark::kMicrosecond)->UseRealTime();
 

@@ -46,11 +46,11 @@ const Film& film(std::size_t frames) {
 }
 
 /// Sum of the film's bytes as 64-bit words: as fast as this team reads memory.
-double read_memory(const Film& f, const Team& team) {
+double read_memory(const Film& f, const ThreadPool& pool) {
   const std::size_t words = f.level.size() / 4;
   std::vector<std::uint64_t> sums(64, 0);
   const auto begin = Clock::now();
-  team.for_ranges(words, [&](std::size_t from, std::size_t to) {
+  pool.for_ranges(words, [&](std::size_t from, std::size_t to) {
     typedef std::uint64_t Wide __attribute__((vector_size(64), aligned(2), may_alias));
     Wide a{}, b{}, c{}, d{};
     const auto* at = reinterpret_cast<const char*>(f.level.data());
@@ -79,12 +79,12 @@ void lock_in_film(benchmark::State& state) {
   LockinOptions o;
   o.frequency = load;
   o.threads = static_cast<int>(state.range(0));
-  const Team team(o.threads);
+  const ThreadPool pool(o.threads);
   const double gigabytes = 2e-9 * static_cast<double>(f.level.size());
   double best = 1e9, best_read = 1e9, cpu = 1e9, read_cpu = 1e9, sum = 0;
   for (auto _ : state) {
     double before = bench::cpu_seconds();
-    best_read = std::min(best_read, read_memory(f, team));
+    best_read = std::min(best_read, read_memory(f, pool));
     read_cpu = std::min(read_cpu, bench::cpu_seconds() - before);
     before = bench::cpu_seconds();
     const auto begin = Clock::now();

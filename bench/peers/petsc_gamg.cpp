@@ -39,9 +39,9 @@ struct System {
   System(const PhaseMap& map, double strain) : bonds(make_bonds(map, {})) {
     const Grid& grid = bonds.grid;
     const auto rows = prescribed_rows(map.height, Loading::tension, LowerEdge::fixed);
-    auto pieces = cut_into_pieces(map, bonds, rows);
+    auto aggregates = cut_into_aggregates(map, bonds, rows);
     Buffer<Tie> tie;
-    prune(bonds, pieces, rows, tie);
+    prune(bonds, aggregates, rows, tie);
     unit = strain * (map.height - 1) * map.dx;
     number.assign(grid.padded_size(), -1);
     for (int y = 1; y < map.height - 1; ++y)

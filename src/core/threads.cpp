@@ -43,7 +43,7 @@ template <class T> void wait_while(const std::atomic<T>& value, T old) {
 }
 
 /// Whether the others pay. What waiting for them has cost beyond the time that they saved is a debt, and for a debt the caller works alone for twenty
-/// times as long: on whatever machine, the team loses a twentieth at most. What they saved is not saved up, for it is told by a clock that also runs
+/// times as long: on whatever machine, the pool loses a twentieth at most. What they saved is not saved up, for it is told by a clock that also runs
 /// while the caller itself has lost its processor.
 class Worth {
  public:
@@ -66,7 +66,7 @@ class Worth {
 
 /// Members watch `round`; the caller watches `done`. Each on a cache line of its own. What a round is about is written while none of its parts is
 /// open, and read by whoever then takes one.
-struct Team::Shared {
+struct ThreadPool::Shared {
   alignas(64) std::atomic<std::uint32_t> round{0};
   alignas(64) std::atomic<std::size_t> done{0};
   alignas(64) std::atomic<Call> call{nullptr};
@@ -121,18 +121,18 @@ struct Team::Shared {
   }
 };
 
-Team::Team(int size) : shared_(std::make_unique<Shared>(static_cast<std::size_t>(std::max(size, 1)))) {
+ThreadPool::ThreadPool(int size) : shared_(std::make_unique<Shared>(static_cast<std::size_t>(std::max(size, 1)))) {
   for (std::size_t member = 1; member < shared_->share.size(); ++member) members_.emplace_back([shared = shared_.get(), member] { serve(*shared, member); });
 }
 
-Team::~Team() {
+ThreadPool::~ThreadPool() {
   shared_->over.store(true, std::memory_order_relaxed);
   shared_->round.fetch_add(1, std::memory_order_release);
   shared_->round.notify_all();
   for (auto& member : members_) member.join();
 }
 
-void Team::serve(Shared& shared, std::size_t member) {
+void ThreadPool::serve(Shared& shared, std::size_t member) {
   for (std::uint32_t seen = 0;;) {
     wait_while(shared.round, seen);
     seen = shared.round.load(std::memory_order_acquire);
@@ -141,7 +141,7 @@ void Team::serve(Shared& shared, std::size_t member) {
   }
 }
 
-void Team::run(Call call, void* what, std::size_t n) const {
+void ThreadPool::run(Call call, void* what, std::size_t n) const {
   Shared& s = *shared_;
   const std::size_t parts = std::min({parts_of_a_member * s.share.size(), n / 8, most_parts});
   const auto start = Clock::now();

@@ -7,15 +7,15 @@
 
 namespace arenite {
 
-/// The seam for threads: a team that does one thing after another on all its members at once. Steps of a simulation last some tens of microseconds,
+/// The seam for threads: a pool that does one thing after another on all its members at once. Steps of a simulation last some tens of microseconds,
 /// so members wait for the next thing in a loop, and only sleep when none comes for much longer than that. On a busy machine a member may lose its
 /// processor at any moment: whoever is there does what it has not begun, and while members cost more time than they save, the caller works alone.
-class Team {
+class ThreadPool {
  public:
-  explicit Team(int size = 1);
-  ~Team();
-  Team(const Team&) = delete;
-  Team& operator=(const Team&) = delete;
+  explicit ThreadPool(int size = 1);
+  ~ThreadPool();
+  ThreadPool(const ThreadPool&) = delete;
+  ThreadPool& operator=(const ThreadPool&) = delete;
 
   int size() const { return static_cast<int>(members_.size()) + 1; }
 

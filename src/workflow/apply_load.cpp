@@ -27,7 +27,7 @@ FieldResult upright(const FieldResult& sample, recipe::Load::Axis axis) {
   return result;
 }
 
-/// What loads and pulls to failure have in common.
+/// What loads and tests to failure have in common.
 template <class Options> Options common_options(const recipe::Load& load, const peridynamics::Watch& watch) {
   Options options;
   options.stiffness = load.stiffness.resolved();
@@ -84,7 +84,8 @@ void measure_stress(const recipe::Load& load, FieldResult& result) {
   } catch (const InputError& error) { result.numbers["notes"].push_back(fmt::format("no statistics of stress: {}", error.what())); }
 }
 
-std::optional<FieldResult> pull_apart(const recipe::Load& load, FieldResult result, const peridynamics::Watch& watch, const PullCheckpoint& checkpoint) {
+std::optional<FieldResult> load_until_failure(const recipe::Load& load, FieldResult result, const peridynamics::Watch& watch,
+                                              const FailureCheckpoint& checkpoint) {
   using Ending = peridynamics::DamageResult::Ending;
   auto options = common_options<peridynamics::DamageOptions>(load, watch);
   options.toughness = load.toughness.resolved();
@@ -93,26 +94,27 @@ std::optional<FieldResult> pull_apart(const recipe::Load& load, FieldResult resu
   options.end_stress = load.end_stress;
   options.keep = checkpoint.keep;
   if (checkpoint.resume) options.resume = &*checkpoint.resume;
-  auto pulled = peridynamics::pull_to_failure(result.map, options);
-  if (pulled.ending == Ending::stopped) return std::nullopt;
-  result.converged = pulled.ending == Ending::severed || pulled.ending == Ending::dropped || pulled.ending == Ending::strain_reached;
-  result.outcome = pulled.sentence;
-  result.curve = curve_of(pulled.curve);
-  result.cracks = cracks_of(pulled.broken, result.map.dx);
-  add_failure(result.numbers, load, pulled);
-  result.field = std::move(pulled.at_strength);
+  auto tested = peridynamics::load_to_failure(result.map, options);
+  if (tested.ending == Ending::stopped) return std::nullopt;
+  result.converged = tested.ending == Ending::severed || tested.ending == Ending::dropped || tested.ending == Ending::strain_reached;
+  result.outcome = tested.sentence;
+  result.curve = curve_of(tested.curve);
+  result.cracks = cracks_of(tested.broken, result.map.dx);
+  add_failure(result.numbers, load, tested);
+  result.field = std::move(tested.at_strength);
   return result;
 }
 
 }  // namespace
 
-std::optional<FieldResult> apply_load(const recipe::Load& load, const FieldResult& sample, const peridynamics::Watch& watch, const PullCheckpoint& checkpoint) {
+std::optional<FieldResult> apply_load(const recipe::Load& load, const FieldResult& sample, const peridynamics::Watch& watch,
+                                      const FailureCheckpoint& checkpoint) {
   FieldResult result = upright(sample, load.axis);
   result.name = load.name;
   if (load.failure) {
-    auto pulled = pull_apart(load, std::move(result), watch, checkpoint);
-    if (pulled) measure_stress(load, *pulled);
-    return pulled;
+    auto tested = load_until_failure(load, std::move(result), watch, checkpoint);
+    if (tested) measure_stress(load, *tested);
+    return tested;
   }
   auto options = common_options<peridynamics::LoadOptions>(load, watch);
   options.method = load.method;

@@ -45,10 +45,10 @@ void restore_from(const io::Checkpoint& checkpoint, dem::Engine& engine, dem::St
   run.result = checkpoint.partial;
 }
 
-PullCheckpoint pull_checkpoint(const std::filesystem::path& file, const std::string& key, const RunOptions& options) {
-  PullCheckpoint checkpoint;
-  const auto stored = unless_damaged(file, options, "the pull begins anew", [&] { return io::read_checkpoint(file, key); });
-  if (stored && *stored) checkpoint.resume = peridynamics::pull_state_of((*stored)->blobs.at("pull"));
+FailureCheckpoint failure_checkpoint(const std::filesystem::path& file, const std::string& key, const RunOptions& options) {
+  FailureCheckpoint checkpoint;
+  const auto stored = unless_damaged(file, options, "the test begins anew", [&] { return io::read_checkpoint(file, key); });
+  if (stored && *stored) checkpoint.resume = peridynamics::failure_state_of((*stored)->blobs.at("pull"));
   checkpoint.keep = [file, key, times = CheckpointTimes(options)](const auto& state) mutable {
     if (!times.is_due()) return;
     io::Checkpoint c;

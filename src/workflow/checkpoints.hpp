@@ -28,7 +28,7 @@ class CheckpointTimes {
 io::Checkpoint to_checkpoint(const dem::Engine& engine, const dem::StageRun& run, const std::string& key);
 void restore_from(const io::Checkpoint& checkpoint, dem::Engine& engine, dem::StageRun& run);
 
-/// Where a killed pull stood by its file, and how this one is kept there.
-PullCheckpoint pull_checkpoint(const std::filesystem::path& file, const std::string& key, const RunOptions& options);
+/// Where a killed test stood by its file, and how this one is kept there.
+FailureCheckpoint failure_checkpoint(const std::filesystem::path& file, const std::string& key, const RunOptions& options);
 
 }  // namespace arenite::workflow

@@ -53,15 +53,15 @@ double reference_radius(const recipe::Recipe& recipe, const Packing& packing);
 /// saturation out of reach and a crop wider than the sample.
 FieldResult make_cemented_sample(const recipe::Recipe& recipe, const Packing& packing);
 
-/// How a pull to failure is kept on its way and where it goes on from; other loads take no notice.
-struct PullCheckpoint {
-  peridynamics::KeepPull keep{};
-  std::optional<peridynamics::PullState> resume{};
+/// How a test to failure is kept on its way and where it goes on from; other loads take no notice.
+struct FailureCheckpoint {
+  peridynamics::KeepFailure keep{};
+  std::optional<peridynamics::FailureState> resume{};
 };
 
 /// Loads a cemented sample. An unfinished field has `converged` false and says why; nothing if the watch stopped it.
 std::optional<FieldResult> apply_load(const recipe::Load& load, const FieldResult& sample, const peridynamics::Watch& watch,
-                                      const PullCheckpoint& checkpoint = {});
+                                      const FailureCheckpoint& checkpoint = {});
 
 /// A sample for apply_load from anybody's phase map: its phases, pores and voids as numbers, their volumes over the mean
 /// area of a grain. Throws InputError unless the map is sound.

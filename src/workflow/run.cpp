@@ -190,7 +190,7 @@ class Run {
     for (const recipe::Load& load : recipe_.loads) {
       ++s;
       const auto make = [&](const fs::path& kept) {
-        const auto checkpoint = load.failure ? pull_checkpoint(kept, plan_[s].hash, options_) : PullCheckpoint{};
+        const auto checkpoint = load.failure ? failure_checkpoint(kept, plan_[s].hash, options_) : FailureCheckpoint{};
         return apply_load(load, outcome_.fields.front(), watch, checkpoint);
       };
       if (!add_field(s, make)) return;

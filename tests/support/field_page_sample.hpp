@@ -12,7 +12,7 @@
 
 namespace arenite::test {
 
-/// A cemented sample, its stresses under tension, and its pull to failure, as they might come from the store.
+/// A cemented sample, its stresses under tension, and its test to failure, as they might come from the store.
 struct FieldPageSample {
   std::array<FieldResult, 3> results;
   FieldResult &cement = results[0], &load = results[1], &pull = results[2];
@@ -54,7 +54,7 @@ struct FieldPageSample {
     options.stiffness = {1e9, 1e9, 4e9};
     options.toughness = {2e4, 2e4, 7e4};
     options.max_events = events;
-    const auto result = peridynamics::pull_to_failure(pull.map, options);
+    const auto result = peridynamics::load_to_failure(pull.map, options);
     pull.name = "failure";
     pull.outcome = result.sentence;
     pull.provenance.stage = "failure";

@@ -32,7 +32,7 @@ double running_strain_over_griffith(int height) {
   options.toughness = weak;
   options.cuts = {{{-1, height / 2 - 0.5}, {3.0 * height, height / 2 - 0.5}}};
   options.end_stress = 0.9;
-  const auto result = pull_to_failure(map, options);
+  const auto result = load_to_failure(map, options);
   EXPECT_LT(result.energy_defect, 1e-4);
   double strain = 0;
   for (const auto& state : result.curve) strain = std::max(strain, state.strain);
@@ -57,7 +57,7 @@ TEST(Damage, PlateBreaksAlongItsNotch) {
   options.toughness = weak;
   options.cuts = {{{-1, 23.5}, {24, 23.5}}};
   options.end_stress = 1e-3;
-  const auto result = pull_to_failure(map, options);
+  const auto result = load_to_failure(map, options);
   EXPECT_TRUE(result.ending == DamageResult::Ending::severed || result.ending == DamageResult::Ending::dropped) << result.sentence;
   EXPECT_GT(result.broken.size(), 24u * 10);
   std::size_t astray = 0;  // a few give at the corners of the clamps, where the plate may not contract
@@ -69,7 +69,7 @@ TEST(Damage, PlateBreaksAlongItsNotch) {
 
 TEST(Damage, CementedPackingBreaksInMatrixAndInterfaceNotInGrains) {
   const PhaseMap map = test::cemented_sample({.nodes = 64, .size_ratio = 2, .bridge = 0.4});
-  const auto result = pull_to_failure(map, {.toughness = weak});
+  const auto result = load_to_failure(map, {.toughness = weak});
   EXPECT_TRUE(result.ending == DamageResult::Ending::severed || result.ending == DamageResult::Ending::dropped) << result.sentence;
   std::size_t in_grains = 0;
   for (const auto& bond : result.broken) in_grains += bond.type == particle_bond;
@@ -96,7 +96,7 @@ TEST(Damage, FirstBondBreaksWhereTheElasticFieldReachesItsStretch) {
   for (const Loading loading : {Loading::tension, Loading::compression, Loading::shear}) {
     DamageOptions options{.toughness = weak, .loading = loading};
     options.max_events = 1;
-    const auto result = pull_to_failure(map, options);
+    const auto result = load_to_failure(map, options);
     const auto elastic = load(map, {.loading = loading, .strain = 1e-4, .tolerance = 1e-9});
     EXPECT_NEAR(result.curve.front().strain * largest_stretch(elastic.field) / 1e-4 / critical, 1, 1e-5);
     EXPECT_NEAR(result.curve.front().stress / (elastic.report.modulus * result.curve.front().strain), 1, 1e-5);
@@ -107,7 +107,7 @@ TEST(Damage, BondsBreakAcrossTheLargestStretchUnderEveryLoading) {
   const PhaseMap map = test::cemented_sample({.nodes = 64, .size_ratio = 2, .bridge = 0.4});
   double strength[3];
   for (const Loading loading : {Loading::tension, Loading::compression, Loading::shear}) {
-    const auto result = pull_to_failure(map, {.toughness = weak, .loading = loading, .max_events = 150});
+    const auto result = load_to_failure(map, {.toughness = weak, .loading = loading, .max_events = 150});
     EXPECT_LT(result.energy_defect, 1e-4);
     EXPECT_GE(result.curve.back().released, result.curve.back().bond_energy * (1 - 1e-6));
     double along = 0, across = 0, rising = 0;  // means of the broken bonds' directions
@@ -131,7 +131,7 @@ TEST(Damage, BondsBreakAcrossTheLargestStretchUnderEveryLoading) {
 TEST(Damage, HandsBackTheFieldOfTheLargestStress) {
   const PhaseMap map = test::cemented_sample({.nodes = 64, .size_ratio = 2, .bridge = 0.4});
   for (const Loading loading : {Loading::tension, Loading::compression}) {
-    const auto result = pull_to_failure(map, {.toughness = weak, .loading = loading, .max_events = 60});
+    const auto result = load_to_failure(map, {.toughness = weak, .loading = loading, .max_events = 60});
     double mean = 0;
     for (const double s : result.at_strength.yy) mean += s / static_cast<double>(map.size());
     // The identity: sum sigma_yy V = F (y_top - y_bottom).
@@ -151,7 +151,7 @@ TEST(Damage, WatchSeesTheShareGrowAndMayStop) {
     broken = p.broken;
     return p.broken < 50;
   };
-  const auto result = pull_to_failure(map, options);
+  const auto result = load_to_failure(map, options);
   EXPECT_EQ(result.ending, DamageResult::Ending::stopped) << result.sentence;
   EXPECT_EQ(result.broken.size(), broken);
   EXPECT_GE(broken, 50u);
@@ -161,14 +161,14 @@ TEST(Damage, WatchSeesTheShareGrowAndMayStop) {
 
 TEST(Damage, NonsenseIsRefused) {
   const PhaseMap map = test::homogeneous_sample(20, 20);
-  EXPECT_THROW(pull_to_failure(map, {.toughness = {0, 1, 1}}), InputError);
-  EXPECT_THROW(pull_to_failure(map, {.loading = Loading::shear, .lower = LowerEdge::sliding}), InputError);
-  EXPECT_THROW(pull_to_failure(map, {.max_strain = 0}), InputError);
-  EXPECT_THROW(pull_to_failure(map, {.end_stress = 1}), InputError);
-  EXPECT_THROW(pull_to_failure(map, {.band = -0.1}), InputError);
+  EXPECT_THROW(load_to_failure(map, {.toughness = {0, 1, 1}}), InputError);
+  EXPECT_THROW(load_to_failure(map, {.loading = Loading::shear, .lower = LowerEdge::sliding}), InputError);
+  EXPECT_THROW(load_to_failure(map, {.max_strain = 0}), InputError);
+  EXPECT_THROW(load_to_failure(map, {.end_stress = 1}), InputError);
+  EXPECT_THROW(load_to_failure(map, {.band = -0.1}), InputError);
 }
 
-TEST(Damage, SampleWithoutAPathIsNamed) { EXPECT_EQ(pull_to_failure(make_phase_map(20, 20, 1), {}).ending, DamageResult::Ending::no_path); }
+TEST(Damage, SampleWithoutAPathIsNamed) { EXPECT_EQ(load_to_failure(make_phase_map(20, 20, 1), {}).ending, DamageResult::Ending::no_path); }
 
 }  // namespace
 }  // namespace arenite::peridynamics

@@ -1,4 +1,4 @@
-// Opens a page of a cemented sample, its load and its pull to failure, and asserts what is painted.
+// Opens a page of a cemented sample, its load and its test to failure, and asserts what is painted.
 // Usage: node field_page.test.mjs PAGE.html
 import assert from "node:assert/strict";
 import { difference, painted, saved } from "./browser.mjs";

@@ -1,4 +1,4 @@
-"""Curves of a pull to failure and of the solver."""
+"""Curves of a test to failure and of the solver."""
 
 import numpy as np
 
@@ -12,14 +12,14 @@ def draw_convergence(axes, convergence):
 
 
 def draw_stress_strain(axes, curve):
-    """Mean stress of the pulled row against strain, before every round of breaking."""
+    """Mean stress of the tested row against strain, before every round of breaking."""
     factor, unit = scaled(np.max(curve["stress"]), "Pa")
     axes.plot(1e3 * np.append(0, curve["strain"]), np.append(0, curve["stress"]) / factor, color=colours[0])
     axes.set(xlabel=r"strain, $10^{-3}$", ylabel=f"stress, {unit}", ylim=(0, None), xlim=(0, None))
 
 
 def draw_broken_bonds(axes, field):
-    """Number of broken bonds by type over the steps of a pull."""
+    """Number of broken bonds by type over the steps of a test."""
     until = np.asarray(field.curve["broken"], int)
     step = np.arange(1, len(until) + 1)
     for kind, (name, colour) in crack_colours.items():

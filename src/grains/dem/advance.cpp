@@ -74,12 +74,12 @@ template <class N, class A, class F> void evaluate_walls(Sample& s, const N& nor
 /// A wall slot, computed alone, takes as long as this many pairs.
 constexpr std::size_t pairs_of_a_wall = 4;
 
-/// All slots in one go of the team: pairs, then walls.
-template <class N, class A, class F> void evaluate(Sample& s, const Team& team, const N& normal, const A& adhesion, const F& friction) {
+/// All slots in one go of the pool: pairs, then walls.
+template <class N, class A, class F> void evaluate(Sample& s, const ThreadPool& pool, const N& normal, const A& adhesion, const F& friction) {
   const PairTask task = pair_task(s);
   const auto loop = s.kernel->pair_loops[loop_index(s.laws)];
   const std::size_t pairs = s.list.pairs, walls = s.list.size() - pairs;
-  team.for_ranges(pairs + pairs_of_a_wall * walls, [&](std::size_t begin, std::size_t end) {
+  pool.for_ranges(pairs + pairs_of_a_wall * walls, [&](std::size_t begin, std::size_t end) {
     if (begin < pairs) loop(task, s.laws, begin, std::min(end, pairs));
     if (end > pairs) evaluate_walls(s, normal, adhesion, friction, (std::max(begin, pairs) - pairs) / pairs_of_a_wall, (end - pairs) / pairs_of_a_wall);
   });
@@ -112,11 +112,11 @@ Vec2 branch_of(const Sample& s, std::size_t slot) {
 }
 
 /// Sum over all contacts and bonds of force times branch; by blocks of slots, so that it does not depend on the number of threads.
-Tensor2 sum_of_moments(const Sample& s, const Team& team) {
+Tensor2 sum_of_moments(const Sample& s, const ThreadPool& pool) {
   constexpr std::size_t slots_of_block = 512;
   const ContactList& list = s.list;
   std::vector<Tensor2> blocks((list.size() + slots_of_block - 1) / slots_of_block);
-  team.for_ranges(blocks.size(), [&](std::size_t begin, std::size_t end) {
+  pool.for_ranges(blocks.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t block = begin; block < end; ++block)
       for (std::size_t p = block * slots_of_block; p < std::min(list.size(), (block + 1) * slots_of_block); ++p)
         if (acts(list.force[p])) blocks[block] += outer(list.force[p].on_i, branch_of(s, p));
@@ -136,23 +136,23 @@ bool has_driven_edge(const Sample& s) {
 
 }  // namespace
 
-void compute_forces(Sample& s, const Team& team) {
+void compute_forces(Sample& s, const ThreadPool& pool) {
   hand_over_memories(s);
   s.laws.visit([&](const auto& normal, const auto& adhesion, const auto& friction) {
     if (!s.live_bonds.empty()) end_open_bonds(s, normal, friction);
-    evaluate(s, team, normal, adhesion, friction);
+    evaluate(s, pool, normal, adhesion, friction);
   });
-  add_rolling_moments(s, team);
-  take_torques_to_owners(s, team);
-  add_cohesion(s, team);
-  add_bond_forces(s, team);
+  add_rolling_moments(s, pool);
+  take_torques_to_owners(s, pool);
+  add_cohesion(s, pool);
+  add_bond_forces(s, pool);
   sum_wall_forces(s);
   sum_boundary_forces(s);
 }
 
-void sum_edge_forces(Sample& s, const Team& team) {
+void sum_edge_forces(Sample& s, const ThreadPool& pool) {
   if (!s.domain.periodic_x && !s.domain.periodic_y) return;
-  const Tensor2 sum = sum_of_moments(s, team);
+  const Tensor2 sum = sum_of_moments(s, pool);
   const auto give = [](Wall& low, Wall& high, double normal, double tangential) {
     low.force = high.force = normal;
     high.shear_force = tangential;
@@ -165,7 +165,7 @@ void sum_edge_forces(Sample& s, const Team& team) {
 
 void Engine::advance(std::int64_t steps) {
   Sample& s = machine_->sample;
-  const Team& team = machine_->team;
+  const ThreadPool& pool = machine_->pool;
   if (steps <= 0) return;
   const Integrator& integrator = integrator_of(s);
   if (integrator.start) integrator.start(s);
@@ -174,16 +174,16 @@ void Engine::advance(std::int64_t steps) {
   if (tracked && !s.balance.open) open_balance(s);
   for (std::int64_t n = 0; n < steps; ++n) {
     if (programmed) follow_velocities(s);
-    const bool near = integrator.sweep(s, team);
+    const bool near = integrator.sweep(s, pool);
     if (programmed) follow_loads(s);
     follow_drift(s);
     if (near) refresh_ghosts(s);
-    else rebuild_list(s, team);
-    compute_forces(s, team);
-    if (edges) sum_edge_forces(s, team);
+    else rebuild_list(s, pool);
+    compute_forces(s, pool);
+    if (edges) sum_edge_forces(s, pool);
     if (tracked) book_step(s);
   }
-  sum_edge_forces(s, team);
+  sum_edge_forces(s, pool);
 }
 
 }  // namespace arenite::dem

@@ -105,13 +105,13 @@ BeamForce beam_dashpots(const Sample& s, const BondSlot& b, const BeamMotion& m)
   return {b.normal_damping * rate.stretch, b.shear_damping * rate.shear, b.bending_damping * rate.bending};
 }
 
-void add_bond_forces(Sample& s, const Team& team) {
+void add_bond_forces(Sample& s, const ThreadPool& pool) {
   if (s.bond_slots.empty()) return;
   move_images(s);
   const BondTask task = bond_task(s);
   std::atomic<bool> broke = false;
   s.contact.bonds.visit([&](const auto& law) {
-    team.for_ranges(s.bond_slots.size(), [&](std::size_t begin, std::size_t end) {
+    pool.for_ranges(s.bond_slots.size(), [&](std::size_t begin, std::size_t end) {
       if (!s.kernel->bonds(task, begin, end)) return;
       for (std::size_t n = begin; n < end; ++n)
         if (task.look[n] != 0 && look_at(s, law, n)) broke = true;

@@ -31,7 +31,7 @@ SlotForce beam_slot_force(const BondSlot& slot, const BeamMotion& motion, const 
 BeamForce beam_dashpots(const Sample& sample, const BondSlot& slot, const BeamMotion& motion);
 
 /// Fills the bonds' places in the list of forces and ends the bonds whose stresses exceed their strength; what they held is booked as dissipated.
-void add_bond_forces(Sample& sample, const Team& team);
+void add_bond_forces(Sample& sample, const ThreadPool& pool);
 
 /// All bonds there are and were, with their forces now, by the caller's grains.
 std::vector<Bond> bonds_of(const Sample& sample);

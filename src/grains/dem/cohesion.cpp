@@ -131,11 +131,11 @@ void find_pull_curves(Sample& s) {
     if (s.list.pull[p] > 0) s.list.curve[p] = curve_of(s, p);
 }
 
-void add_cohesion(Sample& s, const Team& team) {
+void add_cohesion(Sample& s, const ThreadPool& pool) {
   if (s.list.pull.empty()) return;
   const double within = joins_within(s);
   std::atomic<bool> changed = false;
-  team.for_ranges(s.list.pairs, [&](std::size_t begin, std::size_t end) {
+  pool.for_ranges(s.list.pairs, [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; ++p) {
       const Across at = across(s, p);
       if (s.list.pull[p] > 0) {

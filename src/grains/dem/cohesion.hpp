@@ -15,7 +15,7 @@ void find_pull_curves(Sample& sample);
 
 /// Adds the pulls to the forces of the pairs' slots, which hold those of their contacts, and joins and parts pairs. What a pair holds as it breaks is
 /// booked as dissipated. A pair is found joined or parted up to a step late; what its force has not done by then goes into the same account.
-void add_cohesion(Sample& sample, const Team& team);
+void add_cohesion(Sample& sample, const ThreadPool& pool);
 
 /// Pull of a slot now, N; 0 where none acts.
 inline double pull_of(const Sample& s, std::size_t slot) { return slot < s.list.pull.size() ? s.list.pull[slot] : 0.0; }

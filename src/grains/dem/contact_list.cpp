@@ -48,7 +48,7 @@ struct Found {
 constexpr std::size_t disks_of_block = 64;
 
 /// The partners of all disks, block by block: what a block finds does not depend on who searches it.
-std::vector<Found> find_partners(const Sample& s, const Team& team) {
+std::vector<Found> find_partners(const Sample& s, const ThreadPool& pool) {
   const geometry::CellGrid grid = cells_of(s);
   const std::size_t n = s.count;
   const auto cell_of = [&](std::size_t k) { return grid.cell(s.record[k].place.x, s.record[k].place.y); };
@@ -56,7 +56,7 @@ std::vector<Found> find_partners(const Sample& s, const Team& team) {
   // Ghosts lie beyond the right and the upper edge.
   const double reach = reach_of(s), right_zone = s.domain.wall[right].position - reach, upper_zone = s.domain.wall[top].position - reach;
   std::vector<Found> blocks((n + disks_of_block - 1) / disks_of_block);
-  team.for_ranges(blocks.size(), [&](std::size_t begin, std::size_t end) {
+  pool.for_ranges(blocks.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t block = begin; block < end; ++block) {
       auto& [partner, count] = blocks[block];
       for (std::size_t k = block * disks_of_block; k < std::min(n, (block + 1) * disks_of_block); ++k) {
@@ -99,20 +99,20 @@ void fill_block(Sample& s, std::size_t block, const Found& found, std::size_t sl
   }
 }
 
-void list_pairs(Sample& s, const Team& team) {
-  const std::vector<Found> blocks = find_partners(s, team);
+void list_pairs(Sample& s, const ThreadPool& pool) {
+  const std::vector<Found> blocks = find_partners(s, pool);
   std::vector<std::size_t> first{0};
   for (const Found& found : blocks) first.push_back(first.back() + found.partner.size());
   s.list.pairs = first.back();
   s.list.resize(first.back());
-  team.for_ranges(blocks.size(), [&](std::size_t begin, std::size_t end) {
+  pool.for_ranges(blocks.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t block = begin; block < end; ++block) fill_block(s, block, blocks[block], first[block]);
   });
 }
 
 /// Slots of disks that may touch polygons, behind those of pairs of disks.
-void list_feet(Sample& s, const Team& team) {
-  s.foot = find_feet(s, team);
+void list_feet(Sample& s, const ThreadPool& pool) {
+  s.foot = find_feet(s, pool);
   ContactList& list = s.list;
   const std::size_t ghosts = s.ghost.size();
   for (const Foot& foot : s.foot) {
@@ -211,11 +211,11 @@ void refresh_ghosts(Sample& s) {
   refresh_feet(s);
 }
 
-void list_contacts(Sample& s, const Team& team) {
+void list_contacts(Sample& s, const ThreadPool& pool) {
   number_parts(s);
   make_ghosts(s);
-  list_pairs(s, team);
-  if (!s.body.empty()) list_feet(s, team);
+  list_pairs(s, pool);
+  if (!s.body.empty()) list_feet(s, pool);
   list_walls(s);
   list_point_feet(s);
   list_bonds(s);

@@ -50,7 +50,7 @@ double servo_energy(const Sample& s) {
 }  // namespace
 
 Engine::Engine(const Packing& start, const ContactParameters& contact, const IntegrationParameters& integration)
-    : machine_(new Machine{make_sample(start, contact, integration), Team(useful_threads(integration.threads, start.grains.size()))}) {}
+    : machine_(new Machine{make_sample(start, contact, integration), ThreadPool(useful_threads(integration.threads, start.grains.size()))}) {}
 Engine::~Engine() = default;
 Engine::Engine(Engine&&) noexcept = default;
 Engine& Engine::operator=(Engine&&) noexcept = default;
@@ -147,9 +147,9 @@ void Engine::make_bonds() {
   Sample& s = machine_->sample;
   if (!s.contact.has_bonds()) throw InputError("bonds cannot be made where contact.bonds is \"none\"");
   synchronise(s);
-  list_anew(s, machine_->team);
+  list_anew(s, machine_->pool);
   bond_near_pairs(s);
-  list_anew(s, machine_->team);
+  list_anew(s, machine_->pool);
   const double wanted = s.integration.safety * shortest_bond_time(s);
   if (!s.integration.time_step && wanted < s.dt) change_step(s, wanted);
   allow_step(s, "its bonds");

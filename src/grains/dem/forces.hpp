@@ -86,16 +86,16 @@ template <class N> double sliding_stiffness(const Sample& s, const N& normal, st
 
 /// Forces of all listed contacts from the records (whose ghosts are fresh), into the list's slots; then the forces of the walls. Springs of the
 /// friction law move on by one step.
-void compute_forces(Sample& sample, const Team& team = Team());
+void compute_forces(Sample& sample, const ThreadPool& pool = ThreadPool());
 
 /// Adds the moments of rolling resistance to the slots' torques.
-void add_rolling_moments(Sample& sample, const Team& team);
+void add_rolling_moments(Sample& sample, const ThreadPool& pool);
 /// What the rolling springs hold, J.
 double rolling_energy(const Sample& sample);
 
 /// Forces of the edges of a periodic cell, the means over all its cuts: (1/W) sum f_x l_x. Not part of compute_forces, because only driven edges and
 /// readers need them.
-void sum_edge_forces(Sample& sample, const Team& team = Team());
+void sum_edge_forces(Sample& sample, const ThreadPool& pool = ThreadPool());
 
 /// On a disk by its contacts, its slots in a fixed order.
 inline Load contact_load(const ContactList& list, std::size_t k) {

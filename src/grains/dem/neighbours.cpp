@@ -69,10 +69,10 @@ std::size_t find_slot(const ContactList& list, std::int32_t a, std::int32_t b, b
 
 /// Takes over what touching pairs remember from the list before a rebuild; disk k was number `was[k]` in it. A periodic cell is at least two reaches
 /// wide, so no pair meets twice.
-void carry_over(Sample& s, const ContactList& before, const std::vector<std::int32_t>& was, const Team& team) {
+void carry_over(Sample& s, const ContactList& before, const std::vector<std::int32_t>& was, const ThreadPool& pool) {
   ContactList& list = s.list;
   if (before.size() == 0 || (s.live_bonds.empty() && !remembers(s.laws) && s.list.rolling_memory.empty() && s.list.pull.empty())) return;
-  team.for_ranges(list.size(), [&](std::size_t begin, std::size_t end) {
+  pool.for_ranges(list.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; ++p) {
       const std::int32_t a = was[list.i[p]];
       const std::int32_t b = list.j[p] < 0 ? list.j[p] : was[list.owner[p]];
@@ -119,7 +119,7 @@ void wrap_over_sides(Sample& s, double mass, Vec2& place, double& own_x, Vec2& s
   }
 }
 
-void rebuild_list(Sample& s, const Team& team) {
+void rebuild_list(Sample& s, const ThreadPool& pool) {
   check_places(s);
   check_crossings(s);
   wrap(s);
@@ -141,8 +141,8 @@ void rebuild_list(Sample& s, const Team& team) {
   s.listed_sheared = s.sheared;
   ++s.builds;
   std::swap(s.list, s.former);
-  list_contacts(s, team);
-  carry_over(s, s.former, was, team);
+  list_contacts(s, pool);
+  carry_over(s, s.former, was, pool);
 }
 
 geometry::CellGrid cells_of(const Sample& s) {

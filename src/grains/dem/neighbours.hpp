@@ -7,10 +7,10 @@ namespace arenite::dem {
 
 /// Sorts the disks by cell, wraps them into a periodic cell, makes the ghosts and lists every pair (and wall) closer than the skin. What touching
 /// pairs remember is kept. Throws CannotGoOn, naming grain and step, if a grain has left the walls, gone through a boundary, or a coordinate is not finite.
-void rebuild_list(Sample& sample, const Team& team = Team());
+void rebuild_list(Sample& sample, const ThreadPool& pool = ThreadPool());
 
 /// Lists the pairs at the records' present order and places without sorting; what rebuild_list does at its end, and what a restored sample needs.
-void list_contacts(Sample& sample, const Team& team = Team());
+void list_contacts(Sample& sample, const ThreadPool& pool = ThreadPool());
 
 /// Puts what has crossed a periodic edge back at the opposite one. Its own velocity is without the affine motion and does not change, that which the
 /// forces see does; across the edges of a sheared cell both go on as the image does that comes in there.

@@ -45,10 +45,10 @@ double normal_force_of(const Sample& s, std::size_t slot) {
 
 }  // namespace
 
-void add_rolling_moments(Sample& s, const Team& team) {
+void add_rolling_moments(Sample& s, const ThreadPool& pool) {
   if (std::holds_alternative<NoRolling>(s.contact.rolling)) return;
   s.contact.rolling.visit([&](const auto& law) {
-    team.for_ranges(s.list.size(), [&](std::size_t begin, std::size_t end) {
+    pool.for_ranges(s.list.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t p = begin; p < end; ++p) {
         double& memory = s.list.rolling_memory[p];
         const double normal_force = normal_force_of(s, p);

@@ -21,7 +21,7 @@ ContactLaws laws_between_steps(const Sample& sample);
 
 /// Lists the contacts anew after something came or went; springs stay as they are. What springs hold of a body that is gone, or that came into the
 /// grains, is work of the sides.
-void list_anew(Sample& sample, const Team& team);
+void list_anew(Sample& sample, const ThreadPool& pool);
 
 /// Shortens a step that masses and bonds of now do not allow; InputError, with `what` they are, where it was given.
 void allow_step(Sample& sample, const char* what);
@@ -47,7 +47,7 @@ void restore_sample(Sample& sample, const std::vector<std::uint8_t>& bytes);
 /// What an engine is made of.
 struct Engine::Machine {
   Sample sample;
-  Team team;
+  ThreadPool pool;
 };
 
 }  // namespace arenite::dem

@@ -6,7 +6,7 @@
 
 #include "core/error.hpp"
 #include "solid/peridynamics/damage.hpp"
-#include "solid/peridynamics/pull.hpp"
+#include "solid/peridynamics/failure.hpp"
 #include "solid/peridynamics/support.hpp"
 
 namespace arenite::peridynamics {
@@ -14,12 +14,12 @@ namespace {
 
 void check(const DamageOptions& o) {
   const auto positive = [](double value, const char* what) {
-    if (!(value > 0) || !std::isfinite(value)) throw InputError(fmt::format("the {} of a pull to failure is {:g}; give a positive one", what, value));
+    if (!(value > 0) || !std::isfinite(value)) throw InputError(fmt::format("the {} of a test to failure is {:g}; give a positive one", what, value));
   };
   positive(o.tolerance, "tolerance");
   positive(o.max_strain, "largest strain");
   if (!(o.end_stress >= 0) || !(o.end_stress < 1))
-    throw InputError(fmt::format("the share of the strength at which a pull ends is {:g}; give one from 0 to below 1", o.end_stress));
+    throw InputError(fmt::format("the share of the strength at which a test ends is {:g}; give one from 0 to below 1", o.end_stress));
   if (!(o.band >= 0) || !(o.band < 1)) throw InputError(fmt::format("the band of bonds that break together is {:g}; give one from 0 to below 1", o.band));
 }
 
@@ -36,7 +36,7 @@ std::array<double, 4> critical_stretches(const DamageOptions& o, double dx) {
       o.law);
 }
 
-/// How a pull ended and what came of it, in words.
+/// How a test ended and what came of it, in words.
 std::string sentence_of(const DamageResult& r) {
   const char* end = damage_endings[static_cast<std::size_t>(r.ending)].phrase;
   if (r.ending == DamageResult::Ending::no_path) return end;
@@ -45,7 +45,7 @@ std::string sentence_of(const DamageResult& r) {
 
 }  // namespace
 
-Pull::Pull(const PhaseMap& map, const DamageOptions& options)
+FailureTest::FailureTest(const PhaseMap& map, const DamageOptions& options)
     : map_(map),
       options_(options),
       way_(direction_of(options.loading)),
@@ -60,38 +60,38 @@ Pull::Pull(const PhaseMap& map, const DamageOptions& options)
 }
 
 /// Set-up for the bonds as they are; false if nothing ties the clamps any more.
-bool Pull::prepare() {
+bool FailureTest::prepare() {
   copy(bonds_.words, words_at_setup_);
-  auto pieces = cut_into_pieces(map_, bonds_, prescribed_);
+  auto aggregates = cut_into_aggregates(map_, bonds_, prescribed_);
   Buffer<Tie> tie;
-  if (prune(bonds_, pieces, prescribed_, tie).carrying == 0) return false;
-  solver_.emplace(bonds_, std::move(pieces), prescribed_);
+  if (prune(bonds_, aggregates, prescribed_, tie).carrying == 0) return false;
+  solver_.emplace(bonds_, std::move(aggregates), prescribed_);
   return true;
 }
 
-void Pull::uniform_strain() {
+void FailureTest::uniform_strain() {
   auto phase = map_.phase.begin();
   bonds_.grid.each([&](std::ptrdiff_t i, int y) {
     if (*phase++ != Phase::empty) u_.set(i, y * map_.dx * way_);
   });
 }
 
-bool Pull::watched(int iterations, double residual) {
+bool FailureTest::watched(int iterations, double residual) {
   if (!options_.watch) return true;
   const double fallen = result_.strength > 0 ? (1 - now_.stress / result_.strength) / (1 - options_.end_stress) : 0;
   share_ = std::clamp(std::max({fallen, now_.strain / options_.max_strain, static_cast<double>(result_.solves) / (options_.max_events + 1)}), share_, 1.0);
   return options_.watch({share_, result_.iterations + iterations, residual, result_.broken.size(), now_.strain, now_.stress});
 }
 
-StaticReport Pull::solve(int most) {
+StaticReport FailureTest::solve(int most) {
   const StaticReport report = solver_->solve(bonds_, u_, options_.tolerance, most, [&](const Progress& p) { return watched(p.iterations, p.residual); });
   result_.iterations += report.iterations;
   if (report.stopped) result_.ending = Ending::stopped;
   return report;
 }
 
-/// The field at unit strain from the last one. A set-up that the broken bonds have left behind is made anew. False where the pull ends here.
-bool Pull::equilibrate() {
+/// The field at unit strain from the last one. A set-up that the broken bonds have left behind is made anew. False where the test ends here.
+bool FailureTest::equilibrate() {
   constexpr int tired = 25;
   result_.ending = Ending::not_converged;
   StaticReport report = solve(2 * tired);
@@ -111,7 +111,7 @@ bool Pull::equilibrate() {
 }
 
 /// After a round of breaking, at the strain that it happened at.
-void Pull::settle() {
+void FailureTest::settle() {
   now_.released += now_.elastic - elastic(now_.strain);
   now_.elastic = elastic(now_.strain);
   now_.stress = stress(now_.strain);
@@ -119,7 +119,7 @@ void Pull::settle() {
 }
 
 /// On to the strain at which the next bond breaks.
-void Pull::strain_to(double next) {
+void FailureTest::strain_to(double next) {
   if (next > now_.strain) {
     const double to = std::min(next, options_.max_strain);
     now_.work += unit_force_ * gauge() * (to * to - now_.strain * now_.strain) / 2;
@@ -132,7 +132,7 @@ void Pull::strain_to(double next) {
   if (now_.stress > result_.strength) remember();
 }
 
-void Pull::remember() {
+void FailureTest::remember() {
   result_.strength = now_.stress;
   put(bonds_.words, held_.strongest_words);
   put(u_.x, held_.strongest_ux);
@@ -141,7 +141,7 @@ void Pull::remember() {
 }
 
 /// Breaks what is stretched beyond the critical stretch, the worst of it.
-void Pull::break_worst(double largest) {
+void FailureTest::break_worst(double largest) {
   const double limit = std::max(1 - 1e-9, (1 - options_.band) * now_.strain * largest) / now_.strain;
   int low = map_.height, high = -1;
   criterion_.each_above(limit, [&](const Bond& b, double ratio) {
@@ -156,7 +156,7 @@ void Pull::break_worst(double largest) {
   classify_groups(bonds_, low, high);
 }
 
-void Pull::run() {
+void FailureTest::run() {
   result_.ending = Ending::no_path;
   if (!solver_) {
     if (!prepare()) return;
@@ -189,7 +189,7 @@ void Pull::run() {
   }
 }
 
-DamageResult Pull::finish() {
+DamageResult FailureTest::finish() {
   if (result_.strength > 0) {
     for (auto* component : {&held_.strongest_ux, &held_.strongest_uy})
       for (double& u : *component) u *= held_.strongest_strain;
@@ -202,12 +202,12 @@ DamageResult Pull::finish() {
   return std::move(result_);
 }
 
-DamageResult pull_to_failure(const PhaseMap& map, const DamageOptions& options) {
+DamageResult load_to_failure(const PhaseMap& map, const DamageOptions& options) {
   check(options);
-  Pull pull(map, options);
-  if (options.resume) pull.resume(*options.resume);
-  pull.run();
-  return pull.finish();
+  FailureTest test(map, options);
+  if (options.resume) test.resume(*options.resume);
+  test.run();
+  return test.finish();
 }
 
 }  // namespace arenite::peridynamics

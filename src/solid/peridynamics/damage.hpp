@@ -9,7 +9,7 @@
 
 namespace arenite::peridynamics {
 
-/// One state of the pull: before a round of breaking, so that loads climb and drop as the machine would see them.
+/// One state of the test: before a round of breaking, so that loads climb and drop as the machine would see them.
 struct DamageState {
   double strain = 0, stress = 0;  ///< of the top row along its way, Pa: positive while it is resisted
   double work = 0;                ///< done by the clamp so far; all energies per unit thickness, J/m
@@ -26,8 +26,8 @@ struct BrokenBond {
   double strain;           ///< of the sample when it broke
 };
 
-/// What came of a pull so far.
-struct PullRecord {
+/// What came of a test so far.
+struct FailureRecord {
   std::vector<DamageState> curve;
   std::vector<BrokenBond> broken;  ///< in order
   double strength = 0;             ///< largest stress, Pa
@@ -37,9 +37,9 @@ struct PullRecord {
   int solves = 0, iterations = 0;
 };
 
-/// Where a pull stands before a round of breaking: all that decides how it goes on, beside its map and options. Arrays by
+/// Where a test stands before a round of breaking: all that decides how it goes on, beside its map and options. Arrays by
 /// node are padded (grid.hpp); displacements are m at unit strain.
-struct PullState : PullRecord {
+struct FailureState : FailureRecord {
   std::int32_t width = 0, height = 0;         ///< nodes of the map
   std::int64_t rounds = 0;                    ///< of breaking so far
   std::vector<std::uint32_t> words;           ///< Bonds::words as they are,
@@ -54,10 +54,10 @@ struct PullState : PullRecord {
 };
 
 /// The state as bytes and back. Throws InputError if the bytes are not a whole state.
-std::vector<std::uint8_t> to_bytes(const PullState& state);
-PullState pull_state_of(const std::vector<std::uint8_t>& bytes);
+std::vector<std::uint8_t> to_bytes(const FailureState& state);
+FailureState failure_state_of(const std::vector<std::uint8_t>& bytes);
 
-struct DamageResult : PullRecord {
+struct DamageResult : FailureRecord {
   enum class Ending { severed, dropped, strain_reached, events_reached, not_converged, stopped, no_path } ending = Ending::no_path;
   std::string sentence;
   StressField at_strength;  ///< the field when the stress was largest; size 0 if nothing carried
@@ -68,7 +68,7 @@ struct DamageEnding {
   const char *word, *phrase;
 };
 inline constexpr DamageEnding damage_endings[] = {{"severed", "the sample came apart"},
-                                                  {"dropped", "the stress fell to the share at which the pull ends"},
+                                                  {"dropped", "the stress fell to the share at which the test ends"},
                                                   {"strain_reached", "the largest strain was reached"},
                                                   {"events_reached", "the largest number of rounds was reached"},
                                                   {"not_converged", "a static solve did not converge"},
@@ -79,6 +79,6 @@ inline constexpr DamageEnding damage_endings[] = {{"severed", "the sample came a
 /// breaks the response is linear, so the next break is known exactly. Bonds break in stretch only, under compression and shear too; broken faces do
 /// not touch again. Under compression a sample splits into columns, which carry on: bound such a run by its strain or its rounds. Throws InputError
 /// for a map or options that make no sense and for a state of a map of another size.
-DamageResult pull_to_failure(const PhaseMap& map, const DamageOptions& options);
+DamageResult load_to_failure(const PhaseMap& map, const DamageOptions& options);
 
 }  // namespace arenite::peridynamics

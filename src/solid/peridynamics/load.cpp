@@ -17,15 +17,15 @@ struct Specimen {
   const LoadOptions& options;
   Bonds bonds;
   std::vector<std::uint8_t> prescribed;
-  Pieces pieces;
+  Aggregates aggregates;
   Buffer<Tie> tie;
   Support support;
   Vec2 top_displacement;
 
   Specimen(const PhaseMap& m, const LoadOptions& o) : map(m), options(o), bonds(make_bonds(m, o.stiffness, o.law)) {
     prescribed = prescribed_rows(map.height, o.loading, o.lower);
-    pieces = cut_into_pieces(map, bonds, prescribed);
-    support = prune(bonds, pieces, prescribed, tie);
+    aggregates = cut_into_aggregates(map, bonds, prescribed);
+    support = prune(bonds, aggregates, prescribed, tie);
     top_displacement = o.strain * gauge() * direction_of(o.loading);
   }
 
@@ -60,7 +60,7 @@ StaticReport find_equilibrium(Specimen& s, Field<double>& u) {
   const LoadOptions& o = s.options;
   if (o.method == Method::static_solve) {
     const int most = o.max_iterations > 0 ? o.max_iterations : usual_cap(o.tolerance);
-    StaticSolver solver(s.bonds, std::move(s.pieces), s.prescribed);
+    StaticSolver solver(s.bonds, std::move(s.aggregates), s.prescribed);
     return o.exact_stretch ? solve_exact_stretch(s.bonds, s.map.dx, s.prescribed, solver, u, o.tolerance, most, o.watch)
                            : solver.solve(s.bonds, u, o.tolerance, most, o.watch);
   }

@@ -69,10 +69,10 @@ struct LoadOptions {
   BondLawChoice law{};
 };
 
-struct PullState;
+struct FailureState;
 
 /// Is handed a way to the state; a caller that wants it asks for it (copying it takes time).
-using KeepPull = std::function<void(const std::function<PullState()>& state)>;
+using KeepFailure = std::function<void(const std::function<FailureState()>& state)>;
 
 struct DamageOptions {
   Stiffness stiffness{};
@@ -81,16 +81,16 @@ struct DamageOptions {
   LowerEdge lower = LowerEdge::fixed;
   std::vector<Cut> cuts{};
   double tolerance = 1e-6;  ///< of each static solve
-  double max_strain = 1;    ///< the pull ends here,
+  double max_strain = 1;    ///< the test ends here,
   double end_stress = 0.1;  ///< or when the stress has fallen to this share of the largest,
   int max_events = 10'000;  ///< or after so many rounds of breaking
   /// Bonds within this share of the one furthest beyond its critical stretch break in the same round.
   double band = 0.05;
   Watch watch{};
   /// Called before each round of breaking and, with that round's state, where the watch stopped the work.
-  KeepPull keep{};
-  /// Goes on from here, a state of a pull of the same map with the same options: the result has the same bits as that of a pull in one piece.
-  const PullState* resume = nullptr;
+  KeepFailure keep{};
+  /// Goes on from here, a state of a test of the same map with the same options: the result has the same bits as that of a test in one piece.
+  const FailureState* resume = nullptr;
   BondLawChoice law{};
 };
 

@@ -8,26 +8,26 @@
 namespace arenite::peridynamics {
 namespace {
 
-/// Piece of a node; the lower clamp counts as one piece more, the upper as another. -1 for void.
+/// Aggregate of a node; the lower clamp counts as one piece more, the upper as another. -1 for void.
 struct Parts {
   const Bonds& bonds;
-  const Pieces& pieces;
+  const Aggregates& aggregates;
   const std::vector<std::uint8_t>& prescribed;
   int middle() const { return bonds.grid.height / 2; }
   std::int32_t of(std::ptrdiff_t i, int y) const {
-    if (y < 0 || y >= bonds.grid.height || prescribed[static_cast<std::size_t>(y)] != both_prescribed) return pieces.of_node[i];
-    return pieces.count() + (y > middle());
+    if (y < 0 || y >= bonds.grid.height || prescribed[static_cast<std::size_t>(y)] != both_prescribed) return aggregates.of_node[i];
+    return aggregates.count() + (y > middle());
   }
 };
 
-/// What each piece is tied to by itself, as bits of Tie. Joins in `sets` the pieces that hang together.
-std::vector<std::uint8_t> own_ties(const Bonds& bonds, const Pieces& pieces, const std::vector<std::uint8_t>& prescribed, JoinedSets& sets) {
+/// What each aggregate is tied to by itself, as bits of Tie. Joins in `sets` the aggregates that hang together.
+std::vector<std::uint8_t> own_ties(const Bonds& bonds, const Aggregates& aggregates, const std::vector<std::uint8_t>& prescribed, JoinedSets& sets) {
   const Grid& grid = bonds.grid;
-  const Parts parts{bonds, pieces, prescribed};
-  const std::int32_t below = pieces.count();
+  const Parts parts{bonds, aggregates, prescribed};
+  const std::int32_t below = aggregates.count();
   std::vector<std::uint8_t> ties(static_cast<std::size_t>(below), 0);
   grid.each([&](std::ptrdiff_t i, int y) {
-    if (prescribed[static_cast<std::size_t>(y)] == y_prescribed && pieces.of_node[i] >= 0) ties[static_cast<std::size_t>(pieces.of_node[i])] |= 1;
+    if (prescribed[static_cast<std::size_t>(y)] == y_prescribed && aggregates.of_node[i] >= 0) ties[static_cast<std::size_t>(aggregates.of_node[i])] |= 1;
   });
   // The clamps themselves never join parts: a part tied to both is known by its own ties.
   const auto join = [&](std::int32_t a, std::int32_t b) {
@@ -49,8 +49,8 @@ std::vector<std::uint8_t> own_ties(const Bonds& bonds, const Pieces& pieces, con
   return ties;
 }
 
-/// Gives the pieces that hang together the ties of all of them, and counts.
-Support share_ties(const Pieces& pieces, JoinedSets& sets, std::vector<std::uint8_t>& ties) {
+/// Gives the aggregates that hang together the ties of all of them, and counts.
+Support share_ties(const Aggregates& aggregates, JoinedSets& sets, std::vector<std::uint8_t>& ties) {
   std::vector<std::uint8_t> whole(ties.size(), 0);
   for (std::size_t p = 0; p < ties.size(); ++p) whole[static_cast<std::size_t>(sets.find(static_cast<std::int32_t>(p)))] |= ties[p];
   Support support;
@@ -61,25 +61,25 @@ Support share_ties(const Pieces& pieces, JoinedSets& sets, std::vector<std::uint
     (whole[root] == 3   ? support.carrying
      : whole[root] == 2 ? support.held_above
      : whole[root] == 1 ? support.held_below
-                        : support.floating) += static_cast<std::size_t>(pieces.list[p].nodes);
+                        : support.floating) += static_cast<std::size_t>(aggregates.list[p].nodes);
   }
   support.solid = support.carrying + support.held_above + support.held_below + support.floating;
   return support;
 }
 
-/// Leaves only the pieces that are tied to both clamps.
-void keep_carrying(const Grid& grid, const std::vector<std::uint8_t>& ties, Pieces& pieces) {
-  std::vector<std::int32_t> number(ties.size(), Pieces::none);
-  std::vector<Pieces::Piece> kept;
+/// Leaves only the aggregates that are tied to both clamps.
+void keep_carrying(const Grid& grid, const std::vector<std::uint8_t>& ties, Aggregates& aggregates) {
+  std::vector<std::int32_t> number(ties.size(), Aggregates::none);
+  std::vector<Aggregates::Aggregate> kept;
   for (std::size_t p = 0; p < ties.size(); ++p) {
     if (ties[p] != 3) continue;
     number[p] = static_cast<std::int32_t>(kept.size());
-    kept.push_back(pieces.list[p]);
+    kept.push_back(aggregates.list[p]);
   }
   grid.each([&](std::ptrdiff_t i, int) {
-    if (std::int32_t& p = pieces.of_node[i]; p >= 0) p = number[static_cast<std::size_t>(p)];
+    if (std::int32_t& p = aggregates.of_node[i]; p >= 0) p = number[static_cast<std::size_t>(p)];
   });
-  pieces.list = std::move(kept);
+  aggregates.list = std::move(kept);
 }
 
 /// Leaves only bonds between nodes that carry, clamped ones among them.
@@ -96,17 +96,17 @@ void cut_loose_bonds(Bonds& bonds, const std::vector<std::uint8_t>& prescribed, 
 
 }  // namespace
 
-Support prune(Bonds& bonds, Pieces& pieces, const std::vector<std::uint8_t>& prescribed, Buffer<Tie>& tie) {
+Support prune(Bonds& bonds, Aggregates& aggregates, const std::vector<std::uint8_t>& prescribed, Buffer<Tie>& tie) {
   const Grid& grid = bonds.grid;
-  JoinedSets sets(static_cast<std::size_t>(pieces.count()));
-  std::vector<std::uint8_t> ties = own_ties(bonds, pieces, prescribed, sets);
-  const Support support = share_ties(pieces, sets, ties);
+  JoinedSets sets(static_cast<std::size_t>(aggregates.count()));
+  std::vector<std::uint8_t> ties = own_ties(bonds, aggregates, prescribed, sets);
+  const Support support = share_ties(aggregates, sets, ties);
   tie = Buffer<Tie>(grid.padded_size());
   grid.each([&](std::ptrdiff_t i, int) {
-    if (pieces.of_node[i] >= 0) tie[i] = static_cast<Tie>(ties[static_cast<std::size_t>(pieces.of_node[i])]);
+    if (aggregates.of_node[i] >= 0) tie[i] = static_cast<Tie>(ties[static_cast<std::size_t>(aggregates.of_node[i])]);
   });
   if (support.carrying == support.solid) return support;
-  keep_carrying(grid, ties, pieces);
+  keep_carrying(grid, ties, aggregates);
   cut_loose_bonds(bonds, prescribed, tie);
   return support;
 }

@@ -132,7 +132,7 @@ template <class Distance> double nearest(double low, double high, const Distance
 GrainScene grain_scene(const PhasePictures& pictures, const PictureGrains& grains, const GrainMotion& motion, double blur, int threads) {
   GrainScene scene;
   scene.grain.resize(grains.size());
-  Team(threads).for_each(grains.size(), [&](std::size_t i) { scene.grain[i] = inner_level(pictures, grains, motion, i); });
+  ThreadPool(threads).for_each(grains.size(), [&](std::size_t i) { scene.grain[i] = inner_level(pictures, grains, motion, i); });
   scene.background = background_level(pictures, scene, grains, motion, blur);
   return scene;
 }
@@ -142,7 +142,7 @@ GrainScene grain_scene(const PhasePictures& pictures, const PictureGrains& grain
 PhasePictures without_scene(const PhasePictures& pictures, const GrainScene& scene, const PictureGrains& grains, const GrainMotion& motion, double blur,
                             int threads) {
   PhasePictures rest = pictures;
-  Team(threads).for_each(rest.size(), [&](std::size_t k) {
+  ThreadPool(threads).for_each(rest.size(), [&](std::size_t k) {
     std::vector<float> drawn = draw_disks(grains_in(rest, k, grains, motion), scene.grain, scene.background, blur, rest.width, rest.height);
     spline_coefficients(drawn.data(), rest.width, rest.height);
     float* coefficient = rest.spline.data() + k * rest.pixels();
@@ -221,7 +221,7 @@ LockinMaps follow_grains(const PhasePictures& pictures, const LockinMaps& maps, 
       sine[i].push_back(f.harmonics[2]);
     });
   };
-  Team(threads).for_each(grains.size(), follow);
+  ThreadPool(threads).for_each(grains.size(), follow);
   if (given_phase) result.reference_phase = *given_phase;
   else if (grains.size() > 0) result.reference_phase = reference_phase(joined(cosine), joined(sine));
   project(result, owner);

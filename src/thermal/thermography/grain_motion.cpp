@@ -226,10 +226,10 @@ GrainMotion grain_motion(const PhasePictures& pictures, const PictureGrains& gra
   if (n == 0) return motion;
   const std::vector<Rim> rims = rims_of(grains, pictures.width, pictures.height, options.rim);
   std::vector<double> contrast(n, 0);
-  const Team team(options.threads);
+  const ThreadPool pool(options.threads);
   for (int turn = 0; turn < options.iterations; ++turn) {
     std::vector<Left> left(n);
-    team.for_each(n, [&](std::size_t i) { left[i] = motion_left(pictures, rims[i], i, motion, contrast); });
+    pool.for_each(n, [&](std::size_t i) { left[i] = motion_left(pictures, rims[i], i, motion, contrast); });
     for (std::size_t i = 0; i < n; ++i) contrast[i] = left[i].contrast;
     const Together all = assemble(left);
     const Matrix step = turn < affine_turns ? affine_step(grains, all) : solve_sparse(all.normal, all.side);

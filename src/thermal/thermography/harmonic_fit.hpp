@@ -52,7 +52,7 @@ struct SegmentSums {
 /// One pass over the film with `harmonics` (1 to 4) of `frequency`; a film in memory is not copied. Every segment is
 /// short against the drift polynomial of this order and, where the film allows it, against the beat of a frequency that
 /// is 1e-2 off. No sums if `progress` stopped it.
-SegmentSums sum_segments(FilmSource& film, std::vector<double> time, double frequency, int harmonics, int drift_order, const Team& team,
+SegmentSums sum_segments(FilmSource& film, std::vector<double> time, double frequency, int harmonics, int drift_order, const ThreadPool& pool,
                          const Progress& progress);
 
 /// Least squares of drift and harmonics of one frequency, the same for all pixels, as numbers by which the sums of
@@ -105,9 +105,9 @@ void fit_pixels(const SegmentSums& sums, const HarmonicFit& fit, std::size_t fro
 void fit_pixels_with_variance(const SegmentSums& sums, const HarmonicFit& fit, std::size_t begin, std::size_t count, PixelFit& out);
 
 /// Calls work(run number, first pixel, pixels) for all runs of all pixels, on the whole team.
-template <class Work> void for_runs(const SegmentSums& sums, const Team& team, const Work& work) {
+template <class Work> void for_runs(const SegmentSums& sums, const ThreadPool& pool, const Work& work) {
   const std::size_t runs = (sums.pixels + PixelFit::run - 1) / PixelFit::run;
-  team.for_each(runs, [&](std::size_t r) { work(r, r * PixelFit::run, std::min(PixelFit::run, sums.pixels - r * PixelFit::run)); });
+  pool.for_each(runs, [&](std::size_t r) { work(r, r * PixelFit::run, std::min(PixelFit::run, sums.pixels - r * PixelFit::run)); });
 }
 
 /// Calls work(first pixel, pixels) for at most about `most` chunks of pixels, spread over the picture.

@@ -51,7 +51,7 @@ void refuse_constant(const SegmentSums& s) {
 }
 
 /// Fills all maps but those that need the reference; cos and sin of the first harmonic go to `phasor`.
-void fill(const SegmentSums& s, const HarmonicFit& fit, const Team& team, LockinMaps& maps, std::vector<double> (&phasor)[2]) {
+void fill(const SegmentSums& s, const HarmonicFit& fit, const ThreadPool& pool, LockinMaps& maps, std::vector<double> (&phasor)[2]) {
   const bool second = fit.harmonics > 1;
   for (const auto& map : lockin_maps)
     if (second || map.values != &LockinMaps::second_harmonic) (maps.*map.values).resize(s.pixels);
@@ -61,7 +61,7 @@ void fill(const SegmentSums& s, const HarmonicFit& fit, const Team& team, Lockin
   const double spread = std::sqrt(maps.noise_ratio * (fit.covariance(a, a) + fit.covariance(a + 1, a + 1)) / 2);
   std::vector<double> value(fit.drift), slope(fit.drift);
   legendre(0, fit.drift, value.data(), slope.data());
-  for_runs(s, team, [&](std::size_t, std::size_t begin, std::size_t count) {
+  for_runs(s, pool, [&](std::size_t, std::size_t begin, std::size_t count) {
     PixelFit pixels;
     fit_pixels_with_variance(s, fit, begin, count, pixels);
     for (std::size_t i = 0; i < count; ++i) {
@@ -95,12 +95,12 @@ void project(LockinMaps& maps, const std::vector<double>& cosine, const std::vec
 }
 
 LockinMaps locked_in(FilmSource& film, const LockinOptions& o, std::vector<double> time, int harmonics) {
-  const Team team(o.threads);
-  const SegmentSums sums = sum_segments(film, std::move(time), o.frequency, harmonics, o.drift_order, team, o.progress);
+  const ThreadPool pool(o.threads);
+  const SegmentSums sums = sum_segments(film, std::move(time), o.frequency, harmonics, o.drift_order, pool, o.progress);
   if (!sums.sums) return {};
   refuse_constant(sums);
   std::optional<FrequencyFit> refined;
-  if (o.refine) refined = refine_frequency(sums, o.drift_order, team);
+  if (o.refine) refined = refine_frequency(sums, o.drift_order, pool);
   LockinMaps maps;
   maps.width = film.info().width;
   maps.height = film.info().height;
@@ -113,7 +113,7 @@ LockinMaps locked_in(FilmSource& film, const LockinOptions& o, std::vector<doubl
   refuse_too_few_cycles(fit, sums);
   judge_amplitude(sums, fit, refined, maps);
   std::vector<double> phasor[2];
-  fill(sums, fit, team, maps, phasor);
+  fill(sums, fit, pool, maps, phasor);
   maps.reference_phase = o.reference_phase ? *o.reference_phase : reference_phase(phasor[0], phasor[1]);
   project(maps, phasor[0], phasor[1]);
   return maps;

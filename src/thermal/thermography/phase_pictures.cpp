@@ -107,10 +107,10 @@ Matrix drift_solver(const Bins& bins) {
 }
 
 /// Turns the weighed sums into the drift's coefficients. `sums` holds the sums of the pictures.
-void solve_drift(const Bins& bins, const float* sums, std::size_t pixels, float* drift, const Team& team) {
+void solve_drift(const Bins& bins, const float* sums, std::size_t pixels, float* drift, const ThreadPool& pool) {
   if (bins.order == 0) return;
   const Matrix solver = drift_solver(bins);
-  team.for_ranges(pixels, [&](std::size_t begin, std::size_t end) {
+  pool.for_ranges(pixels, [&](std::size_t begin, std::size_t end) {
     std::vector<double> side(bins.order);
     for (std::size_t p = begin; p < end; ++p) {
       for (std::size_t j = 0; j < bins.order; ++j) {
@@ -147,10 +147,10 @@ PhasePictures phase_pictures(FilmSource& film, const LockinMaps& maps, const Loc
   const std::size_t pixels = result.pixels();
   result.spline.resize(result.size() * pixels);
   std::vector<float> drift(bins.order * pixels);
-  const Team team(options.threads);
+  const ThreadPool pool(options.threads);
   const std::size_t at_once = std::max<std::size_t>(1, (std::size_t{8} << 20) / (pixels * (film.info().floating ? 4 : 2)));
   const auto take = [&](const auto* frames, std::size_t n, std::size_t some) {
-    team.for_ranges(pixels, [&](std::size_t begin, std::size_t end) {
+    pool.for_ranges(pixels, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = 0; k < some; ++k) {
         float* sum = result.spline.data() + bins.of_frame[n + k] * pixels;
         add(frames + k * pixels, maps.mean, bins.slow.data() + (n + k) * bins.order, bins.order, sum, drift.data(), begin, end);
@@ -159,8 +159,8 @@ PhasePictures phase_pictures(FilmSource& film, const LockinMaps& maps, const Loc
     return !options.progress || options.progress(static_cast<double>(n + some) / static_cast<double>(time.size()));
   };
   if (!read_frames(film, 0, time.size(), at_once, take)) return {};
-  solve_drift(bins, result.spline.data(), pixels, drift.data(), team);
-  team.for_each(result.size(), [&](std::size_t b) { finish(maps, bins, drift.data(), b, result.spline.data() + b * pixels); });
+  solve_drift(bins, result.spline.data(), pixels, drift.data(), pool);
+  pool.for_each(result.size(), [&](std::size_t b) { finish(maps, bins, drift.data(), b, result.spline.data() + b * pixels); });
   return result;
 }
 

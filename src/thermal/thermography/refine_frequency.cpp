@@ -104,7 +104,7 @@ using Weighings = std::array<BeatSums, 2>;  // by noise alone, and with strong s
 
 class Newton {
  public:
-  Newton(const SegmentSums& sums, int drift_order, const Team& team) : s_(sums), drift_(drift_order), team_(team) {}
+  Newton(const SegmentSums& sums, int drift_order, const ThreadPool& pool) : s_(sums), drift_(drift_order), team_(pool) {}
 
   /// By how much the frequency is off; looks at one run of pixels in `every`.
   FrequencyFit step(double frequency, std::size_t every) {
@@ -170,7 +170,7 @@ class Newton {
 
   const SegmentSums& s_;
   int drift_;
-  const Team& team_;
+  const ThreadPool& team_;
   double typical_ = -1;
 };
 
@@ -214,12 +214,12 @@ SearchBand search_band(const std::vector<double>& time, double frequency) {
 
 double frequencies_in(const SearchBand& band, const std::vector<double>& time) { return band.empty() ? 1 : 1 + 2 * (band.high - band.low) * film_length(time); }
 
-FrequencyFit refine_frequency(const SegmentSums& sums, int drift_order, const Team& team) {
+FrequencyFit refine_frequency(const SegmentSums& sums, int drift_order, const ThreadPool& pool) {
   const SearchBand band = search_band(sums.time, sums.frequency);
   const FrequencyFit as_given{sums.frequency, std::numeric_limits<double>::infinity(), 0};
   if (band.empty()) return as_given;
   const double time = sums.time.back() - sums.time.front();
-  Newton newton(sums, drift_order, team);
+  Newton newton(sums, drift_order, pool);
   FrequencyFit result{segments_show_load(sums) ? segments_in_step(sums, band) : best_fitting(sums, band, drift_order), 0, 0};
   std::size_t every = newton.runs() >= 64 ? 8 : 1;
   for (int turns = 0; turns < 12; ++turns) {

@@ -31,7 +31,7 @@ double frequencies_in(const SearchBand& band, const std::vector<double>& time);
 /// are most in step or, in films of few cycles, where a fit to these pixels explains most, then Newton steps of the
 /// least-squares problem of all pixels, each weighed by its noise. The error is the Cramer-Rao bound for white noise.
 /// A film that shows no oscillation in the band keeps the frequency of the sums, with an error of infinity.
-FrequencyFit refine_frequency(const SegmentSums& sums, int drift_order, const Team& team);
+FrequencyFit refine_frequency(const SegmentSums& sums, int drift_order, const ThreadPool& pool);
 
 /// Throws InputError for a film of so few cycles that drift can do nearly all that the load does.
 void refuse_too_few_cycles(const HarmonicFit& fit, const SegmentSums& sums);

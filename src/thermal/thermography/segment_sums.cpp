@@ -50,7 +50,7 @@ void watch(SegmentSums& s) {
 
 struct Pass {
   SegmentSums& s;
-  const Team& team;
+  const ThreadPool& pool;
   std::vector<float> reference;
 
   /// Frames first .. first + count - 1, all within segment k.
@@ -60,7 +60,7 @@ struct Pass {
     const bool opens = first == s.first[k];
     const WeighedFrames<T> weighed{frames, s.pixels, count, s.weights.data() + first * s.functions, s.functions, reference.data()};
     const std::size_t chunks = (s.pixels + chunk - 1) / chunk;
-    team.for_ranges(chunks, [&](std::size_t from, std::size_t to) {
+    pool.for_ranges(chunks, [&](std::size_t from, std::size_t to) {
       const std::size_t begin = from * chunk, end = std::min(to * chunk, s.pixels);
       if (opens) refer(frames, k, begin, end);
       if constexpr (sizeof(T) == 2) kernels().add_levels(weighed, sums, stride, begin, end);
@@ -90,8 +90,8 @@ struct Pass {
 };
 
 /// Hands out the frames of the memory, or of what is read some at a time, cut at the ends of segments.
-bool pass_over(SegmentSums& s, const Team& team, FilmSource& film, const Progress& progress) {
-  Pass pass{s, team, std::vector<float>(s.pixels)};
+bool pass_over(SegmentSums& s, const ThreadPool& pool, FilmSource& film, const Progress& progress) {
+  Pass pass{s, pool, std::vector<float>(s.pixels)};
   const std::size_t at_once = std::max<std::size_t>(16, block_bytes / (s.pixels * (film.info().floating ? 4 : 2)) / 16 * 16);
   const std::uint16_t* levels = film.levels_in_memory();
   const float* values = film.values_in_memory();
@@ -141,7 +141,7 @@ double nyquist_frequency(const std::vector<double>& time) {
   return 0.5 / median(std::move(step));
 }
 
-SegmentSums sum_segments(FilmSource& film, std::vector<double> time, double frequency, int harmonics, int drift_order, const Team& team,
+SegmentSums sum_segments(FilmSource& film, std::vector<double> time, double frequency, int harmonics, int drift_order, const ThreadPool& pool,
                          const Progress& progress) {
   SegmentSums s;
   s.time = std::move(time);
@@ -153,7 +153,7 @@ SegmentSums sum_segments(FilmSource& film, std::vector<double> time, double freq
   watch(s);
   s.base.resize(s.pixels);
   s.sums.reset(new float[s.view().at((s.pixels + chunk - 1) / chunk * chunk, 0, 0)]);
-  if (!pass_over(s, team, film, progress)) s.sums.reset();
+  if (!pass_over(s, pool, film, progress)) s.sums.reset();
   return s;
 }
 

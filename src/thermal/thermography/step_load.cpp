@@ -85,10 +85,10 @@ class StepSums {
   StepSums(std::size_t pixels, std::size_t size) : pixels_(pixels), base_(pixels), squares_(pixels), sum_(size, std::vector<double>(pixels)) {}
 
   /// False if stopped.
-  bool pass(FilmSource& film, const StepSide& side, const Team& team, const std::function<bool(std::size_t)>& progress) {
+  bool pass(FilmSource& film, const StepSide& side, const ThreadPool& pool, const std::function<bool(std::size_t)>& progress) {
     const std::size_t at_once = std::clamp<std::size_t>((std::size_t{1} << 22) / pixels_, 1, 256);
     return read_frames(film, side.first, side.count, at_once, [&](const auto* frames, std::size_t n, std::size_t some) {
-      add(frames, n, some, side, team);
+      add(frames, n, some, side, pool);
       return progress(some);
     });
   }
@@ -107,8 +107,8 @@ class StepSums {
   }
 
  private:
-  template <class T> void add(const T* frames, std::size_t first, std::size_t count, const StepSide& side, const Team& team) {
-    team.for_ranges(pixels_, [&](std::size_t begin, std::size_t end) {
+  template <class T> void add(const T* frames, std::size_t first, std::size_t count, const StepSide& side, const ThreadPool& pool) {
+    pool.for_ranges(pixels_, [&](std::size_t begin, std::size_t end) {
       if (first == 0)
         for (std::size_t p = begin; p < end; ++p) base_[p] = static_cast<double>(frames[p]);
       for (std::size_t f = 0; f < count; ++f) {
@@ -191,13 +191,13 @@ StepMaps step_load(FilmSource& film, const StepOptions& o) {
   maps.relaxation_before = sides.before.relaxation;
   maps.relaxation_after = sides.after.relaxation;
   StepSums sums[2] = {StepSums(film.info().pixels(), sides.before.height.rows()), StepSums(film.info().pixels(), sides.after.height.rows())};
-  const Team team(o.threads);
+  const ThreadPool pool(o.threads);
   std::size_t read = 0;
   const auto progress = [&](std::size_t frames) {
     read += frames;
     return !o.progress || o.progress((1 + static_cast<double>(read) / static_cast<double>(maps.before + maps.after)) / 2);
   };
-  if (!sums[0].pass(film, sides.before, team, progress) || !sums[1].pass(film, sides.after, team, progress)) return {};
+  if (!sums[0].pass(film, sides.before, pool, progress) || !sums[1].pass(film, sides.after, pool, progress)) return {};
   fill(maps, sides, sums);
   return maps;
 }

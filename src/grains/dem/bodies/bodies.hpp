@@ -42,7 +42,7 @@ void wrap_bodies(Sample& sample);
 bool has_single_disks(const Sample& sample);
 
 /// A step of all bodies: forces on their disks at the start of the step take them and their disks to its end. False if the list has become stale.
-bool move_bodies(Sample& sample, const SweepTask& task, const Team& team);
+bool move_bodies(Sample& sample, const SweepTask& task, const ThreadPool& pool);
 
 /// Puts the disks of all bodies where these are, with their velocity.
 void place_parts(Sample& sample);
@@ -54,7 +54,7 @@ Load load_on(const Sample& sample, std::size_t mover);
 Vec2 between_centres(const Sample& sample, std::size_t slot, Vec2 branch);
 
 /// The places where disks may touch polygons, by disk.
-std::vector<Foot> find_feet(const Sample& sample, const Team& team);
+std::vector<Foot> find_feet(const Sample& sample, const ThreadPool& pool);
 /// Puts the feet's records where they are now.
 void refresh_feet(Sample& sample);
 /// The foot of a slot; null of any other.
@@ -64,7 +64,7 @@ std::vector<Foot> find_point_feet(const Sample& sample);
 /// The foot of a slot that joins a polygon with a boundary's point; null of any other.
 const Foot* point_foot_of(const Sample& sample, std::size_t slot);
 /// Adds to the slots of feet the torques that their forces have about the disks that take them.
-void take_torques_to_owners(Sample& sample, const Team& team);
+void take_torques_to_owners(Sample& sample, const ThreadPool& pool);
 /// Rows of periodic cells from the centre of i's grain to that of j's.
 int rows_between(const Sample& sample, std::size_t slot);
 

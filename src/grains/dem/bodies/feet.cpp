@@ -145,7 +145,7 @@ void place_foot(const Sample& s, Foot& foot, DiskRecord& at) {
 
 }  // namespace
 
-std::vector<Foot> find_feet(const Sample& s, const Team& team) {
+std::vector<Foot> find_feet(const Sample& s, const ThreadPool& pool) {
   double reach = largest_core(s);
   if (reach == 0) return {};
   reach += s.largest_radius + s.skin;
@@ -156,7 +156,7 @@ std::vector<Foot> find_feet(const Sample& s, const Team& team) {
   const geometry::SortedCells cells(grid, 0, cores.size(), [&](std::size_t c) { return grid.cell(cores[c].middle.x, cores[c].middle.y); });
   constexpr std::size_t disks_of_block = 64;
   std::vector<std::vector<Foot>> blocks((s.count + disks_of_block - 1) / disks_of_block);
-  team.for_ranges(blocks.size(), [&](std::size_t begin, std::size_t end) {
+  pool.for_ranges(blocks.size(), [&](std::size_t begin, std::size_t end) {
     std::vector<std::int32_t> near;
     for (std::size_t block = begin; block < end; ++block)
       for (std::size_t k = block * disks_of_block; k < std::min(s.count, (block + 1) * disks_of_block); ++k) {

@@ -105,10 +105,10 @@ void drop_own_disks(const Sample& s, std::size_t k, std::vector<std::int32_t>& p
   partner.erase(std::remove_if(partner.begin() + static_cast<std::ptrdiff_t>(from), partner.end(), is_own), partner.end());
 }
 
-bool move_bodies(Sample& s, const SweepTask& t, const Team& team) {
+bool move_bodies(Sample& s, const SweepTask& t, const ThreadPool& pool) {
   if (s.body.empty()) return true;
   std::atomic<bool> near = true;
-  team.for_ranges(s.body.size(), [&](std::size_t begin, std::size_t end) {
+  pool.for_ranges(s.body.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t b = begin; b < end; ++b) {
       move(s, t, s.body[b]);
       place_parts_of(s, s.body[b]);
@@ -131,10 +131,10 @@ void wrap_bodies(Sample& s) {
   place_parts(s);
 }
 
-void take_torques_to_owners(Sample& s, const Team& team) {
+void take_torques_to_owners(Sample& s, const ThreadPool& pool) {
   const std::size_t feet = s.foot.size(), first = s.list.pairs - feet;
   if (feet > 0)
-    team.for_ranges(feet, [&](std::size_t begin, std::size_t end) {
+    pool.for_ranges(feet, [&](std::size_t begin, std::size_t end) {
       for (std::size_t p = first + begin; p < first + end; ++p)
         if (acts(s.list.force[p])) s.list.force[p].torque_j += shifted_torque_j(s, p, s.foot[p - first]);
     });

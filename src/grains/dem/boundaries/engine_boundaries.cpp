@@ -17,12 +17,12 @@
 
 namespace arenite::dem {
 
-void list_anew(Sample& s, const Team& team) {
+void list_anew(Sample& s, const ThreadPool& pool) {
   const bool tracked = s.integration.track_energy;
   const double before = tracked ? energies_of(s).elastic : 0;
-  rebuild_list(s, team);
+  rebuild_list(s, pool);
   s.laws.lead = -s.laws.lag;
-  compute_forces(s, team);
+  compute_forces(s, pool);
   s.laws = laws_between_steps(s);
   if (tracked) s.tally.work_walls += energies_of(s).elastic - before;
 }
@@ -69,7 +69,7 @@ void Engine::set_rough(const std::array<bool, 4>& rough) {
   synchronise(s);
   for (std::size_t side = 0; side < 4; ++side) s.wall[side].rough = rough[side] && s.domain.wall[side].present;
   hold_nearest(s);
-  list_anew(s, machine_->team);
+  list_anew(s, machine_->pool);
 }
 
 void Engine::set_open(const std::array<bool, 4>& open) {
@@ -83,7 +83,7 @@ void Engine::set_open(const std::array<bool, 4>& open) {
     if (open[side]) s.domain.wall[side].force = s.domain.wall[side].shear_force = 0;
   }
   apply_open(s);
-  list_anew(s, machine_->team);
+  list_anew(s, machine_->pool);
 }
 
 void Engine::set_boundaries(const std::vector<BoundaryDrive>& drives) {
@@ -112,7 +112,7 @@ void Engine::set_boundaries(const std::vector<BoundaryDrive>& drives) {
     boundaries[b].present = drive.present;
   }
   if (s.integration.track_energy) s.tally.work_walls += energies_of(s).kinetic - before;
-  if (others_there) list_anew(s, machine_->team);
+  if (others_there) list_anew(s, machine_->pool);
   else sum_boundary_forces(s);
 }
 

@@ -28,10 +28,10 @@ void move_walls(Sample& s) {
   }
 }
 
-bool gear_sweep(Sample& s, const Team& team) {
+bool gear_sweep(Sample& s, const ThreadPool& pool) {
   DiskSweep sweep(s);
   move_walls(s);
-  return sweep.run(s.kernel->gear, team);
+  return sweep.run(s.kernel->gear, pool);
 }
 
 /// One coordinate (of a disk or a wall) while the starting values are sought: derivatives 0 to 5, unscaled.

@@ -12,7 +12,7 @@ struct Integrator {
   Word word;
   /// Takes the forces at t_n in the sample to positions and seen velocities at t_{n+1}; walls and affine motion too. False if the contact list has
   /// become stale.
-  bool (*sweep)(Sample&, const Team&);
+  bool (*sweep)(Sample&, const ThreadPool&);
   /// Finds starting values from a state whose velocities are those of its places; null where none are needed.
   void (*start)(Sample&);
   /// Between steps a predictor and corrector holds a predicted state, whose rates lack this share of the change of acceleration times dt/2, and its
@@ -48,7 +48,7 @@ class DiskSweep {
  public:
   explicit DiskSweep(Sample& sample);
   /// Moves the disks and what goes with the cell. False if the contact list has become stale.
-  bool run(Kernel::Sweep loop, const Team& team);
+  bool run(Kernel::Sweep loop, const ThreadPool& pool);
 
   SweepTask task{};  ///< `kick` and `ahead` are the integrator's to fill in
 

@@ -22,7 +22,7 @@ void move_walls(Sample& s, double kick, double ahead) {
 }
 
 /// See integrators.hpp for `extrapolation`, its c.
-template <int extrapolation> bool verlet(Sample& s, const Team& team) {
+template <int extrapolation> bool verlet(Sample& s, const ThreadPool& pool) {
   const double kick = s.lag + 0.5 * s.dt, ahead = extrapolation * 0.5 * s.dt;
   DiskSweep sweep(s);
   sweep.task.kick = kick;
@@ -30,7 +30,7 @@ template <int extrapolation> bool verlet(Sample& s, const Team& team) {
   move_walls(s, kick, ahead);
   push_boundaries(s, kick, ahead);
   s.lag = 0.5 * s.dt;
-  return sweep.run(s.kernel->verlet, team);
+  return sweep.run(s.kernel->verlet, pool);
 }
 
 }  // namespace
@@ -61,7 +61,7 @@ DiskSweep::DiskSweep(Sample& s) : sample_(s), before_(cell_frame(s.domain)) {
   task.turning = s.integration.rotations ? 1.0 : 0.0;
 }
 
-bool DiskSweep::run(Kernel::Sweep loop, const Team& team) {
+bool DiskSweep::run(Kernel::Sweep loop, const ThreadPool& pool) {
   Sample& s = sample_;
   const CellFrame after = cell_frame(s.domain), listed = cell_frame(s.listed_domain);
   const CellMotion motion = cell_motion(s.domain);
@@ -75,14 +75,14 @@ bool DiskSweep::run(Kernel::Sweep loop, const Team& team) {
   task.limit = leeway > 0 ? leeway * leeway : -1.0;
   std::atomic<bool> near = true;
   if (has_single_disks(s))
-    team.for_ranges(s.count, [&](std::size_t begin, std::size_t end) {
+    pool.for_ranges(s.count, [&](std::size_t begin, std::size_t end) {
       if (!loop(task, begin, end)) near = false;
     });
   if (s.domain.periodic_x) s.domain.tilt *= after.x.length / before_.x.length;
   s.domain.tilt += s.dt * s.shear_rate * s.domain.height();
   for (WallBody& body : s.wall) body.slid += s.dt * body.drive.slide;
   hold_grains(s);
-  const bool bodies_near = move_bodies(s, task, team);
+  const bool bodies_near = move_bodies(s, task, pool);
   ++s.step;
   return near && bodies_near;
 }

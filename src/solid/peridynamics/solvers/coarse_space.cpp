@@ -49,14 +49,14 @@ BlockMatrix gathered(const std::vector<std::int64_t>& begin, const std::vector<E
 
 }  // namespace
 
-CoarseSpace::CoarseSpace(const Bonds& bonds, Pieces pieces, const BlockDiagonal<double>& diagonal, const std::vector<std::uint8_t>& prescribed)
+CoarseSpace::CoarseSpace(const Bonds& bonds, Aggregates aggregates, const BlockDiagonal<double>& diagonal, const std::vector<std::uint8_t>& prescribed)
     : grid_(bonds.grid),
-      pieces_(std::move(pieces)) {
-  const auto sums = couplings(bonds, pieces_, diagonal, prescribed);
+      aggregates_(std::move(aggregates)) {
+  const auto sums = couplings(bonds, aggregates_, diagonal, prescribed);
   number_corners(sums);
   list_runs(prescribed);
   BlockMatrix matrix = assemble(sums);
-  // A piece of few nodes carries more functions than it has freedoms, and a hat may vanish on all of its nodes: a trace
+  // A aggregate of few nodes carries more functions than it has freedoms, and a hat may vanish on all of its nodes: a trace
   // of stiffness on the diagonal keeps these apart and is too small to slow anything down.
   const auto diagonal_block = [&](std::int32_t c) { return &matrix.value[4 * static_cast<std::size_t>(matrix.column_begin[static_cast<std::size_t>(c)])]; };
   double stiffest = 0;
@@ -72,14 +72,14 @@ CoarseSpace::CoarseSpace(const Bonds& bonds, Pieces pieces, const BlockDiagonal<
     if (factor_->positive() || repairs_ == 3) break;
   }
   load_.resize(2 * static_cast<std::size_t>(nodes_));
-  moments_.resize(8 * pieces_.list.size());
+  moments_.resize(8 * aggregates_.list.size());
 }
 
 void CoarseSpace::number_corners(const std::vector<Coupling>& couplings) {
-  const std::size_t corners = 4 * pieces_.list.size();
+  const std::size_t corners = 4 * aggregates_.list.size();
   JoinedSets sets(corners);
   for (const Coupling& c : couplings) {
-    const Pieces::Piece &p = pieces_.list[static_cast<std::size_t>(c.p)], &q = pieces_.list[static_cast<std::size_t>(c.q)];
+    const Aggregates::Aggregate &p = aggregates_.list[static_cast<std::size_t>(c.p)], &q = aggregates_.list[static_cast<std::size_t>(c.q)];
     if (c.p == c.q || p.owner != q.owner) continue;
     const int right = q.cell_x - p.cell_x, up = q.cell_y - p.cell_y;
     for (int a = 0; a < 4; ++a) {
@@ -114,7 +114,7 @@ BlockMatrix CoarseSpace::assemble(const std::vector<Coupling>& couplings) const 
     const auto ua = static_cast<unsigned>(a), ub = static_cast<unsigned>(b);
     const double xx = c.block[0][ua][ub], xy = c.block[1][ua][ub], yy = c.block[2][ua][ub], yx = c.block[3][ua][ub];
     Entry& entry = entries[static_cast<std::size_t>(at[static_cast<std::size_t>(std::min(m, n))]++)];
-    // Two corners of different pieces may share a coarse node: then the block and its transpose both land on the diagonal.
+    // Two corners of different aggregates may share a coarse node: then the block and its transpose both land on the diagonal.
     if (m == n && c.p != c.q) entry = {m, {2 * xx, xy + yx, xy + yx, 2 * yy}};
     else if (m >= n) entry = {m, {xx, yx, xy, yy}};
     else entry = {n, {xx, xy, yx, yy}};
@@ -126,13 +126,13 @@ void CoarseSpace::list_runs(const std::vector<std::uint8_t>& prescribed) {
   for (int y = 0; y < grid_.height; ++y)
     for (int x = 0; x < grid_.width;) {
       const std::ptrdiff_t i = grid_.index(x, y);
-      const std::int32_t piece = pieces_.of_node[i];
-      const int end = std::min(grid_.width, (x / Pieces::cell + 1) * Pieces::cell);
+      const std::int32_t aggregate = aggregates_.of_node[i];
+      const int end = std::min(grid_.width, (x / Aggregates::cell + 1) * Aggregates::cell);
       int length = 1;
-      while (x + length < end && pieces_.of_node[i + length] == piece) ++length;
-      if (piece >= 0)
-        runs_.push_back({i, piece, static_cast<std::int16_t>(x % Pieces::cell), static_cast<std::int16_t>(y % Pieces::cell), static_cast<std::int16_t>(length),
-                         prescribed[static_cast<std::size_t>(y)] == y_prescribed});
+      while (x + length < end && aggregates_.of_node[i + length] == aggregate) ++length;
+      if (aggregate >= 0)
+        runs_.push_back({i, aggregate, static_cast<std::int16_t>(x % Aggregates::cell), static_cast<std::int16_t>(y % Aggregates::cell),
+                         static_cast<std::int16_t>(length), prescribed[static_cast<std::size_t>(y)] == y_prescribed});
       x += length;
     }
 }
@@ -153,7 +153,7 @@ void CoarseSpace::correct(Plane<const float> r, Plane<float> z) {
     const auto from = static_cast<float>(run.x), t = static_cast<float>(run.y);
     x1 += from * x0;
     y1 += from * y0;
-    float* m = &moments_[8 * static_cast<std::size_t>(run.piece)];
+    float* m = &moments_[8 * static_cast<std::size_t>(run.aggregate)];
     m[0] += x0;
     m[1] += x1;
     m[2] += t * x0;
@@ -164,8 +164,8 @@ void CoarseSpace::correct(Plane<const float> r, Plane<float> z) {
     m[7] += t * y1;
   }
   std::fill(load_.begin(), load_.end(), 0.0);
-  constexpr double h = 1.0 / Pieces::cell;
-  for (std::size_t p = 0; p < pieces_.list.size(); ++p)
+  constexpr double h = 1.0 / Aggregates::cell;
+  for (std::size_t p = 0; p < aggregates_.list.size(); ++p)
     for (unsigned c = 0; c < 2; ++c) {
       const float* m = &moments_[8 * p + 4 * c];
       const double one = m[0], s = h * m[1], t = h * m[2], st = h * h * m[3];
@@ -173,7 +173,7 @@ void CoarseSpace::correct(Plane<const float> r, Plane<float> z) {
       for (unsigned a = 0; a < 4; ++a) load_[2 * static_cast<std::size_t>(corner_[4 * p + a]) + c] += weight[a];
     }
   factor_->solve(load_);
-  for (std::size_t p = 0; p < pieces_.list.size(); ++p)
+  for (std::size_t p = 0; p < aggregates_.list.size(); ++p)
     for (unsigned c = 0; c < 2; ++c) {
       double u[4];
       for (unsigned a = 0; a < 4; ++a) u[a] = load_[2 * static_cast<std::size_t>(corner_[4 * p + a]) + c];
@@ -184,7 +184,7 @@ void CoarseSpace::correct(Plane<const float> r, Plane<float> z) {
       m[3] = static_cast<float>(h * h * (u[0] - u[1] - u[2] + u[3]));
     }
   for (const Run& run : runs_) {
-    const float* m = &moments_[8 * static_cast<std::size_t>(run.piece)];
+    const float* m = &moments_[8 * static_cast<std::size_t>(run.aggregate)];
     const auto from = static_cast<float>(run.x), t = static_cast<float>(run.y);
     const float gx = m[1] + t * m[3], gy = run.slides ? 0 : m[5] + t * m[7];
     const float ax = m[0] + t * m[2] + from * gx, ay = run.slides ? 0 : m[4] + t * m[6] + from * gy;

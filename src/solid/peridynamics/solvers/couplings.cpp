@@ -6,7 +6,7 @@
 namespace arenite::peridynamics {
 namespace {
 
-constexpr int cell = Pieces::cell;
+constexpr int cell = Aggregates::cell;
 
 std::array<Hats, cell * cell> make_hats() {
   std::array<Hats, cell * cell> hats;
@@ -49,13 +49,13 @@ const InnerSums inner_sums;
 
 struct CouplingSum {
   const Bonds& bonds;
-  const Pieces& pieces;
+  const Aggregates& aggregates;
   BondBlocks blocks;
   std::vector<Coupling> self, cross;
-  std::vector<std::int32_t> latest;  ///< of each piece's couplings, the newest; they form a chain
+  std::vector<std::int32_t> latest;  ///< of each aggregate's couplings, the newest; they form a chain
   std::vector<std::int32_t> next;
 
-  CouplingSum(const Bonds& b, const Pieces& p) : bonds(b), pieces(p), blocks(bond_blocks(b)), latest(p.list.size(), -1) {
+  CouplingSum(const Bonds& b, const Aggregates& p) : bonds(b), aggregates(p), blocks(bond_blocks(b)), latest(p.list.size(), -1) {
     self.resize(p.list.size());
     for (std::int32_t k = 0; k < p.count(); ++k) self[static_cast<std::size_t>(k)] = {k, k, {}};
     cross.reserve(6 * p.list.size());
@@ -72,13 +72,13 @@ struct CouplingSum {
 
   /// A node that only slides along x; the bonds between it and the rows above all start here.
   void add_sliding_node(std::ptrdiff_t i, int x, int y, double diagonal_xx) {
-    const std::int32_t p = pieces.of_node[i];
+    const std::int32_t p = aggregates.of_node[i];
     const Hats& own = hats_at(x, y);
     for (unsigned a = 0; a < 4; ++a) self[static_cast<std::size_t>(p)].block[0][a] += own[a] * (0.5 * diagonal_xx * own);
     for (unsigned d = 0; d < bonds_per_node; ++d) {
       const unsigned type = bonds.words[i] >> (2 * d) & 3u;
       const Offset e = half_bonds[d];
-      const std::int32_t q = pieces.of_node[i + bonds.step(static_cast<int>(d))];
+      const std::int32_t q = aggregates.of_node[i + bonds.step(static_cast<int>(d))];
       if (type == no_bond || q < 0) continue;
       const Hats& other = hats_at(x + e.x, y + e.y);
       Coupling& to = q == p ? self[static_cast<std::size_t>(p)] : between(p, q);
@@ -89,7 +89,7 @@ struct CouplingSum {
     }
   }
 
-  /// A node's bonds inside its own piece, whose block times hats is `modulus` times `sums`. They appear as they are and transposed; half of the
+  /// A node's bonds inside its own aggregate, whose block times hats is `modulus` times `sums`. They appear as they are and transposed; half of the
   /// diagonal goes to each.
   void add_within(std::int32_t p, const Hats& own, const std::array<double, 3>& diagonal, double modulus, const std::array<Hats, 3>& sums) {
     for (unsigned c = 0; c < 3; ++c) {
@@ -98,13 +98,13 @@ struct CouplingSum {
     }
   }
 
-  /// A node deep inside one grain and one cell: its bonds are all alike and reach its own piece only.
+  /// A node deep inside one grain and one cell: its bonds are all alike and reach its own aggregate only.
   void add_inner_node(std::ptrdiff_t i, int x, int y, double modulus, const std::array<double, 3>& diagonal) {
-    add_within(pieces.of_node[i], hats_at(x, y), diagonal, modulus, inner_sums.at[static_cast<unsigned>(y * cell + x)]);
+    add_within(aggregates.of_node[i], hats_at(x, y), diagonal, modulus, inner_sums.at[static_cast<unsigned>(y * cell + x)]);
   }
 
   void add_node(std::ptrdiff_t i, int x, int y, const std::array<double, 3>& diagonal) {
-    const std::int32_t p = pieces.of_node[i];
+    const std::int32_t p = aggregates.of_node[i];
     const std::uint32_t word = bonds.words[i];
     std::array<Reach, bonds_per_node> reach;
     unsigned reached = 1;
@@ -114,7 +114,7 @@ struct CouplingSum {
       const unsigned type = word >> (2 * d) & 3u;
       if (type == no_bond) continue;
       const Offset e = half_bonds[d];
-      const std::int32_t q = pieces.of_node[i + bonds.step(static_cast<int>(d))];
+      const std::int32_t q = aggregates.of_node[i + bonds.step(static_cast<int>(d))];
       if (q < 0) continue;
       if (reach[at].q != q) {
         for (at = 0; at < reached && reach[at].q != q;) ++at;
@@ -140,18 +140,19 @@ struct CouplingSum {
 
 const Hats& hats_at(int x, int y) { return all_hats[static_cast<unsigned>((y & (cell - 1)) * cell + (x & (cell - 1)))]; }
 
-std::vector<Coupling> couplings(const Bonds& bonds, const Pieces& pieces, const BlockDiagonal<double>& diagonal, const std::vector<std::uint8_t>& prescribed) {
+std::vector<Coupling> couplings(const Bonds& bonds, const Aggregates& aggregates, const BlockDiagonal<double>& diagonal,
+                                const std::vector<std::uint8_t>& prescribed) {
   const Grid& grid = bonds.grid;
-  CouplingSum sum(bonds, pieces);
+  CouplingSum sum(bonds, aggregates);
   for (int y0 = 0; y0 < grid.height; y0 += cell)
     for (int x0 = 0; x0 < grid.width; x0 += cell)
       for (int y = y0; y < std::min(y0 + cell, grid.height); ++y)
         for (int x = x0; x < std::min(x0 + cell, grid.width); ++x) {
           const std::ptrdiff_t i = grid.index(x, y);
-          if (pieces.of_node[i] < 0 || prescribed[static_cast<std::size_t>(y)]) continue;
+          if (aggregates.of_node[i] < 0 || prescribed[static_cast<std::size_t>(y)]) continue;
           const std::array<double, 3> own{diagonal.xx[i], diagonal.xy[i], diagonal.yy[i]};
           const bool inside = bonds.group_at(x, y) == particle_bond;
-          if (inside && InnerSums::holds(x - x0, y - y0) && pieces.of_node[i + horizon * grid.stride] >= 0)
+          if (inside && InnerSums::holds(x - x0, y - y0) && aggregates.of_node[i + horizon * grid.stride] >= 0)
             sum.add_inner_node(i, x - x0, y - y0, bonds.modulus(particle_bond), own);
           else sum.add_node(i, x - x0, y - y0, own);
         }
@@ -160,7 +161,7 @@ std::vector<Coupling> couplings(const Bonds& bonds, const Pieces& pieces, const 
   for (int y = 0; y < grid.height; ++y)
     if (prescribed[static_cast<std::size_t>(y)] == y_prescribed)
       for (int x = 0; x < grid.width; ++x)
-        if (const std::ptrdiff_t i = grid.index(x, y); pieces.of_node[i] >= 0) sum.add_sliding_node(i, x % cell, y % cell, diagonal.xx[i]);
+        if (const std::ptrdiff_t i = grid.index(x, y); aggregates.of_node[i] >= 0) sum.add_sliding_node(i, x % cell, y % cell, diagonal.xx[i]);
   for (Coupling& within : sum.self)
     for (unsigned a = 0; a < 4; ++a)
       for (unsigned b = 0; b < 4; ++b) {

@@ -16,8 +16,8 @@ namespace arenite::peridynamics {
 /// many right sides, and through broken bonds: the preconditioner may lag behind the bonds.
 class StaticSolver {
  public:
-  /// `pieces` are those that carry (support.hpp), `prescribed` has one entry a row.
-  StaticSolver(const Bonds& bonds, Pieces pieces, std::vector<std::uint8_t> prescribed);
+  /// `aggregates` are those that carry (support.hpp), `prescribed` has one entry a row.
+  StaticSolver(const Bonds& bonds, Aggregates aggregates, std::vector<std::uint8_t> prescribed);
   ~StaticSolver();
 
   /// On entry `u` holds the prescribed displacements and a first guess, on return the field at equilibrium. Residuals are relative to that of uniform

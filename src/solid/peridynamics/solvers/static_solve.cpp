@@ -24,10 +24,10 @@ struct StaticSolver::State {
   Field<float> r, p, f, z, other, left;
   std::array<Coefficient, degree> coefficient;
 
-  State(const Bonds& bonds, Pieces pieces, std::vector<std::uint8_t> rows, const BlockDiagonal<double>& diagonal)
+  State(const Bonds& bonds, Aggregates aggregates, std::vector<std::uint8_t> rows, const BlockDiagonal<double>& diagonal)
       : prescribed(std::move(rows)),
         inverse(inverse_diagonal(bonds, diagonal, prescribed)),
-        coarse(bonds, std::move(pieces), diagonal, prescribed) {
+        coarse(bonds, std::move(aggregates), diagonal, prescribed) {
     for (Field<float>* field : {&r, &p, &f, &z, &other, &left}) *field = Field<float>(bonds.grid.padded_size());
     const double centre = (highest + lowest) / 2, half = (highest - lowest) / 2;
     double rho = half / centre;
@@ -72,8 +72,8 @@ struct StaticSolver::State {
   }
 };
 
-StaticSolver::StaticSolver(const Bonds& bonds, Pieces pieces, std::vector<std::uint8_t> prescribed)
-    : state_(std::make_unique<State>(bonds, std::move(pieces), std::move(prescribed), block_diagonal(bonds))) {}
+StaticSolver::StaticSolver(const Bonds& bonds, Aggregates aggregates, std::vector<std::uint8_t> prescribed)
+    : state_(std::make_unique<State>(bonds, std::move(aggregates), std::move(prescribed), block_diagonal(bonds))) {}
 StaticSolver::~StaticSolver() = default;
 
 StaticReport StaticSolver::solve(const Bonds& bonds, Field<double>& u, double tolerance, int max_iterations, const Watch& watch, const Field<double>* body) {

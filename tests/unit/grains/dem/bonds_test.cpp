@@ -36,7 +36,7 @@ Packing pair_of_disks(double angle = 0.3) {
 Sample bonded(const Packing& start, const ContactParameters& contact) {
   Sample s = make_sample(start, contact, {});
   bond_near_pairs(s);
-  list_anew(s, Team());
+  list_anew(s, ThreadPool());
   return s;
 }
 
@@ -46,7 +46,7 @@ void move(Sample& s, std::size_t disk, Vec2 by, double turn) {
 }
 
 SlotForce force_on_bond(Sample& s) {
-  add_bond_forces(s, Team());
+  add_bond_forces(s, ThreadPool());
   return s.list.force[bond_force_place(s.list, 0)];
 }
 

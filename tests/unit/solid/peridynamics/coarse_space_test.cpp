@@ -15,46 +15,46 @@ struct Prepared {
   PhaseMap map;
   Bonds bonds;
   std::vector<std::uint8_t> prescribed;
-  Pieces pieces;
+  Aggregates aggregates;
   explicit Prepared(double bridge) : map(test::cemented_sample({.nodes = 96, .size_ratio = 2.5, .bridge = bridge})), bonds(make_bonds(map, {})) {
     prescribed.assign(static_cast<std::size_t>(map.height), 0);
     prescribed.front() = prescribed.back() = both_prescribed;
-    pieces = cut_into_pieces(map, bonds, prescribed);
+    aggregates = cut_into_aggregates(map, bonds, prescribed);
   }
 };
 
-TEST(Pieces, EveryPieceHasOneOwnerAndOneCellAndHoldsTogether) {
+TEST(Aggregates, EveryPieceHasOneOwnerAndOneCellAndHoldsTogether) {
   const Prepared s(0.4);
-  std::vector<std::int32_t> nodes(s.pieces.list.size(), 0);
+  std::vector<std::int32_t> nodes(s.aggregates.list.size(), 0);
   for (int y = 0; y < s.map.height; ++y)
     for (int x = 0; x < s.map.width; ++x) {
-      const auto p = s.pieces.of_node[s.bonds.grid.index(x, y)];
+      const auto p = s.aggregates.of_node[s.bonds.grid.index(x, y)];
       const bool solid = s.map.phase[s.map.index(x, y)] != Phase::empty && y > 0 && y < s.map.height - 1;
       ASSERT_EQ(p >= 0, solid) << x << " " << y;
       if (p < 0) continue;
       const auto k = static_cast<std::size_t>(p);
-      ASSERT_EQ(s.pieces.list[k].cell_x, x / Pieces::cell);
-      ASSERT_EQ(s.pieces.list[k].cell_y, y / Pieces::cell);
-      if (s.map.phase[s.map.index(x, y)] == Phase::particle) { ASSERT_EQ(s.pieces.list[k].owner, s.map.grain[s.map.index(x, y)]); }
+      ASSERT_EQ(s.aggregates.list[k].cell_x, x / Aggregates::cell);
+      ASSERT_EQ(s.aggregates.list[k].cell_y, y / Aggregates::cell);
+      if (s.map.phase[s.map.index(x, y)] == Phase::particle) { ASSERT_EQ(s.aggregates.list[k].owner, s.map.grain[s.map.index(x, y)]); }
       ++nodes[k];
     }
-  EXPECT_EQ(nodes, mapped(s.pieces.list, &Pieces::Piece::nodes));
+  EXPECT_EQ(nodes, mapped(s.aggregates.list, &Aggregates::Aggregate::nodes));
 }
 
 void expect_energy_of_bonds(Prepared s, Prescribed bottom) {
   s.prescribed.front() = bottom;
-  s.pieces = cut_into_pieces(s.map, s.bonds, s.prescribed);
-  const auto sums = couplings(s.bonds, s.pieces, block_diagonal(s.bonds), s.prescribed);
+  s.aggregates = cut_into_aggregates(s.map, s.bonds, s.prescribed);
+  const auto sums = couplings(s.bonds, s.aggregates, block_diagonal(s.bonds), s.prescribed);
   RandomStream random(1, Purpose::test);
-  std::vector<double> corner(8 * s.pieces.list.size());
+  std::vector<double> corner(8 * s.aggregates.list.size());
   for (double& c : corner) c = random.uniform(-1, 1);
   Field<double> u(s.bonds.grid.padded_size()), f(s.bonds.grid.padded_size());
   for (int y = 0; y < s.map.height; ++y)
     for (int x = 0; x < s.map.width; ++x) {
       const auto i = s.bonds.grid.index(x, y);
-      const auto p = s.pieces.of_node[i];
+      const auto p = s.aggregates.of_node[i];
       if (p < 0) continue;
-      const Hats& h = hats_at(x % Pieces::cell, y % Pieces::cell);
+      const Hats& h = hats_at(x % Aggregates::cell, y % Aggregates::cell);
       for (unsigned a = 0; a < 4; ++a) {
         u.x[i] += h[a] * corner[8 * static_cast<std::size_t>(p) + 2 * a];
         if (!s.prescribed[static_cast<std::size_t>(y)]) u.y[i] += h[a] * corner[8 * static_cast<std::size_t>(p) + 2 * a + 1];
@@ -80,7 +80,7 @@ TEST(CoarseSpace, CorrectionLeavesNothingOfAFieldThatItHolds) {
   // Rigid motion and strain of the whole sample lie in the space: r = -f(u) must give u back, but for what the clamped
   // rows take.
   const Prepared s(1000);
-  CoarseSpace coarse(s.bonds, cut_into_pieces(s.map, s.bonds, s.prescribed), block_diagonal(s.bonds), s.prescribed);
+  CoarseSpace coarse(s.bonds, cut_into_aggregates(s.map, s.bonds, s.prescribed), block_diagonal(s.bonds), s.prescribed);
   EXPECT_EQ(coarse.repairs(), 0);
   Field<float> u(s.bonds.grid.padded_size()), r(s.bonds.grid.padded_size()), z(s.bonds.grid.padded_size());
   for (int y = 1; y < s.map.height - 1; ++y)

@@ -44,7 +44,7 @@ struct Cell {
 /// Joins the nodes of one cell (by their places in it, y * cell + x) that a bond ties and one owner has.
 void join_nodes(const Bonds& bonds, const Buffer<std::int32_t>& owner, const Cell& c, JoinedSets& sets) {
   const Grid& grid = bonds.grid;
-  sets.part(static_cast<std::size_t>(Pieces::cell * Pieces::cell));
+  sets.part(static_cast<std::size_t>(Aggregates::cell * Aggregates::cell));
   for (int y = 0; y < c.high; ++y)
     for (int x = 0; x < c.wide; ++x) {
       const std::ptrdiff_t i = grid.index(c.x0 + x, c.y0 + y);
@@ -55,48 +55,48 @@ void join_nodes(const Bonds& bonds, const Buffer<std::int32_t>& owner, const Cel
       for (int d = 0; d < (inside ? 4 : bonds_per_node); d += inside ? 3 : 1) {
         const Offset e = half_bonds[static_cast<unsigned>(d)];
         if (!(word >> (2 * d) & 3u) || static_cast<unsigned>(x + e.x) >= static_cast<unsigned>(c.wide) || y + e.y >= c.high) continue;
-        if (owner[i + bonds.step(d)] == owner[i]) sets.join(y * Pieces::cell + x, (y + e.y) * Pieces::cell + x + e.x);
+        if (owner[i + bonds.step(d)] == owner[i]) sets.join(y * Aggregates::cell + x, (y + e.y) * Aggregates::cell + x + e.x);
       }
     }
 }
 
-/// Numbers the pieces of one cell in the order of their first node.
-void add_pieces(const Grid& grid, const Buffer<std::int32_t>& owner, const Cell& c, JoinedSets& sets, Pieces& pieces) {
-  std::array<std::int32_t, Pieces::cell * Pieces::cell> piece;
+/// Numbers the aggregates of one cell in the order of their first node.
+void add_pieces(const Grid& grid, const Buffer<std::int32_t>& owner, const Cell& c, JoinedSets& sets, Aggregates& aggregates) {
+  std::array<std::int32_t, Aggregates::cell * Aggregates::cell> aggregate;
   for (int y = 0; y < c.high; ++y)
     for (int x = 0; x < c.wide; ++x) {
       const std::ptrdiff_t i = grid.index(c.x0 + x, c.y0 + y);
       if (owner[i] < 0) continue;
-      const std::int32_t k = y * Pieces::cell + x, root = sets.find(k);
+      const std::int32_t k = y * Aggregates::cell + x, root = sets.find(k);
       if (root == k) {
-        piece[static_cast<unsigned>(k)] = pieces.count();
-        pieces.list.push_back({owner[i], c.x0 / Pieces::cell, c.y0 / Pieces::cell});
+        aggregate[static_cast<unsigned>(k)] = aggregates.count();
+        aggregates.list.push_back({owner[i], c.x0 / Aggregates::cell, c.y0 / Aggregates::cell});
       }
-      const std::int32_t p = piece[static_cast<unsigned>(root)];
-      pieces.of_node[i] = p;
-      ++pieces.list[static_cast<std::size_t>(p)].nodes;
+      const std::int32_t p = aggregate[static_cast<unsigned>(root)];
+      aggregates.of_node[i] = p;
+      ++aggregates.list[static_cast<std::size_t>(p)].nodes;
     }
 }
 
 }  // namespace
 
-Pieces cut_into_pieces(const PhaseMap& map, const Bonds& bonds, const std::vector<std::uint8_t>& prescribed) {
+Aggregates cut_into_aggregates(const PhaseMap& map, const Bonds& bonds, const std::vector<std::uint8_t>& prescribed) {
   const Grid& grid = bonds.grid;
   auto owner = owners(map, grid);
   for (int y = 0; y < grid.height; ++y)
     if (prescribed[static_cast<std::size_t>(y)] == both_prescribed) std::fill_n(owner.data() + grid.row(y), grid.width, -1);
 
-  Pieces pieces;
-  pieces.of_node = Buffer<std::int32_t>(grid.padded_size());
-  std::fill_n(pieces.of_node.data(), pieces.of_node.size(), Pieces::none);
+  Aggregates aggregates;
+  aggregates.of_node = Buffer<std::int32_t>(grid.padded_size());
+  std::fill_n(aggregates.of_node.data(), aggregates.of_node.size(), Aggregates::none);
   JoinedSets sets;
-  for (int y0 = 0; y0 < grid.height; y0 += Pieces::cell)
-    for (int x0 = 0; x0 < grid.width; x0 += Pieces::cell) {
-      const Cell c{x0, y0, std::min(Pieces::cell, grid.width - x0), std::min(Pieces::cell, grid.height - y0)};
+  for (int y0 = 0; y0 < grid.height; y0 += Aggregates::cell)
+    for (int x0 = 0; x0 < grid.width; x0 += Aggregates::cell) {
+      const Cell c{x0, y0, std::min(Aggregates::cell, grid.width - x0), std::min(Aggregates::cell, grid.height - y0)};
       join_nodes(bonds, owner, c, sets);
-      add_pieces(grid, owner, c, sets, pieces);
+      add_pieces(grid, owner, c, sets, aggregates);
     }
-  return pieces;
+  return aggregates;
 }
 
 }  // namespace arenite::peridynamics

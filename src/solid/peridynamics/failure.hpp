@@ -61,14 +61,14 @@ class FailureCriterion {
   std::vector<double> by_row_;
 };
 
-/// A sample under a pull to failure (damage.hpp); displacements and forces are those of unit strain.
-class Pull {
+/// A sample in a test to failure (damage.hpp); displacements and forces are those of unit strain.
+class FailureTest {
  public:
-  Pull(const PhaseMap& map, const DamageOptions& options);
+  FailureTest(const PhaseMap& map, const DamageOptions& options);
 
   /// Takes over a state; `run` then goes on from it.
-  void resume(const PullState& state);
-  /// Rounds of breaking until the pull ends.
+  void resume(const FailureState& state);
+  /// Rounds of breaking until the test ends.
   void run();
   /// The result, once; `run` comes first.
   DamageResult finish();
@@ -90,7 +90,7 @@ class Pull {
   void remember();
   void break_worst(double largest);
   void hold();
-  PullState state() const;
+  FailureState state() const;
 
   const PhaseMap& map_;
   const DamageOptions& options_;
@@ -108,7 +108,7 @@ class Pull {
   double unit_force_ = 0;    ///< of the clamp, N/m
   double unit_energy_ = 0;   ///< of all bonds, J/m
   double share_ = 0;         ///< Progress::share
-  PullState held_;           ///< before this round, of what its solve changes; and the strongest state
+  FailureState held_;        ///< before this round, of what its solve changes; and the strongest state
 };
 
 }  // namespace arenite::peridynamics

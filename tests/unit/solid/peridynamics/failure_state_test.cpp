@@ -14,17 +14,17 @@ namespace {
 
 constexpr Toughness weak{1e-5, 1e-5, 3.5e-5};
 
-/// A pull with its states before each of its rounds.
+/// A test with its states before each of its rounds.
 struct Recorded {
   PhaseMap map;
   double band, tolerance;
-  std::vector<PullState> states;
+  std::vector<FailureState> states;
   DamageResult result;
 
   Recorded(PhaseMap m, double b, double t) : map(std::move(m)), band(b), tolerance(t) {
     DamageOptions o = options();
     o.keep = [this](const auto& state) { states.push_back(state()); };
-    result = pull_to_failure(map, o);
+    result = load_to_failure(map, o);
   }
   DamageOptions options() const { return {.toughness = {1e-5, 1e-5, 3.5e-5}, .tolerance = tolerance, .end_stress = 0.02, .max_events = 70, .band = band}; }
 };
@@ -67,38 +67,38 @@ void expect_same_bits(const DamageResult& a, const DamageResult& b) {
 
 void expect_resumes_after_every(std::size_t rounds, const Recorded& recorded) {
   for (std::size_t k = 0; k < recorded.states.size(); k += rounds) {
-    const PullState state = pull_state_of(to_bytes(recorded.states[k]));
+    const FailureState state = failure_state_of(to_bytes(recorded.states[k]));
     EXPECT_EQ(state.rounds, static_cast<std::int64_t>(k));
     DamageOptions o = recorded.options();
     o.resume = &state;
-    expect_same_bits(pull_to_failure(recorded.map, o), recorded.result);
+    expect_same_bits(load_to_failure(recorded.map, o), recorded.result);
   }
 }
 
-TEST(PullState, ResumedThePullHasTheBitsOfOneInOnePiece) {
+TEST(FailureState, ResumedThePullHasTheBitsOfOneInOnePiece) {
   ASSERT_GT(packing().states.size(), 50u);
-  expect_same_bits(pull_to_failure(packing().map, packing().options()), packing().result);
+  expect_same_bits(load_to_failure(packing().map, packing().options()), packing().result);
   expect_resumes_after_every(packing().states.size() / 4, packing());
 }
 
-TEST(PullState, ResumedItsSolverIsSetUpForTheBondsThatItWasSetUpForBefore) {
+TEST(FailureState, ResumedItsSolverIsSetUpForTheBondsThatItWasSetUpForBefore) {
   std::size_t renewed = 0;
-  for (const PullState& state : plate().states) renewed += state.words_at_setup != plate().states[0].words_at_setup && state.words_at_setup != state.words;
+  for (const FailureState& state : plate().states) renewed += state.words_at_setup != plate().states[0].words_at_setup && state.words_at_setup != state.words;
   ASSERT_GT(renewed, 3u);
   expect_resumes_after_every(5, plate());
 }
 
-TEST(PullState, StoppedInsideASolveThePullLosesNoRound) {
-  PullState state;
+TEST(FailureState, StoppedInsideASolveThePullLosesNoRound) {
+  FailureState state;
   bool resumed = false;
   for (int lives = 0;; ++lives) {
     DamageOptions o = packing().options();
     if (resumed) o.resume = &state;
-    PullState next;
+    FailureState next;
     int looks = 0;
     o.watch = [&](const Progress&) { return ++looks < 60; };
     o.keep = [&](const auto& now) { next = now(); };
-    const auto result = pull_to_failure(packing().map, o);
+    const auto result = load_to_failure(packing().map, o);
     if (result.ending != DamageResult::Ending::stopped) {
       EXPECT_GT(lives, 4);
       return expect_same_bits(result, packing().result);
@@ -109,21 +109,21 @@ TEST(PullState, StoppedInsideASolveThePullLosesNoRound) {
   }
 }
 
-TEST(PullState, OfAMapOfAnotherSizeOrDamagedIsRefused) {
-  const PullState& state = packing().states[5];
+TEST(FailureState, OfAMapOfAnotherSizeOrDamagedIsRefused) {
+  const FailureState& state = packing().states[5];
   DamageOptions o = packing().options();
   o.resume = &state;
-  EXPECT_THROW(pull_to_failure(plate().map, o), InputError);
+  EXPECT_THROW(load_to_failure(plate().map, o), InputError);
   const auto whole = to_bytes(state);
   auto bytes = whole;
   bytes.pop_back();
-  EXPECT_THROW(pull_state_of(bytes), InputError);
+  EXPECT_THROW(failure_state_of(bytes), InputError);
   bytes = whole;
   bytes.push_back(0);
-  EXPECT_THROW(pull_state_of(bytes), InputError);
+  EXPECT_THROW(failure_state_of(bytes), InputError);
   bytes = whole;
   bytes[0] ^= 1;
-  EXPECT_THROW(pull_state_of(bytes), InputError);
+  EXPECT_THROW(failure_state_of(bytes), InputError);
 }
 
 }  // namespace

@@ -1,10 +1,10 @@
-// How a pull hands out its state, as a value and as bytes, and takes it back.
+// How a test hands out its state, as a value and as bytes, and takes it back.
 #include <utility>
 
 #include "core/bytes.hpp"
 #include "core/error.hpp"
 #include "solid/peridynamics/damage.hpp"
-#include "solid/peridynamics/pull.hpp"
+#include "solid/peridynamics/failure.hpp"
 
 namespace arenite::peridynamics {
 namespace {
@@ -34,7 +34,7 @@ template <class Archive, class T> void transfer(Archive& a, std::vector<T>& list
 }
 
 /// One list of members for both ways.
-template <class Archive> void transfer(Archive& a, PullState& s) {
+template <class Archive> void transfer(Archive& a, FailureState& s) {
   a(s.width), a(s.height), a(s.rounds);
   for (int* count : {&s.solves, &s.iterations}) {
     std::int64_t wide = *count;
@@ -49,7 +49,7 @@ template <class Archive> void transfer(Archive& a, PullState& s) {
   transfer(a, s.broken);
 }
 
-bool fits(const PullState& s, const PhaseMap& map, std::size_t padded) {
+bool fits(const FailureState& s, const PhaseMap& map, std::size_t padded) {
   for (const std::size_t size : {s.words.size(), s.words_at_setup.size(), s.ux.size(), s.uy.size()})
     if (size != padded) return false;
   const std::size_t strongest = s.strength > 0 ? padded : 0;
@@ -60,26 +60,26 @@ bool fits(const PullState& s, const PhaseMap& map, std::size_t padded) {
 
 }  // namespace
 
-std::vector<std::uint8_t> to_bytes(const PullState& state) {
+std::vector<std::uint8_t> to_bytes(const FailureState& state) {
   ByteWriter write;
   write(mark);
-  transfer(write, const_cast<PullState&>(state));  // the writer does not change what it is given
+  transfer(write, const_cast<FailureState&>(state));  // the writer does not change what it is given
   return std::move(write.bytes);
 }
 
-PullState pull_state_of(const std::vector<std::uint8_t>& bytes) {
+FailureState failure_state_of(const std::vector<std::uint8_t>& bytes) {
   ByteReader read(bytes);
   std::uint64_t first = 0;
   read(first);
   if (first != mark) ByteReader::fail();
-  PullState state;
+  FailureState state;
   transfer(read, state);
   if (!read.at_end()) ByteReader::fail();
   return state;
 }
 
 /// Notes what the solve of a round changes, where somebody may ask for the state before it.
-void Pull::hold() {
+void FailureTest::hold() {
   if (!options_.keep) return;
   held_.width = map_.width;
   held_.height = map_.height;
@@ -93,32 +93,32 @@ void Pull::hold() {
   put(u_.y, held_.uy);
 }
 
-PullState Pull::state() const {
-  PullState s = held_;
-  static_cast<PullRecord&>(s) = result_;
+FailureState FailureTest::state() const {
+  FailureState s = held_;
+  static_cast<FailureRecord&>(s) = result_;
   s.solves = held_.solves;  // this round's solve will be done again
   s.iterations = held_.iterations;
   s.now = now_;
   return s;
 }
 
-void Pull::resume(const PullState& s) {
+void FailureTest::resume(const FailureState& s) {
   if (!fits(s, map_, bonds_.words.size()))
-    throw InputError("the stored state of a pull belongs to a phase map of another size; run the load again from its start");
+    throw InputError("the stored state of a test belongs to a phase map of another size; run the load again from its start");
   const auto take = [&](const std::vector<std::uint32_t>& words) {
     put(words, bonds_.words);
     classify_groups(bonds_, 0, map_.height - 1);
   };
   // The set-up lags behind the bonds: it is that of the bonds that it was once made for.
   take(s.words_at_setup);
-  if (!prepare()) throw InputError("the stored state of a pull ties no clamps; run the load again from its start");
+  if (!prepare()) throw InputError("the stored state of a test ties no clamps; run the load again from its start");
   take(s.words);
   put(s.ux, u_.x);
   put(s.uy, u_.y);
   rounds_ = s.rounds;
   share_ = s.share;
   now_ = s.now;
-  static_cast<PullRecord&>(result_) = s;
+  static_cast<FailureRecord&>(result_) = s;
   held_ = s;
 }
 
