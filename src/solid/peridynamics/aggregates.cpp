@@ -61,7 +61,7 @@ void join_nodes(const Bonds& bonds, const Buffer<std::int32_t>& owner, const Cel
 }
 
 /// Numbers the aggregates of one cell in the order of their first node.
-void add_pieces(const Grid& grid, const Buffer<std::int32_t>& owner, const Cell& c, JoinedSets& sets, Aggregates& aggregates) {
+void add_aggregates(const Grid& grid, const Buffer<std::int32_t>& owner, const Cell& c, JoinedSets& sets, Aggregates& aggregates) {
   std::array<std::int32_t, Aggregates::cell * Aggregates::cell> aggregate;
   for (int y = 0; y < c.high; ++y)
     for (int x = 0; x < c.wide; ++x) {
@@ -94,7 +94,7 @@ Aggregates cut_into_aggregates(const PhaseMap& map, const Bonds& bonds, const st
     for (int x0 = 0; x0 < grid.width; x0 += Aggregates::cell) {
       const Cell c{x0, y0, std::min(Aggregates::cell, grid.width - x0), std::min(Aggregates::cell, grid.height - y0)};
       join_nodes(bonds, owner, c, sets);
-      add_pieces(grid, owner, c, sets, aggregates);
+      add_aggregates(grid, owner, c, sets, aggregates);
     }
   return aggregates;
 }
