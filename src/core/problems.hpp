@@ -19,6 +19,11 @@ template <class... T> InputError refusal_at(const std::string& file, int line, f
   return {file, line, fmt::format(sentence, std::forward<T>(values)...)};
 }
 
+/// Throws what is wrong with a file, and how to fix it.
+template <class... T> [[noreturn]] void refuse(const std::string& file, fmt::format_string<T...> sentence, T&&... values) {
+  throw refusal_at(file, 0, sentence, std::forward<T>(values)...);
+}
+
 /// Collects what is wrong with one input, so that all of it is reported in one pass; beyond `most` only counted.
 class Problems {
  public:

@@ -39,7 +39,7 @@ const contacts = (page) => page.evaluate(() => {
 const brightness = (colour) => (colour[0] + colour[1] + colour[2]) / 3;
 
 test("every film has its tab, and the last one is open", async (page) => {
-  assert.deepEqual(await page.locator(".tabs button").allInnerTexts(), ["Maps", "Stresses", "Film"]);
+  assert.deepEqual(await page.locator(".tabs button").allInnerTexts(), ["Packing", "Maps", "Stresses", "Film"]);
   assert.match(await page.locator("header p").innerText(), /JADE III.*1\u202f480 frames at 148.*260 grains/);
   assert.match(await page.locator(".headlines:visible").innerText(), /load frequency[\s\S]*3\.00020 \u00b1 0\.00010\u202fHz[\s\S]*correlation with simulation/);
 });
@@ -332,7 +332,7 @@ test("the dark theme darkens page and map", async (page) => {
 
 test("on a narrow screen everything stands in one column and nothing is cut off", async (page) => {
   await page.setViewportSize({ width: 420, height: 900 });
-  for (const title of ["Maps", "Stresses", "Film"]) {
+  for (const title of ["Packing", "Maps", "Stresses", "Film"]) {
     await tab(page, title);
     const words = await page.locator('[data-figure="film-fit"]:visible svg > text').evaluateAll((all) => all.map((t) => t.getBoundingClientRect()).map(({ left, right, top }) => [left, right, top]));
     for (const [left, right, top] of words) assert.ok(words.every(([l, r, t]) => t !== top || l === left || l >= right || r <= left), `names of maps overlap at ${left}`);

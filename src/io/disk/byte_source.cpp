@@ -1,5 +1,7 @@
 #include "io/disk/byte_source.hpp"
 
+#include "core/problems.hpp"
+
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -13,8 +15,8 @@ class FileBytes : public ByteSource {
   explicit FileBytes(const std::filesystem::path& path) : path_(path), name_(path.string()) {
     std::error_code error;
     const auto status = std::filesystem::status(path, error);
-    if (!std::filesystem::exists(status)) io::refuse(name_, "there is no such file; check its name");
-    if (!std::filesystem::is_regular_file(status)) io::refuse(name_, "is not a regular file; give the name of a file");
+    if (!std::filesystem::exists(status)) arenite::refuse(name_, "there is no such file; check its name");
+    if (!std::filesystem::is_regular_file(status)) arenite::refuse(name_, "is not a regular file; give the name of a file");
     descriptor_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
     if (descriptor_ < 0) refuse();
     const off_t end = ::lseek(descriptor_, 0, SEEK_END);

@@ -1,5 +1,7 @@
 #include "io/disk/file.hpp"
 
+#include "core/problems.hpp"
+
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
@@ -31,7 +33,7 @@ std::string reason(int error, const fs::path& folder) {
   }
 }
 
-[[noreturn]] void refuse(const fs::path& path, int error) {
+[[noreturn]] void refuse_by_system(const fs::path& path, int error) {
   throw InputError(path.string(), 0, "cannot be written: " + reason(error, path.has_parent_path() ? path.parent_path() : "."));
 }
 
@@ -63,9 +65,9 @@ AtomicFile::AtomicFile(const fs::path& path) : target_(behind_link(path)), besid
   std::error_code error;
   const auto status = fs::status(target_, error);
   if (fs::exists(status) && !fs::is_regular_file(status))
-    io::refuse(path.string(), "cannot be written: it is {}; give the name of a file", fs::is_directory(status) ? "a folder" : "not a regular file");
+    arenite::refuse(path.string(), "cannot be written: it is {}; give the name of a file", fs::is_directory(status) ? "a folder" : "not a regular file");
   while (!open_locked()) {}
-  if (::ftruncate(descriptor_, 0) != 0) refuse(target_, errno);
+  if (::ftruncate(descriptor_, 0) != 0) refuse_by_system(target_, errno);
 }
 
 AtomicFile::~AtomicFile() {
@@ -76,7 +78,7 @@ AtomicFile::~AtomicFile() {
 /// False if another process renamed the file away while we waited for its lock: then ours is the other's result.
 bool AtomicFile::open_locked() {
   descriptor_ = ::open(beside_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
-  if (descriptor_ < 0) refuse(target_, errno);
+  if (descriptor_ < 0) refuse_by_system(target_, errno);
   lock(descriptor_, LOCK_EX);
   if (is_still(descriptor_, beside_)) return true;
   ::close(descriptor_);
@@ -84,21 +86,21 @@ bool AtomicFile::open_locked() {
 }
 
 void AtomicFile::write(std::string_view bytes) {
-  if (const int error = write_all(descriptor_, bytes)) refuse(target_, error);
+  if (const int error = write_all(descriptor_, bytes)) refuse_by_system(target_, error);
 }
 
 void AtomicFile::overwrite(std::uint64_t offset, std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t n = ::pwrite(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(offset));
     if (n < 0 && errno == EINTR) continue;
-    if (n < 0) refuse(target_, errno);
+    if (n < 0) refuse_by_system(target_, errno);
     bytes.remove_prefix(static_cast<std::size_t>(n));
     offset += static_cast<std::uint64_t>(n);
   }
 }
 
 void AtomicFile::commit() {
-  if (::fsync(descriptor_) != 0 || ::rename(beside_.c_str(), target_.c_str()) != 0) refuse(target_, errno);
+  if (::fsync(descriptor_) != 0 || ::rename(beside_.c_str(), target_.c_str()) != 0) refuse_by_system(target_, errno);
   renamed_ = true;
   // The rename itself must survive a power cut; some file systems cannot flush a folder, which is no fault of the file.
   const int folder = ::open(target_.has_parent_path() ? target_.parent_path().c_str() : ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -116,8 +118,8 @@ void write_atomically(const fs::path& path, std::string_view bytes) {
 std::string read_file(const std::filesystem::path& path) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status)) io::refuse(path.string(), "there is no such file; check its name");
-  if (std::filesystem::is_directory(status)) io::refuse(path.string(), "is a folder; give the name of a file");
+  if (!std::filesystem::exists(status)) arenite::refuse(path.string(), "there is no such file; check its name");
+  if (std::filesystem::is_directory(status)) arenite::refuse(path.string(), "is a folder; give the name of a file");
   errno = 0;
   std::ifstream in(path, std::ios::binary);
   std::ostringstream bytes;

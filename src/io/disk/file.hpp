@@ -1,6 +1,4 @@
 #pragma once
-#include <fmt/core.h>
-
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -13,11 +11,6 @@
 #include "core/error.hpp"
 
 namespace arenite::io {
-
-/// What is wrong with a file, and how to fix it: InputError, as a sentence after the file's name.
-template <class... A> [[noreturn]] void refuse(const std::string& file, fmt::format_string<A...> sentence, A&&... arguments) {
-  throw InputError(file, 0, fmt::format(sentence, std::forward<A>(arguments)...));
-}
 
 /// Writes `bytes` to `path` all or nothing: beside it as ".name.tmp", flushed to the disk, then renamed. Whatever happens before the rename (full
 /// disk, no permission, a kill), a file that was there stays as it was. Two processes that write the same path take turns; what a killed one left is

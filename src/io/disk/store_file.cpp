@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "core/hash.hpp"
+#include "core/problems.hpp"
 #include "core/text.hpp"
 #include "io/disk/file.hpp"
 
@@ -42,7 +43,7 @@ std::string own_name() {
 
 /// Throws unless `bytes` are one whole file of that kind.
 void check_header(std::string_view bytes, std::string_view kind, const fs::path& path) {
-  const auto refuse = [&path](const std::string& message) { io::refuse(path.string(), "{}", message); };
+  const auto refuse = [&path](const std::string& message) { arenite::refuse(path.string(), "{}", message); };
   const auto damaged = [&path](std::string message) { throw DamagedFile(path.string(), 0, std::move(message)); };
   if (bytes.empty()) damaged(fmt::format("is empty; a {} of Arenite is written by \"arenite run\"", kind));
   const auto head = bytes.substr(0, header_size);

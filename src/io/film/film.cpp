@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "core/median.hpp"
+#include "core/problems.hpp"
 #include "core/text.hpp"
 #include "io/disk/store_file.hpp"
 #include "io/film/formats.hpp"

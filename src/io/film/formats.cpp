@@ -7,6 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "core/problems.hpp"
 #include "io/table/table.hpp"
 
 namespace arenite::io {

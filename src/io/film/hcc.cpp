@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/problems.hpp"
 #include "io/film/formats.hpp"
 
 namespace arenite::io {

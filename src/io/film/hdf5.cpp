@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/problems.hpp"
 #include "io/film/formats.hpp"
 #include "io/hdf5/foreign.hpp"
 
@@ -216,7 +217,7 @@ class Hdf5FilmWriter : public FilmWriter {
 
  private:
   std::array<hsize_t, 3> shape(hsize_t frames) const { return {frames, static_cast<hsize_t>(info_.height), static_cast<hsize_t>(info_.width)}; }
-  [[noreturn]] void refuse() const { io::refuse(name_, "cannot be written by HDF5; check that the disk has space"); }
+  [[noreturn]] void refuse() const { arenite::refuse(name_, "cannot be written by HDF5; check that the disk has space"); }
 
   void write_notes() const {
     if (info_.frame_rate > 0) write_number(*set_, "frame_rate", info_.frame_rate);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/problems.hpp"
 #include "io/film/formats.hpp"
 
 namespace arenite::io {

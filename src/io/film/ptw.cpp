@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/problems.hpp"
 #include "io/film/formats.hpp"
 
 namespace arenite::io {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "core/problems.hpp"
 #include "io/film/formats.hpp"
 #include "io/table/table.hpp"
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "core/problems.hpp"
 #include "core/text.hpp"
 #include "io/film/formats.hpp"
 #include "io/table/table.hpp"

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/problems.hpp"
 #include "io/film/formats.hpp"
 #include "io/table/table.hpp"
 

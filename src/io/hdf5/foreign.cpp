@@ -1,5 +1,7 @@
 #include "io/hdf5/foreign.hpp"
 
+#include "core/problems.hpp"
+
 #include <fmt/format.h>
 #include <zlib.h>
 
@@ -99,7 +101,7 @@ void Hdf5Numbers::look_at_piece(double bytes) {
   begin_ = begin;
 }
 
-void Hdf5Numbers::refuse(const std::string& what) const { io::refuse(file_->name(), "holds a dataset \"{}\" {}", name_, what); }
+void Hdf5Numbers::refuse(const std::string& what) const { arenite::refuse(file_->name(), "holds a dataset \"{}\" {}", name_, what); }
 
 void Hdf5Numbers::read_compact() {
   compact_.resize(slab() * extent_[0]);

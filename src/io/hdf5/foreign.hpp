@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/problems.hpp"
 #include "io/hdf5/handle.hpp"
 
 // HDF5 trusts what it reads. Of files of other programs it is asked little, in a process of its own.

@@ -1,5 +1,6 @@
 #include "io/hdf5/group.hpp"
 
+#include "core/problems.hpp"
 #include "io/disk/store_file.hpp"
 #include "io/hdf5/handle.hpp"
 #include "statistics/numbers.hpp"
@@ -239,7 +240,7 @@ void Hdf5Group::texts(const std::string& name, std::vector<std::string>& texts) 
 }
 
 void Hdf5Group::refuse(const std::string& message) const {
-  io::refuse(file_, "{} {}; remove the file and make it again with \"arenite run\"", place_.empty() ? "/" : place_, message);
+  arenite::refuse(file_, "{} {}; remove the file and make it again with \"arenite run\"", place_.empty() ? "/" : place_, message);
 }
 
 std::string Hdf5Group::bytes() const {

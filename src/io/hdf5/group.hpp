@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/problems.hpp"
 #include "io/disk/file.hpp"
 
 namespace arenite::io {

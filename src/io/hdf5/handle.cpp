@@ -1,5 +1,6 @@
 #include "io/hdf5/handle.hpp"
 #include "core/mapped.hpp"
+#include "core/problems.hpp"
 
 #include <fmt/format.h>
 

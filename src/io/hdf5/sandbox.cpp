@@ -1,3 +1,4 @@
+#include "core/problems.hpp"
 #include "io/hdf5/foreign.hpp"
 
 #include <fcntl.h>

@@ -1,3 +1,4 @@
+#include "core/problems.hpp"
 #include "io/image/image.hpp"
 
 // jpeglib.h needs these two before it.

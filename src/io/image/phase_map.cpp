@@ -6,6 +6,7 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "core/problems.hpp"
 #include "io/table/table.hpp"
 
 namespace arenite::io {

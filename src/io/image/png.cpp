@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/problems.hpp"
 #include "io/image/image.hpp"
 
 namespace arenite::io {

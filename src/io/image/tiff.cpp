@@ -8,6 +8,7 @@
 #include <cstring>
 #include <vector>
 
+#include "core/problems.hpp"
 #include "io/image/image.hpp"
 
 namespace arenite::io {

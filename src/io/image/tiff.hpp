@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "core/problems.hpp"
 #include "io/disk/byte_source.hpp"
 
 // Only the files that speak TIFF include this one.

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core/mapped.hpp"
+#include "core/problems.hpp"
 #include "io/disk/file.hpp"
 #include "io/table/table.hpp"
 
