@@ -72,7 +72,7 @@ FilmSimulation stresses_of(const std::vector<StageResult>& stages, const recipe:
 
 /// Simulates the grains that were found in a film, from their places at the smallest load, by the recipe that [simulation] names: its packing is
 /// replaced, its container, laws and stages are kept. False if it was stopped; otherwise `loaded` is the simulated sample at the largest load.
-bool add_companion(const recipe::FilmRecipe& recipe, const FilmRunOptions& options, FilmResult& film, std::vector<StageResult>& stages, Packing& loaded) {
+bool add_companion(const recipe::FilmRecipe& recipe, const FilmRunOptions& options, FilmResult& film, RunOutcome& outcome, Packing& loaded) {
   RunOptions companion = options;
   companion.out = options.out / "simulation";
   // Before version 0.2 it was called the twin; what is stored there goes on being used.
@@ -87,9 +87,9 @@ bool add_companion(const recipe::FilmRecipe& recipe, const FilmRunOptions& optio
   make_folder(companion.out);
   const fs::path grains = companion.out / "grains.csv";
   io::write_atomically(grains, table_of(film));
-  RunOutcome outcome = run(companion_recipe(recipe, grains), companion);
+  outcome = run(companion_recipe(recipe, grains), companion);
   if (outcome.interrupted) return false;
-  stages = std::move(outcome.stages);
+  const auto& stages = outcome.stages;
   film.simulation = stresses_of(stages, *recipe.simulation, loaded);
   if (!outcome.converged) options.notice("the companion simulation found no equilibrium: " + (stages.empty() ? std::string() : stages.back().outcome));
   return true;

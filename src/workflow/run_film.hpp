@@ -22,7 +22,7 @@ struct FilmOutcome {
   bool interrupted = false;
   std::filesystem::path file;
   FilmResult result;
-  std::vector<StageResult> simulation;  ///< stages of the companion simulation
+  RunOutcome simulation;  ///< the companion simulation
 };
 
 /// A film's grains and the forces that were inferred, as a stage of one state, which pages and files take like simulated ones.
