@@ -154,7 +154,7 @@ std::string shown(const Numbers& j) {
   if (j.is_number()) return fmt::format("{:.5g}", j.get<double>());
   if (j.is_truth()) return j.get<bool>() ? "yes" : "no";
   if (j.is_text()) return j.get<std::string>();
-  if (!j.is_tree() || !j.contains("value") || !j["value"].is_known()) return {};
+  if (!j.is_tree() || !j.contains("value") || !j["value"].is_number()) return {};
   const double value = j["value"].get<double>();
   return j.contains("error") && j["error"].is_number() ? statistics::with_error({value, j["error"].get<double>()}) : fmt::format("{:.5g}", value);
 }

@@ -154,7 +154,7 @@ struct NamedNumber {
   const Numbers* number = nullptr;
   const Meaning* meaning = nullptr;
 };
-/// All that the tree holds, in its order, without lists.
+/// All that the tree holds, in its order, without lists; it must outlive them.
 std::vector<NamedNumber> named_numbers(const Numbers& tree);
 
 /// As JSON, in one line or with `indent` spaces a level. Text that is not UTF-8 is written with marks in its place.

@@ -59,6 +59,8 @@ void add_to_cell(const Sample& s, Vec2 branch, int rows, Vec2 force, Vec2 dash, 
 void add_contacts(const Sample& s, Snapshot& shot) {
   const ContactList& list = s.list;
   shot.springs = rolling_energy(s);
+  // What disks in a box have none of is not looked for at each of their contacts.
+  const bool has_levers = !s.part.empty(), in_cell = s.domain.periodic_x || s.domain.periodic_y;
   s.laws.visit([&]<class N, class A, class F>(const N& normal, const A& adhesion, const F& friction) {
     for (std::size_t p = 0; p < list.size(); ++p) {
       const Kinematics c = slot_kinematics(s, p);
@@ -76,12 +78,12 @@ void add_contacts(const Sample& s, Snapshot& shot) {
       shot.springs += friction.energy(s.laws.slip(c.sliding, sliding_stiffness(s, normal, p, c)), list.memory[p]);
       const std::int32_t first = s.record[list.i[p]].grain;
       auto& a = shot.disk[mover_of(s, first)];
-      push(a, own_lever(s, p), dash, slip);
-      a.slip.torque += own_torque_i(s, p);
+      push(a, has_levers ? own_lever(s, p) : Vec2{}, dash, slip);
+      a.slip.torque += has_levers ? own_torque_i(s, p) : list.force[p].torque_i;
       if (list.j[p] >= 0) {
         auto& b = shot.disk[mover_of(s, s.record[list.owner[p]].grain)];
-        push(b, partner_lever(s, p), -dash, -slip);
-        b.slip.torque += own_torque_j(s, p);
+        push(b, has_levers ? partner_lever(s, p) : Vec2{}, -dash, -slip);
+        b.slip.torque += has_levers ? own_torque_j(s, p) : list.force[p].torque_j;
       } else if (is_boundary(list.j[p])) {
         add_boundary_contact(s, p, c, dash, slip, shot);
       } else {
@@ -89,7 +91,7 @@ void add_contacts(const Sample& s, Snapshot& shot) {
         shot.edge[side].dash -= across(side, dash);
         shot.edge[slides + side].slip -= along(side, slip);
       }
-      add_to_cell(s, between_centres(s, p, c.branch), s.shear_rate != 0 ? rows_between(s, p) : 0, f, dash, slip, shot);
+      if (in_cell) add_to_cell(s, between_centres(s, p, c.branch), s.shear_rate != 0 ? rows_between(s, p) : 0, f, dash, slip, shot);
     }
   });
 }

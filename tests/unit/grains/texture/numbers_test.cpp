@@ -46,7 +46,8 @@ TEST(TextureJson, HasRowsForDrawingsWhenAsked) {
 }
 
 TEST(TextureJson, SaysOfEveryNumberWhatItIs) {
-  for (const auto& [name, number, meaning] : named_numbers(numbers(measure(test::random_network(3, 400))))) {
+  const Numbers all = numbers(measure(test::random_network(3, 400)));
+  for (const auto& [name, number, meaning] : named_numbers(all)) {
     ASSERT_TRUE(meaning) << name;
     EXPECT_FALSE(meaning->sentence.empty()) << name;
     for (const char* unit : {"deg", "Pa", "N", "m"}) EXPECT_TRUE(!name.ends_with("_" + std::string(unit)) || meaning->unit == unit) << name;
