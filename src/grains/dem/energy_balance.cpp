@@ -30,12 +30,17 @@ void add_boundary_contact(const Sample& s, std::size_t slot, const Kinematics& c
   edge[2].slip += s.list.force[slot].torque_j - cross(arm, slip);
 }
 
-/// Adds forces that act on a body, or a disk, at a lever from its centre.
-void push(Snapshot::Disk& disk, Vec2 lever, Vec2 dash, Vec2 slip) {
+/// Adds forces that act on a disk, with their torque about its centre.
+void push(Snapshot::Disk& disk, Vec2 dash, Vec2 slip, double torque) {
   disk.dash.force += dash;
-  disk.dash.torque += cross(lever, dash);
   disk.slip.force += slip;
-  disk.slip.torque += cross(lever, slip);
+  disk.slip.torque += torque;
+}
+
+/// The same of a body, on which they act at a lever from its centre.
+void push(Snapshot::Disk& body, Vec2 dash, Vec2 slip, double torque, Vec2 lever) {
+  push(body, dash, slip, torque + cross(lever, slip));
+  body.dash.torque += cross(lever, dash);
 }
 
 /// What a contact or bond along `branch`, over so many rows of the periodic cell, does to its edges and its shear.
@@ -60,14 +65,14 @@ void add_contacts(const Sample& s, Snapshot& shot) {
   const ContactList& list = s.list;
   shot.springs = rolling_energy(s);
   // What disks in a box have none of is not looked for at each of their contacts.
-  const bool has_levers = !s.part.empty(), in_cell = s.domain.periodic_x || s.domain.periodic_y;
+  const bool has_levers = !s.part.empty(), in_cell = s.domain.periodic_x || s.domain.periodic_y, coheres = !list.pull.empty(), shears = s.shear_rate != 0;
   s.laws.visit([&]<class N, class A, class F>(const N& normal, const A& adhesion, const F& friction) {
     for (std::size_t p = 0; p < list.size(); ++p) {
-      const Kinematics c = slot_kinematics(s, p);
-      if (s.shear_rate != 0 && !(c.overlap > 0) && pull_of(s, p) > 0) shot.edge[cell_shear].force -= rows_between(s, p) * list.force[p].on_i.x;
+      const Kinematics c = p < list.pairs ? pair_kinematics(s.record[list.i[p]], s.record[list.j[p]], s.contact.arms) : slot_kinematics(s, p);
+      if (shears && coheres && !(c.overlap > 0) && pull_of(s, p) > 0) shot.edge[cell_shear].force -= rows_between(s, p) * list.force[p].on_i.x;
       if (!(c.overlap > 0)) continue;  // a clipped contact has no force, but its dashpot eats what its spring gives
       const Vec2 f = list.force[p].on_i, t = perpendicular(c.normal);
-      double spring = -adhesion.attraction(c.overlap, list.strength[p]) - pull_of(s, p);
+      double spring = -adhesion.attraction(c.overlap, list.strength[p]) - (coheres ? pull_of(s, p) : 0.0);
       if constexpr (N::remembers) {  // not all that such a spring takes it gives back
         shot.normal_springs += normal.energy(c.overlap, list.stiffness[p], c.curvature, list.normal_memory[p]);
       } else {
@@ -78,12 +83,12 @@ void add_contacts(const Sample& s, Snapshot& shot) {
       shot.springs += friction.energy(s.laws.slip(c.sliding, sliding_stiffness(s, normal, p, c)), list.memory[p]);
       const std::int32_t first = s.record[list.i[p]].grain;
       auto& a = shot.disk[mover_of(s, first)];
-      push(a, has_levers ? own_lever(s, p) : Vec2{}, dash, slip);
-      a.slip.torque += has_levers ? own_torque_i(s, p) : list.force[p].torque_i;
+      if (has_levers) push(a, dash, slip, own_torque_i(s, p), own_lever(s, p));
+      else push(a, dash, slip, list.force[p].torque_i);
       if (list.j[p] >= 0) {
         auto& b = shot.disk[mover_of(s, s.record[list.owner[p]].grain)];
-        push(b, has_levers ? partner_lever(s, p) : Vec2{}, -dash, -slip);
-        b.slip.torque += has_levers ? own_torque_j(s, p) : list.force[p].torque_j;
+        if (has_levers) push(b, -dash, -slip, own_torque_j(s, p), partner_lever(s, p));
+        else push(b, -dash, -slip, list.force[p].torque_j);
       } else if (is_boundary(list.j[p])) {
         add_boundary_contact(s, p, c, dash, slip, shot);
       } else {
@@ -91,7 +96,7 @@ void add_contacts(const Sample& s, Snapshot& shot) {
         shot.edge[side].dash -= across(side, dash);
         shot.edge[slides + side].slip -= along(side, slip);
       }
-      if (in_cell) add_to_cell(s, between_centres(s, p, c.branch), s.shear_rate != 0 ? rows_between(s, p) : 0, f, dash, slip, shot);
+      if (in_cell) add_to_cell(s, between_centres(s, p, c.branch), shears ? rows_between(s, p) : 0, f, dash, slip, shot);
     }
   });
 }
@@ -121,8 +126,10 @@ Snapshot take(const Sample& s) {
   const CellMotion cell = cell_motion(s.domain);
   each_mover(s, [&](std::size_t k) {
     const Mover m = mover_at(s, k);
-    const Vec2 drag = -s.drag * m.mass * (m.seen.velocity - cell.at(m.place));
-    shot.disk[k < s.count ? s.record[k].grain : k] = {corrects ? motion_of(s, k) : m.own, m.mass, {}, {}, drag};
+    Snapshot::Disk& mover = shot.disk[k < s.count ? s.record[k].grain : k];
+    mover.own = corrects ? motion_of(s, k) : m.own;
+    mover.mass = m.mass;
+    if (s.drag != 0) mover.drag = -s.drag * m.mass * (m.seen.velocity - cell.at(m.place));
   });
   add_contacts(s, shot);
   add_bonds(s, shot);
