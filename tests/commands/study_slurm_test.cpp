@@ -54,15 +54,17 @@ TEST(Study, OnSlurmFortyRunsInFourTasksWithOneKilledAndOneStoppedGiveTheLocalBit
   std::string job = slurm("sbatch --parsable " + script);
   job.resize(job.find_last_not_of("\n ") + 1);
   ASSERT_FALSE(job.empty());
-  ASSERT_TRUE(comes_about(30, [&] { return shell("grep -q done " + cluster + "/journal/*.log").status == 0; }));
-  slurm("scancel --signal=KILL " + job + "_2");
-  slurm("scancel --batch --signal=TERM " + job + "_4");
   const std::string tasks = "squeue --states=all --array --noheader --job=" + job + " --format='%K %T' | sort";
   const auto state_of = [&](const std::string& task) {
     const std::string states = slurm(tasks);
     const auto at = states.find(task + " ");
     return at == std::string::npos ? std::string() : states.substr(at + 2, states.find('\n', at) - at - 2);
   };
+  // One that still waits would be cancelled for good.
+  for (const std::string task : {"2", "4"}) ASSERT_TRUE(comes_about(30, [&] { return state_of(task) == "RUNNING"; })) << slurm(tasks);
+  ASSERT_TRUE(comes_about(30, [&] { return shell("grep -q done " + cluster + "/journal/*.log").status == 0; }));
+  slurm("scancel --signal=KILL " + job + "_2");
+  slurm("scancel --batch --signal=TERM " + job + "_4");
   // Slurm queues both again; the killed one by itself, the stopped one at the word of the script.
   for (const std::string task : {"2", "4"}) ASSERT_TRUE(comes_about(20, [&] { return state_of(task) == "PENDING"; })) << slurm(tasks);
   EXPECT_TRUE(comes_about(40, [&] { return slurm(tasks) == "1 COMPLETED\n2 COMPLETED\n3 COMPLETED\n4 COMPLETED\n"; })) << slurm(tasks);
