@@ -67,8 +67,8 @@ io::SampleOptions sample_options(const MeasureArguments& a) {
     const auto corner = lengths_of("--origin", a.origin, unit, 2, 2);
     o.origin = Vec2{corner[0], corner[1]};
   }
-  o.periodic_x = a.periodic.find('x') != std::string::npos;
-  o.periodic_y = a.periodic.find('y') != std::string::npos;
+  o.periodic[0] = a.periodic.find('x') != std::string::npos;
+  o.periodic[1] = a.periodic.find('y') != std::string::npos;
   if (!a.thickness.empty()) o.thickness = positive("--thickness", a.thickness, unit, "the length of the cylinders");
   if (!a.materials.empty()) o.materials = a.materials;
   o.y_down = a.y_down;

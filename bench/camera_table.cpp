@@ -39,7 +39,7 @@ struct Truth {
   std::vector<std::uint8_t> considered;
 
   Truth(Packing released, Packing loaded) : low(std::move(released)), high(std::move(loaded)), stress(high.grains.size(), 0.0) {
-    corner = {low.domain.wall[left].position, low.domain.wall[bottom].position};
+    corner = low.domain.corner();
     add(high, 1);
     add(low, -1);
     texture::Options options;
@@ -83,7 +83,7 @@ void compare_forces(const Truth& truth, const FilmResult& film, const std::vecto
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     if (contacts.is_wall(c)) continue;
     const auto partner = [&](std::int32_t grain) { return static_cast<int>(match[static_cast<std::size_t>(grain)]); };
-    const auto [pair, direction] = named(partner(contacts.i[c]), partner(contacts.j[c]), contacts.normal(c));
+    const auto [pair, direction] = named(partner(contacts.i[c]), partner(contacts.j[c]), contacts.normal[c]);
     Vec2 f;
     if (const auto it = left_over.find(pair); it != left_over.end()) f = it->second, left_over.erase(it);
     const double fn = dot(f, direction), ft = f.y * direction.x - f.x * direction.y;
@@ -106,9 +106,9 @@ Errors compare(const Truth& truth, const FilmResult& film) {
   for (std::size_t i = 0; i < grains; ++i) {
     const Vec2 at = film.origin + Vec2{film.grains.x[i] * film.pixel, -film.grains.y[i] * film.pixel} + truth.corner;
     for (std::size_t k = 1; k < seen.size(); ++k)
-      if (norm(truth.low.grains.centre(k) - at) < norm(truth.low.grains.centre(match[i]) - at)) match[i] = k;
+      if (norm(truth.low.grains.position[k] - at) < norm(truth.low.grains.position[match[i]] - at)) match[i] = k;
     const std::size_t k = match[i];
-    square += std::pow(norm(truth.low.grains.centre(k) - at) / film.pixel, 2) / 2;
+    square += std::pow(norm(truth.low.grains.position[k] - at) / film.pixel, 2) / 2;
     seen[k] = 1;
     e.wrong_material += film.packing.materials[static_cast<std::size_t>(film.packing.grains.material[i])].name !=
                         truth.low.materials[static_cast<std::size_t>(truth.low.grains.material[k])].name;
@@ -136,7 +136,7 @@ void list_grains(const fs::path& file, const Truth& truth) {
   std::ofstream table(file);
   table << "id,x [m],y [m],radius [m],material\n";
   for (std::size_t i = 0; i < grains.size(); ++i)
-    table << i + 1 << ',' << grains.x[i] - truth.corner.x << ',' << grains.y[i] - truth.corner.y << ',' << grains.radius[i] << ','
+    table << i + 1 << ',' << grains.position[i].x - truth.corner.x << ',' << grains.position[i].y - truth.corner.y << ',' << grains.radius[i] << ','
           << truth.low.materials[static_cast<std::size_t>(grains.material[i])].name << '\n';
 }
 

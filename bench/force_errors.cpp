@@ -39,8 +39,8 @@ Packing difference(const Packing& low, const Packing& high) {
       change.contacts.fn[it->second] -= low.contacts.fn[c], change.contacts.ft[it->second] -= low.contacts.ft[c];
       continue;
     }
-    Vec2 n = low.contacts.normal(c);
-    if (j >= 0) n = high.grains.centre(static_cast<std::size_t>(i)) - high.grains.centre(static_cast<std::size_t>(j));
+    Vec2 n = low.contacts.normal[c];
+    if (j >= 0) n = high.grains.position[static_cast<std::size_t>(i)] - high.grains.position[static_cast<std::size_t>(j)];
     change.contacts.add(i, j, (1 / norm(n)) * n, -low.contacts.fn[c], -low.contacts.ft[c], low.contacts.arm_i[c], low.contacts.arm_j[c]);
   }
   return change;
@@ -53,7 +53,7 @@ void offer(Packing& found, double gap) {
   for (int i = 0; i < n; ++i)
     for (int j = i + 1; j < n; ++j) {
       const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
-      const Vec2 d = found.grains.centre(a) - found.grains.centre(b);
+      const Vec2 d = found.grains.position[a] - found.grains.position[b];
       if (norm(d) - found.grains.radius[a] - found.grains.radius[b] < gap && !known.count({i, j}))
         found.contacts.add(i, j, (1 / norm(d)) * d, 0, 0, found.grains.radius[a], found.grains.radius[b]);
     }
@@ -75,8 +75,8 @@ void report(const char* name, const Packing& low, const Packing& high, const Sou
   Packing found = truth;
   RandomStream random(7, Purpose::test);
   for (std::size_t g = 0; g < found.grains.size(); ++g) {
-    found.grains.x[g] += s.position * s.drawing.pixel * random.normal();
-    found.grains.y[g] += s.position * s.drawing.pixel * random.normal();
+    found.grains.position[g].x += s.position * s.drawing.pixel * random.normal();
+    found.grains.position[g].y += s.position * s.drawing.pixel * random.normal();
   }
   offer(found, s.offered * s.drawing.pixel);
   double load = 0, mean = 0;

@@ -36,11 +36,11 @@ Packing loose(std::size_t n, bool periodic, const Sizes& sizes = {}) {
   for (std::size_t k = 0; k < site.size(); ++k) site[k] = k;
   for (std::size_t k = site.size() - 1; k > 0; --k) std::swap(site[k], site[order.below(k + 1)]);
   for (std::size_t k = 0; k < n; ++k) {
-    p.grains.x[k] = (static_cast<double>(site[k] % side) + place.uniform(0.45, 0.55)) * pitch;
-    p.grains.y[k] = (static_cast<double>(site[k] / side) + place.uniform(0.45, 0.55)) * pitch;
+    p.grains.position[k] = {(static_cast<double>(site[k] % side) + place.uniform(0.45, 0.55)) * pitch,
+                            (static_cast<double>(site[k] / side) + place.uniform(0.45, 0.55)) * pitch};
   }
   p.domain.wall[right].position = p.domain.wall[top].position = width;
-  p.domain.periodic_x = p.domain.periodic_y = periodic;
+  p.domain.periodic[0] = p.domain.periodic[1] = periodic;
   return p;
 }
 
@@ -95,8 +95,7 @@ Packing tiled(const Packing& cell, int times) {
   for (int row = 0; row < times; ++row)
     for (int column = 0; column < times; ++column)
       for (std::size_t q = 0; q < n; ++q, ++k) {
-        p.grains.x[k] = cell.grains.x[q] + column * width;
-        p.grains.y[k] = cell.grains.y[q] + row * height;
+        p.grains.position[k] = {cell.grains.position[q].x + column * width, cell.grains.position[q].y + row * height};
         p.grains.radius[k] = cell.grains.radius[q];
         p.grains.angle[k] = cell.grains.angle[q];
         if (!cell.grains.shapes.empty()) add_shape(p.grains.shapes, shape_of(cell.grains, q), cell.grains.shapes.gyration[q]);

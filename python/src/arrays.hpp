@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "arguments.hpp"
+#include "core/vec.hpp"
 
 /// NumPy arrays that look into vectors of the library, and vectors made of anything that NumPy reads.
 namespace arenite::python {
@@ -56,6 +57,13 @@ template <class Class, class Part> void array_property(Class& c, const char* nam
   using Owner = typename Class::type;
   c.def_property_readonly(
       name, [part](const py::object& self) { return view(part(self.cast<const Owner&>()), self); }, doc);
+}
+
+/// The same, one coordinate of vectors.
+template <class Class, class Part> void coordinate_property(Class& c, const char* name, Part part, double Vec2::*axis, const char* doc) {
+  using Owner = typename Class::type;
+  c.def_property_readonly(
+      name, [part, axis](const py::object& self) { return member_view(part(self.cast<const Owner&>()), axis, self); }, doc);
 }
 
 using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;

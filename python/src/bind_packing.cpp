@@ -39,11 +39,11 @@ io::RawGrains rows_of(const ArrayLike& x, const ArrayLike& y, const ArrayLike& r
   io::RawGrains grains;
   grains.has_box = true;
   const Vec2 low = grains.box_low = frame.corner, high = grains.box_high = frame.corner + Vec2{frame.width, frame.height};
-  std::tie(grains.periodic_x, grains.periodic_y) = periodic_directions(frame.periodic);
+  std::tie(grains.periodic[0], grains.periodic[1]) = periodic_directions(frame.periodic);
   for (std::size_t k = 0; k < radii.size(); ++k) {
     const Vec2 centre{centre_x[k], centre_y[k]};
-    const bool outside_x = !grains.periodic_x && (centre.x < low.x || centre.x > high.x),
-               outside_y = !grains.periodic_y && (centre.y < low.y || centre.y > high.y);
+    const bool outside_x = !grains.periodic[0] && (centre.x < low.x || centre.x > high.x),
+               outside_y = !grains.periodic[1] && (centre.y < low.y || centre.y > high.y);
     if (outside_x || outside_y)
       throw InputError(
           fmt::format("the centre of grain {}, ({:g}, {:g}) m, lies outside the container, which reaches from ({:g}, {:g}) to ({:g}, {:g}) m; "
@@ -154,8 +154,8 @@ py::dict domain_of(const Packing& p) {
   d["width"] = box.width();
   d["height"] = box.height();
   d["thickness"] = box.thickness;
-  d["periodic_x"] = box.periodic_x;
-  d["periodic_y"] = box.periodic_y;
+  d["periodic_x"] = box.periodic[0];
+  d["periodic_y"] = box.periodic[1];
   d["tilt"] = box.tilt;
   return d;
 }
@@ -232,10 +232,10 @@ void bind_contacts(py::module_& m) {
       c, "i", [](const Contacts& k) -> auto& { return k.i; }, "First grain, its place in the packing's arrays (not its id), int32.");
   array_property(
       c, "j", [](const Contacts& k) -> auto& { return k.j; }, "Second grain, its place in the packing's arrays, or a wall if negative, int32.");
-  array_property(
-      c, "nx", [](const Contacts& k) -> auto& { return k.nx; }, "Normal, x.");
-  array_property(
-      c, "ny", [](const Contacts& k) -> auto& { return k.ny; }, "Normal, y.");
+  coordinate_property(
+      c, "nx", [](const Contacts& k) -> auto& { return k.normal; }, &Vec2::x, "Normal, x.");
+  coordinate_property(
+      c, "ny", [](const Contacts& k) -> auto& { return k.normal; }, &Vec2::y, "Normal, y.");
   array_property(
       c, "fn", [](const Contacts& k) -> auto& { return k.fn; }, "Normal force, N, positive in compression.");
   array_property(
@@ -259,10 +259,10 @@ void bind_contacts(py::module_& m) {
 void bind_grains(py::class_<Packing>& c) {
   array_property(
       c, "id", [](const Packing& p) -> auto& { return p.grains.id; }, "The user's name of every grain, int64.");
-  array_property(
-      c, "x", [](const Packing& p) -> auto& { return p.grains.x; }, "Centres, m.");
-  array_property(
-      c, "y", [](const Packing& p) -> auto& { return p.grains.y; }, "Centres, m.");
+  coordinate_property(
+      c, "x", [](const Packing& p) -> auto& { return p.grains.position; }, &Vec2::x, "Centres, m.");
+  coordinate_property(
+      c, "y", [](const Packing& p) -> auto& { return p.grains.position; }, &Vec2::y, "Centres, m.");
   array_property(
       c, "radius", [](const Packing& p) -> auto& { return p.grains.radius; }, "Radii, m; of grains that are no disks those of the disks of their area.");
   array_property(
@@ -271,10 +271,10 @@ void bind_grains(py::class_<Packing>& c) {
       c, "zone", [](const Packing& p) -> auto& { return p.grains.zone; }, "0, or the number of a region: 1 is the glued agglomerate.");
   array_property(
       c, "angle", [](const Packing& p) -> auto& { return p.grains.angle; }, "Rotations since the start, rad, counter-clockwise.");
-  array_property(
-      c, "vx", [](const Packing& p) -> auto& { return p.grains.vx; }, "Velocities, m/s.");
-  array_property(
-      c, "vy", [](const Packing& p) -> auto& { return p.grains.vy; }, "Velocities, m/s.");
+  coordinate_property(
+      c, "vx", [](const Packing& p) -> auto& { return p.grains.velocity; }, &Vec2::x, "Velocities, m/s.");
+  coordinate_property(
+      c, "vy", [](const Packing& p) -> auto& { return p.grains.velocity; }, &Vec2::y, "Velocities, m/s.");
   array_property(
       c, "omega", [](const Packing& p) -> auto& { return p.grains.omega; }, "Angular velocities, rad/s, counter-clockwise.");
 }

@@ -65,7 +65,7 @@ Packing packing_of_files(const Path& grains, const std::optional<Path>& contacts
   o.origin = lengths_of(origin, "origin");
   o.thickness = si(thickness, dimension::length, "thickness");
   if (o.thickness && !(*o.thickness > 0)) throw InputError("thickness: the length of the cylinders must be positive");
-  std::tie(o.periodic_x, o.periodic_y) = periodic_directions(periodic);
+  std::tie(o.periodic[0], o.periodic[1]) = periodic_directions(periodic);
   if (length_unit) o.length_unit = io::unit_factor(*length_unit, dimension::length);
   if (force_unit) o.force_unit = io::unit_factor(*force_unit, dimension::force);
   o.pixel = si(pixel, dimension::length, "pixel").value_or(0);

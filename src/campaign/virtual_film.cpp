@@ -24,13 +24,13 @@ Packing state_of(const fs::path& run, const std::string& stage) {
 
 /// Of every grain found at the smallest load the simulated one that lies nearest in that state.
 std::vector<std::size_t> simulated_grains(const FilmResult& film, const Packing& start) {
-  const Vec2 corner{start.domain.wall[left].position, start.domain.wall[bottom].position};
+  const Vec2 corner = start.domain.corner();
   std::vector<std::size_t> nearest;
   for (std::size_t i = 0; i < film.packing.grains.size(); ++i) {
     const Vec2 found = film.origin + Vec2{film.grains.x[i] * film.pixel, -film.grains.y[i] * film.pixel};
     std::size_t best = 0;
     for (std::size_t j = 1; j < start.grains.size(); ++j)
-      if (norm(start.grains.centre(j) - corner - found) < norm(start.grains.centre(best) - corner - found)) best = j;
+      if (norm(start.grains.position[j] - corner - found) < norm(start.grains.position[best] - corner - found)) best = j;
     nearest.push_back(best);
   }
   return nearest;
@@ -60,8 +60,8 @@ Numbers found_grains(const FilmResult& film, const std::vector<double>& truth) {
   for (const char* name : {"x", "y", "radius", "material", "zone", "sigma_norm", "simulation"}) j[name] = Numbers::list();
   for (std::size_t i = 0; i < grains.size(); ++i) {
     if (!std::isfinite(found[i]) || !std::isfinite(simulated[i])) continue;
-    j["x"].push_back(grains.x[i]);
-    j["y"].push_back(grains.y[i]);
+    j["x"].push_back(grains.position[i].x);
+    j["y"].push_back(grains.position[i].y);
     j["radius"].push_back(grains.radius[i]);
     j["material"].push_back(grains.material[i]);
     j["zone"].push_back(grains.zone[i]);

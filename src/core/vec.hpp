@@ -7,9 +7,16 @@ namespace arenite {
 template <int D> struct Vec;
 template <> struct Vec<2> {
   double x = 0, y = 0;
+  constexpr double& operator[](int axis) { return axis == 0 ? x : y; }
+  constexpr double operator[](int axis) const { return axis == 0 ? x : y; }
   bool operator==(const Vec&) const = default;
 };
-template <> struct Vec<3> { double x = 0, y = 0, z = 0; };
+template <> struct Vec<3> {
+  double x = 0, y = 0, z = 0;
+  constexpr double& operator[](int axis) { return axis == 0 ? x : axis == 1 ? y : z; }
+  constexpr double operator[](int axis) const { return axis == 0 ? x : axis == 1 ? y : z; }
+  bool operator==(const Vec&) const = default;
+};
 using Vec2 = Vec<2>;
 using Vec3 = Vec<3>;
 

@@ -1,45 +1,51 @@
 #pragma once
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
 #include <vector>
 
+#include "geometry/rectangle.hpp"
+
 namespace arenite::geometry {
 
-/// Cells of at least `size`, row by row, over a rectangle, at most `most` along a side; points outside, and those without a place, belong to the border cells.
-struct CellGrid {
-  double x0, y0, inverse_x, inverse_y;
-  std::int32_t columns, rows;
+/// Cells of at least `size` in a box, at most `most` along a side, counted along x first; points outside, and those without a place, belong to the
+/// border cells.
+template <int D> struct CellGrid {
+  Vec<D> corner, inverse;  ///< inverse: of a cell's sides, 1/m
+  std::array<std::int32_t, D> count;
 
-  CellGrid(double left, double bottom, double width, double height, double size, double most = 4096)
-      : x0(left),
-        y0(bottom),
-        columns(along(width, size, most)),
-        rows(along(height, size, most)) {
-    inverse_x = columns / width;
-    inverse_y = rows / height;
+  CellGrid(const Box<D>& box, double size, double most = 4096) : corner(box.corner) {
+    for (int axis = 0; axis < D; ++axis) {
+      count[axis] = static_cast<std::int32_t>(std::clamp(box.size[axis] / size, 1.0, most));
+      inverse[axis] = count[axis] / box.size[axis];
+    }
   }
-  std::int32_t column(double x) const { return static_cast<std::int32_t>(std::max(0.0, std::min(columns - 1.0, (x - x0) * inverse_x))); }
-  std::int32_t row(double y) const { return static_cast<std::int32_t>(std::max(0.0, std::min(rows - 1.0, (y - y0) * inverse_y))); }
-  /// The same counted on beyond the rectangle, as periodic images need it.
-  std::int32_t free_column(double x) const { return static_cast<std::int32_t>(std::floor((x - x0) * inverse_x)); }
-  std::int32_t free_row(double y) const { return static_cast<std::int32_t>(std::floor((y - y0) * inverse_y)); }
-  std::int32_t cell(double x, double y) const { return row(y) * columns + column(x); }
-  std::size_t size() const { return static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows); }
-
- private:
-  static std::int32_t along(double length, double size, double most) { return static_cast<std::int32_t>(std::clamp(length / size, 1.0, most)); }
+  /// Of a coordinate along one axis.
+  std::int32_t along(int axis, double x) const {
+    return static_cast<std::int32_t>(std::max(0.0, std::min(count[axis] - 1.0, (x - corner[axis]) * inverse[axis])));
+  }
+  /// The same counted on beyond the box, as periodic images need it.
+  std::int32_t free_along(int axis, double x) const { return static_cast<std::int32_t>(std::floor((x - corner[axis]) * inverse[axis])); }
+  std::int32_t cell(Vec<D> place) const {
+    std::int32_t at = 0;
+    for (int axis = D - 1; axis >= 0; --axis) at = at * count[axis] + along(axis, place[axis]);
+    return at;
+  }
+  std::size_t size() const {
+    std::size_t cells = 1;
+    for (const std::int32_t n : count) cells *= static_cast<std::size_t>(n);
+    return cells;
+  }
 };
 
 /// Items begin .. end-1 sorted into cells, each cell's in their order: those of cell c are item[first[c]] .. item[first[c + 1] - 1].
 struct SortedCells {
   std::vector<std::int32_t> first, item;
 
-  /// `cell_of(k)` is the cell of item k.
-  template <class CellOf>
-  SortedCells(const CellGrid& grid, std::size_t begin, std::size_t end, CellOf&& cell_of) : first(grid.size() + 1, 0),
-                                                                                            item(end - begin) {
+  /// `cell_of(k)` is the cell of item k, of so many.
+  template <class CellOf> SortedCells(std::size_t cells, std::size_t begin, std::size_t end, CellOf&& cell_of) : first(cells + 1, 0), item(end - begin) {
     std::vector<std::int32_t> cell(end - begin);
     for (std::size_t k = begin; k < end; ++k) ++first[static_cast<std::size_t>(cell[k - begin] = cell_of(k)) + 1];
     std::partial_sum(first.begin(), first.end(), first.begin());
@@ -48,10 +54,17 @@ struct SortedCells {
   }
 
   /// Calls `see` for the items of the cell of a place and those around it, row by row.
-  template <class See> void for_near(const CellGrid& grid, double x, double y, See&& see) const {
-    const std::int32_t row = grid.row(y), column = grid.column(x), from = std::max(column - 1, 0), to = std::min(column + 1, grid.columns - 1);
-    for (std::int32_t r = std::max(row - 1, 0); r <= std::min(row + 1, grid.rows - 1); ++r)
-      for (std::int32_t k = first[r * grid.columns + from]; k < first[r * grid.columns + to + 1]; ++k) see(item[k]);
+  template <int D, class See> void for_near(const CellGrid<D>& grid, Vec<D> place, See&& see) const { near<D - 1>(grid, place, 0, see); }
+
+ private:
+  template <int Axis, int D, class See> void near(const CellGrid<D>& grid, const Vec<D>& place, std::int32_t row, See& see) const {
+    const std::int32_t middle = grid.along(Axis, place[Axis]), from = std::max(middle - 1, 0), to = std::min(middle + 1, grid.count[Axis] - 1);
+    row *= grid.count[Axis];
+    if constexpr (Axis == 0) {
+      for (std::int32_t k = first[row + from]; k < first[row + to + 1]; ++k) see(item[k]);
+    } else {
+      for (std::int32_t c = from; c <= to; ++c) near<Axis - 1>(grid, place, row + c, see);
+    }
   }
 };
 

@@ -23,38 +23,47 @@ struct Neighbours {
   const std::int32_t* end() const { return at + count; }
 };
 
+/// Calls `see` for the cell of a place and those around it, in a row of them already chosen along the later axes.
+template <int Axis, int D, class See> void for_cells(const CellGrid<D>& grid, const Box<D>& box, const Vec<D>& place, std::int32_t row, See& see) {
+  for (const auto at : Neighbours(grid.along(Axis, place[Axis]), grid.count[Axis], box.periodic[Axis])) {
+    const std::int32_t cell = row * grid.count[Axis] + at;
+    if constexpr (Axis == 0) see(cell);
+    else for_cells<Axis - 1>(grid, box, place, cell, see);
+  }
+}
+
 }  // namespace
 
-std::vector<Pair> close_pairs(std::span<const double> x, std::span<const double> y, std::span<const double> radius, const Box& box, double gap) {
+template <int D> std::vector<Pair> close_pairs(std::span<const Vec<D>> centre, std::span<const double> radius, const Box<D>& box, double gap) {
   std::vector<Pair> pairs;
-  if (x.empty()) return pairs;
+  if (centre.empty()) return pairs;
   // A trifle wider than pairs reach, so that rounding parts none of them by a whole cell.
   const double reach = (2 * *std::max_element(radius.begin(), radius.end()) + gap) * (1 + 1e-12);
-  const CellGrid grid(box.x0, box.y0, box.width, box.height, reach, 30000);
-  const SortedCells cells(grid, 0, x.size(), [&](std::size_t i) { return grid.cell(x[i], y[i]); });
+  const CellGrid<D> grid(box, reach, D == 2 ? 30000 : 1000);
+  const SortedCells cells(grid.size(), 0, centre.size(), [&](std::size_t i) { return grid.cell(centre[i]); });
   std::vector<std::int32_t> partners;
-  for (std::int32_t i = 0; i < static_cast<std::int32_t>(x.size()); ++i) {
+  for (std::int32_t i = 0; i < static_cast<std::int32_t>(centre.size()); ++i) {
     partners.clear();
-    for (const auto row : Neighbours(grid.row(y[i]), grid.rows, box.periodic_y))
-      for (const auto column : Neighbours(grid.column(x[i]), grid.columns, box.periodic_x)) {
-        const std::int32_t cell = row * grid.columns + column;
-        for (auto k = cells.first[cell]; k < cells.first[cell + 1]; ++k) {
-          const std::int32_t j = cells.item[k];
-          if (j <= i) continue;
-          double dx = x[i] - x[j], dy = y[i] - y[j];
-          if (box.periodic_x) dx -= box.width * std::nearbyint(dx / box.width);
-          if (box.periodic_y) dy -= box.height * std::nearbyint(dy / box.height);
-          const double apart = radius[i] + radius[j] + gap;
-          if (dx * dx + dy * dy <= apart * apart) partners.push_back(j);
-        }
+    const auto look_into = [&](std::int32_t cell) {
+      for (auto k = cells.first[cell]; k < cells.first[cell + 1]; ++k) {
+        const std::int32_t j = cells.item[k];
+        if (j <= i) continue;
+        const Vec<D> d = box.nearest_image(centre[i] - centre[j]);
+        const double apart = radius[i] + radius[j] + gap;
+        if (dot(d, d) <= apart * apart) partners.push_back(j);
       }
+    };
+    for_cells<D - 1>(grid, box, centre[i], 0, look_into);
     std::sort(partners.begin(), partners.end());
     for (const auto j : partners) pairs.push_back({i, j});
-    if (pairs.size() > 1'000'000 + 256 * x.size())
+    if (pairs.size() > 1'000'000 + 256 * centre.size())
       throw InputError(
           "grains lie so deep in each other, or the gap is so wide, that they have hundreds of neighbours each; correct the unit of the radii, or the gap");
   }
   return pairs;
 }
+
+template std::vector<Pair> close_pairs<2>(std::span<const Vec2>, std::span<const double>, const Box<2>&, double);
+template std::vector<Pair> close_pairs<3>(std::span<const Vec3>, std::span<const double>, const Box<3>&, double);
 
 }  // namespace arenite::geometry

@@ -1,5 +1,7 @@
 #pragma once
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <span>
 
 #include "core/vec.hpp"
@@ -34,10 +36,18 @@ constexpr bool overlap(const Rectangle& a, const Rectangle& b) { return a.x_min 
 /// Area that a disk and a rectangle have in common, exact to rounding.
 double disk_window_area(Vec2 centre, double radius, const Rectangle& window);
 
-/// A box that holds disks: a rectangle from (x0, y0), m; a direction may be periodic.
-struct Box {
-  double x0 = 0, y0 = 0, width = 0, height = 0;
-  bool periodic_x = false, periodic_y = false;
+/// What holds disks (D = 2) or spheres (3): from its lowest corner, m; a direction may be periodic.
+template <int D> struct Box {
+  Vec<D> corner, size;
+  std::array<bool, D> periodic{};
+
+  Vec<D> end() const { return corner + size; }
+  /// Of a vector between two points.
+  Vec<D> nearest_image(Vec<D> d) const {
+    for (int axis = 0; axis < D; ++axis)
+      if (periodic[axis]) d[axis] -= size[axis] * std::nearbyint(d[axis] / size[axis]);
+    return d;
+  }
 };
 
 }  // namespace arenite::geometry

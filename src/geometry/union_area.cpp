@@ -20,14 +20,15 @@ class Index {
       boxes.push_back(box);
       extent += std::max(box.width(), box.height());
     }
-    grid_ = {window.x_min, window.y_min, window.width(), window.height(), outline.empty() ? 1 : extent / static_cast<double>(outline.size()), 2000};
+    const Box<2> box{{window.x_min, window.y_min}, {window.width(), window.height()}};
+    grid_ = {box, outline.empty() ? 1 : extent / static_cast<double>(outline.size()), 2000};
     std::vector<std::int32_t> cell;  // of every pair of an outline and a cell that its rectangle meets
     for (std::size_t o = 0; o < boxes.size(); ++o)
       visit(boxes[o], [&](std::int32_t c) {
         cell.push_back(c);
         owner_.push_back(static_cast<std::int32_t>(o));
       });
-    cells_ = {grid_, 0, cell.size(), [&](std::size_t k) { return cell[k]; }};
+    cells_ = {grid_.size(), 0, cell.size(), [&](std::size_t k) { return cell[k]; }};
     seen_.assign(outline.size(), -1);
   }
 
@@ -50,13 +51,13 @@ class Index {
 
  private:
   template <class Cell> void visit(const Rectangle& box, Cell&& cell) const {
-    const auto left = grid_.column(box.x_min), right = grid_.column(box.x_max), top = grid_.row(box.y_max);
-    for (auto row = grid_.row(box.y_min); row <= top; ++row)
-      for (auto column = left; column <= right; ++column) cell(row * grid_.columns + column);
+    const auto left = grid_.along(0, box.x_min), right = grid_.along(0, box.x_max), top = grid_.along(1, box.y_max);
+    for (auto row = grid_.along(1, box.y_min); row <= top; ++row)
+      for (auto column = left; column <= right; ++column) cell(row * grid_.count[0] + column);
   }
 
-  CellGrid grid_{0, 0, 1, 1, 1};
-  SortedCells cells_{grid_, 0, 0, [](std::size_t) { return 0; }};
+  CellGrid<2> grid_{{{}, {1, 1}}, 1};
+  SortedCells cells_{1, 0, 0, [](std::size_t) { return 0; }};
   std::int64_t query_ = 0;
   std::vector<std::int32_t> owner_;
   std::vector<std::int64_t> seen_;

@@ -19,8 +19,8 @@ using geometry::Outline;
 /// Shifts of the periodic images that are looked at: the cell and its eight neighbours.
 std::vector<Vec2> image_shifts(const Domain& domain) {
   std::vector<Vec2> shifts;
-  for (int y = domain.periodic_y ? -1 : 0; y <= (domain.periodic_y ? 1 : 0); ++y)
-    for (int x = domain.periodic_x ? -1 : 0; x <= (domain.periodic_x ? 1 : 0); ++x) shifts.push_back({x * domain.width(), y * domain.height()});
+  for (int y = domain.periodic[1] ? -1 : 0; y <= (domain.periodic[1] ? 1 : 0); ++y)
+    for (int x = domain.periodic[0] ? -1 : 0; x <= (domain.periodic[0] ? 1 : 0); ++x) shifts.push_back({x * domain.width(), y * domain.height()});
   return shifts;
 }
 
@@ -37,7 +37,7 @@ struct Placer {
   void add_grain(std::size_t g) {
     const double r = packing.grains.radius[g];
     for (const Vec2 shift : shifts) {
-      const Vec2 centre = wrapped(packing.domain, packing.grains.centre(g)) + shift - middle;
+      const Vec2 centre = wrapped(packing.domain, packing.grains.position[g]) + shift - middle;
       if (reaches(centre, r + placed.coating, placed.window)) placed.grains.push_back({centre, r, static_cast<std::int32_t>(g)});
     }
   }
@@ -45,12 +45,12 @@ struct Placer {
   void add_neck(std::size_t i, std::size_t j, PlacedCement::Neck neck, std::vector<PlacedCement::Neck>& necks) {
     const Domain& domain = packing.domain;
     const Grains& grains = packing.grains;
-    const Vec2 apart = domain.nearest_image(grains.centre(j) - grains.centre(i));
+    const Vec2 apart = domain.nearest_image(grains.position[j] - grains.position[i]);
     const double reach = 0.5 * norm(apart) + std::max({grains.radius[i], grains.radius[j], neck.half_a, neck.half_b});
     for (const Vec2 shift : shifts) {
-      neck.a = wrapped(domain, grains.centre(i)) + shift - middle;
+      neck.a = wrapped(domain, grains.position[i]) + shift - middle;
       // Without images the second centre keeps its own digits, as the grain there does.
-      neck.b = domain.periodic_x || domain.periodic_y ? neck.a + apart : grains.centre(j) - middle;
+      neck.b = domain.periodic[0] || domain.periodic[1] ? neck.a + apart : grains.position[j] - middle;
       neck.radius_a = grains.radius[i];
       neck.radius_b = grains.radius[j];
       if (reaches(0.5 * (neck.a + neck.b), reach, placed.window)) necks.push_back(neck);
@@ -88,8 +88,9 @@ void check(const Packing& packing, const Cement& cement) {
   const Grains& g = packing.grains;
   if (packing.domain.tilt != 0) report(fmt::format("the periodic cell is sheared by {:g} m; cement and grid need an upright one", packing.domain.tilt));
   for (std::size_t i = 0; i < g.size(); ++i)
-    if (!std::isfinite(g.x[i]) || !std::isfinite(g.y[i]) || !(g.radius[i] > 0) || !std::isfinite(g.radius[i]))
-      report(fmt::format("grain {} has centre ({:g}, {:g}) m and radius {:g} m; give finite numbers and a positive radius", i, g.x[i], g.y[i], g.radius[i]));
+    if (!std::isfinite(g.position[i].x) || !std::isfinite(g.position[i].y) || !(g.radius[i] > 0) || !std::isfinite(g.radius[i]))
+      report(fmt::format("grain {} has centre ({:g}, {:g}) m and radius {:g} m; give finite numbers and a positive radius", i, g.position[i].x, g.position[i].y,
+                         g.radius[i]));
   const auto pair = [&](const char* what, std::size_t k, std::int32_t i, std::int32_t j) {
     const auto n = static_cast<std::int32_t>(g.size());
     if (i < 0 || j < 0 || i >= n || j >= n || i == j) report(fmt::format("{} {} joins grains {} and {}; give two of the {} grains", what, k, i, j, n));

@@ -12,7 +12,8 @@ void Grains::resize(std::size_t n) {
   const std::size_t old = size();
   id.resize(n);
   for (std::size_t i = old; i < n; ++i) id[i] = static_cast<std::int64_t>(i);
-  for (auto* a : {&x, &y, &radius, &angle, &vx, &vy, &omega}) a->resize(n, 0.0);
+  for (auto* a : {&position, &velocity}) a->resize(n);
+  for (auto* a : {&radius, &angle, &omega}) a->resize(n, 0.0);
   material.resize(n, 0);
   zone.resize(n, 0);
 }
@@ -26,8 +27,7 @@ Grains picked(const Grains& from, const std::vector<std::int32_t>& which, Vec2 o
     grains.radius[k] = from.radius[g];
     grains.material[k] = from.material[g];
     grains.zone[k] = from.zone[g];
-    grains.x[k] = from.x[g] - origin.x;
-    grains.y[k] = from.y[g] - origin.y;
+    grains.position[k] = from.position[g] - origin;
     grains.angle[k] = from.angle[g];
     if (!from.shapes.empty()) add_shape(grains.shapes, shape_of(from, g), from.shapes.gyration[g]);
   }
@@ -35,12 +35,12 @@ Grains picked(const Grains& from, const std::vector<std::int32_t>& which, Vec2 o
 }
 
 Vec2 Domain::nearest_image(Vec2 d) const {
-  if (periodic_y) {
+  if (periodic[1]) {
     const double n = std::nearbyint(d.y / height());
     d.y -= n * height();
     d.x -= n * tilt;
   }
-  if (periodic_x) d.x -= std::nearbyint(d.x / width()) * width();
+  if (periodic[0]) d.x -= std::nearbyint(d.x / width()) * width();
   return d;
 }
 
@@ -65,12 +65,11 @@ int Domain::boundary_of(int element) const {
   return -1;
 }
 
-void Contacts::add(std::int32_t a, std::int32_t b, Vec2 normal, double normal_force, double tangential_force, double arm_a, double arm_b) {
+void Contacts::add(std::int32_t a, std::int32_t b, Vec2 n, double normal_force, double tangential_force, double arm_a, double arm_b) {
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   i.push_back(a);
   j.push_back(b);
-  nx.push_back(normal.x);
-  ny.push_back(normal.y);
+  normal.push_back(n);
   fn.push_back(normal_force);
   ft.push_back(tangential_force);
   arm_i.push_back(arm_a);
@@ -84,7 +83,7 @@ namespace {
 
 Vec2 branch_between(const Packing& packing, std::int32_t i, std::int32_t j) {
   const Grains& g = packing.grains;
-  return packing.domain.nearest_image(g.centre(i) - g.centre(j));
+  return packing.domain.nearest_image(g.position[i] - g.position[j]);
 }
 
 }  // namespace

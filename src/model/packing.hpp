@@ -35,7 +35,7 @@ template <class Named> std::size_t index_of(const std::vector<Named>& all, std::
 /// all grains are disks; else a grain that is one has itself.
 struct Shapes {
   std::vector<std::int32_t> first;   ///< by grain, and one more
-  std::vector<double> x, y;          ///< by disk: its place from the grain's centre of mass where the grain's angle is 0, m
+  std::vector<Vec2> place;           ///< by disk: from the grain's centre of mass where the grain's angle is 0, m
   std::vector<double> radius;        ///< by disk, m
   std::vector<std::uint8_t> filled;  ///< by grain; 1: the convex polygon of its disks' centres, counter-clockwise, widened by their common radius
   std::vector<double> gyration;      ///< by grain: radius of gyration about the centre of mass, m
@@ -47,18 +47,16 @@ struct Shapes {
 /// Index = position in these arrays = what Contacts refer to; `id` is the user's name for a grain.
 struct Grains {
   std::vector<std::int64_t> id;
-  std::vector<double> x, y;            ///< centre of mass, m
+  std::vector<Vec2> position;          ///< of the centre of mass, m
   std::vector<double> radius;          ///< m; of a grain that is no disk that of the disk of its area
   std::vector<std::int32_t> material;  ///< index into Materials
   std::vector<double> angle;           ///< rotation since the start, rad, counter-clockwise
-  std::vector<double> vx, vy;          ///< m/s
+  std::vector<Vec2> velocity;          ///< m/s
   std::vector<double> omega;           ///< rad/s
   std::vector<std::uint8_t> zone;      ///< 0: none; > 0: number of a region (1: glued agglomerate)
   Shapes shapes;
 
-  std::size_t size() const { return x.size(); }
-  Vec2 centre(std::size_t i) const { return {x[i], y[i]}; }
-  Vec2 velocity(std::size_t i) const { return {vx[i], vy[i]}; }
+  std::size_t size() const { return position.size(); }
   /// Resizes every array; new grains are at rest at the origin, radius 0, id = index.
   void resize(std::size_t n);
 };
@@ -113,15 +111,17 @@ Vec2 mean_point(const std::vector<Vec2>& points);
 /// What holds the sample: four walls, or periodic sides (then the walls of that direction are absent, and their positions are the edges of the cell).
 struct Domain {
   std::array<Wall, 4> wall;
-  bool periodic_x = false, periodic_y = false;
+  std::array<bool, 2> periodic{};    ///< along x, along y
   double tilt = 0;                   ///< x-shift of the upper image of a sheared periodic cell (Lees-Edwards), m
   double thickness = 1;              ///< out-of-plane length L of the cylinders, m
   std::vector<Boundary> boundaries;  ///< beside the walls
 
   double width() const { return wall[right].position - wall[left].position; }
   double height() const { return wall[top].position - wall[bottom].position; }
+  Vec2 size() const { return {width(), height()}; }
+  Vec2 corner() const { return {wall[left].position, wall[bottom].position}; }  ///< the lower left one
   double area() const { return width() * height(); }
-  bool periodic(int side) const { return side < bottom ? periodic_x : periodic_y; }
+  bool is_periodic(int side) const { return periodic[static_cast<std::size_t>(side / 2)]; }
   double length(int side) const { return side < bottom ? height() : width(); }  ///< along it
   /// How far a place lies within the plane of a side, m.
   double depth(int side, Vec2 place) const { return side % 2 == 0 ? across(side, place) - wall[side].position : wall[side].position - across(side, place); }
@@ -148,32 +148,31 @@ constexpr int element_of(std::int32_t partner) { return wall_partner(top) - 1 - 
 /// grains that are no disks begin off their centres, and two of them may meet in more than one contact.
 struct Contacts {
   std::vector<std::int32_t> i, j;
-  std::vector<double> nx, ny;
-  std::vector<double> fn, ft;                              ///< N
-  std::vector<double> arm_i, arm_j;                        ///< m; arm_j = 0 for a wall
-  std::vector<double> overlap;                             ///< h, m; NaN where the source of the data does not say
-  std::vector<double> sliding_velocity;                    ///< v_s, m/s; NaN where unknown
-  std::vector<std::uint8_t> glued;                         ///< 1 where adhesion acts
-  std::vector<double> off_i_x, off_i_y, off_j_x, off_j_y;  ///< from the centre to where the arm begins, m; empty where all grains are disks
+  std::vector<Vec2> normal;
+  std::vector<double> fn, ft;            ///< N
+  std::vector<double> arm_i, arm_j;      ///< m; arm_j = 0 for a wall
+  std::vector<double> overlap;           ///< h, m; NaN where the source of the data does not say
+  std::vector<double> sliding_velocity;  ///< v_s, m/s; NaN where unknown
+  std::vector<std::uint8_t> glued;       ///< 1 where adhesion acts
+  std::vector<Vec2> off_i, off_j;        ///< from the centre to where the arm begins, m; empty where all grains are disks
 
   std::size_t size() const { return i.size(); }
   bool is_wall(std::size_t c) const { return arenite::is_wall(j[c]); }
   int wall_side(std::size_t c) const { return arenite::wall_side(j[c]); }  ///< 4 and more: of a boundary
   bool is_boundary(std::size_t c) const { return arenite::is_boundary(j[c]); }
   int element(std::size_t c) const { return element_of(j[c]); }  ///< of the boundary that the contact joins
-  Vec2 normal(std::size_t c) const { return {nx[c], ny[c]}; }
-  Vec2 force_on_i(std::size_t c) const { return {fn[c] * nx[c] - ft[c] * ny[c], fn[c] * ny[c] + ft[c] * nx[c]}; }
+  Vec2 force_on_i(std::size_t c) const { return fn[c] * normal[c] + ft[c] * perpendicular(normal[c]); }
   /// From the centre of grain i to the contact point; the same of grain j (0 for a wall), m.
   Vec2 lever_i(std::size_t c) const {
-    const Vec2 arm = -arm_i[c] * normal(c);
-    return off_i_x.empty() ? arm : Vec2{off_i_x[c], off_i_y[c]} + arm;
+    const Vec2 arm = -arm_i[c] * normal[c];
+    return off_i.empty() ? arm : off_i[c] + arm;
   }
   Vec2 lever_j(std::size_t c) const {
-    const Vec2 arm = arm_j[c] * normal(c);
-    return off_j_x.empty() ? arm : Vec2{off_j_x[c], off_j_y[c]} + arm;
+    const Vec2 arm = arm_j[c] * normal[c];
+    return off_j.empty() ? arm : off_j[c] + arm;
   }
   /// From the centre of grain i to that of grain j, or to the wall, m.
-  Vec2 branch(std::size_t c) const { return off_i_x.empty() ? -(arm_i[c] + arm_j[c]) * normal(c) : lever_i(c) - lever_j(c); }
+  Vec2 branch(std::size_t c) const { return off_i.empty() ? -(arm_i[c] + arm_j[c]) * normal[c] : lever_i(c) - lever_j(c); }
   /// Adds one contact; overlap and sliding velocity unknown, not glued.
   void add(std::int32_t i, std::int32_t j, Vec2 normal, double fn, double ft, double arm_i, double arm_j);
 };

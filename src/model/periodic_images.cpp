@@ -20,46 +20,44 @@ int turns(double reach, double length, bool periodic) {
 }  // namespace
 
 Vec2 wrapped(const Domain& d, Vec2 p) {
-  if (d.periodic_y) {
+  if (d.periodic[1]) {
     const double n = std::floor((p.y - d.wall[bottom].position) / d.height());
     p.y -= n * d.height();
     p.x -= n * d.tilt;
   }
-  if (d.periodic_x) p.x -= std::floor((p.x - d.wall[left].position) / d.width()) * d.width();
+  if (d.periodic[0]) p.x -= std::floor((p.x - d.wall[left].position) / d.width()) * d.width();
   return p;
 }
 
-void PeriodicImages::add(Vec2 centre, double r, std::int32_t disk) {
-  x.push_back(centre.x);
-  y.push_back(centre.y);
+void PeriodicImages::add(Vec2 place, double r, std::int32_t disk) {
+  centre.push_back(place);
   radius.push_back(r);
   of.push_back(disk);
 }
 
 std::vector<geometry::Pair> PeriodicImages::close_pairs(double gap) const {
-  if (x.empty()) return {};
-  const auto [x0, x1] = std::minmax_element(x.begin(), x.end());
-  const auto [y0, y1] = std::minmax_element(y.begin(), y.end());
-  return geometry::close_pairs(x, y, radius, {*x0, *y0, std::max(*x1 - *x0, radius[0]), std::max(*y1 - *y0, radius[0]), false, false}, gap);
+  if (centre.empty()) return {};
+  const auto box = geometry::bounds(centre);
+  return geometry::close_pairs(centre, radius, {{box.x_min, box.y_min}, {std::max(box.width(), radius[0]), std::max(box.height(), radius[0])}}, gap);
 }
 
-PeriodicImages images_of(std::span<const double> x, std::span<const double> y, std::span<const double> radius, const Domain& d, double gap) {
+PeriodicImages images_of(std::span<const Vec2> centre, std::span<const double> radius, const Domain& d, double gap) {
   const double largest = radius.empty() ? 0 : *std::max_element(radius.begin(), radius.end());
   PeriodicImages images;
-  for (std::size_t g = 0; g < x.size(); ++g) images.add(wrapped(d, {x[g], y[g]}), radius[g], static_cast<std::int32_t>(g));
+  for (std::size_t g = 0; g < centre.size(); ++g) images.add(wrapped(d, centre[g]), radius[g], static_cast<std::int32_t>(g));
   const auto is_near = [](double p, double reach, bool periodic, const Wall& low, const Wall& high) {
     return !periodic || (p > low.position - reach && p < high.position + reach);
   };
-  for (std::size_t g = 0; g < x.size(); ++g) {
+  for (std::size_t g = 0; g < centre.size(); ++g) {
     const double reach = radius[g] + largest + gap;
-    const int ny = turns(reach, d.height(), d.periodic_y), nx = d.periodic_x ? turns(reach, d.width(), true) + (d.tilt != 0 ? ny : 0) : 0;
+    const int ny = turns(reach, d.height(), d.periodic[1]), nx = d.periodic[0] ? turns(reach, d.width(), true) + (d.tilt != 0 ? ny : 0) : 0;
     for (int iy = -ny; iy <= ny; ++iy)
       for (int ix = -nx; ix <= nx; ++ix) {
-        const Vec2 p{images.x[g] + ix * d.width() + iy * d.tilt, images.y[g] + iy * d.height()};
-        const bool near = is_near(p.x, reach, d.periodic_x, d.wall[left], d.wall[right]) && is_near(p.y, reach, d.periodic_y, d.wall[bottom], d.wall[top]);
+        const Vec2 p = images.centre[g] + Vec2{ix * d.width() + iy * d.tilt, iy * d.height()};
+        const bool near = is_near(p.x, reach, d.periodic[0], d.wall[left], d.wall[right]) && is_near(p.y, reach, d.periodic[1], d.wall[bottom], d.wall[top]);
         if (near && (ix != 0 || iy != 0)) images.add(p, radius[g], static_cast<std::int32_t>(g));
       }
-    if (images.x.size() > 1'000'000 + 256 * x.size())
+    if (images.centre.size() > 1'000'000 + 256 * centre.size())
       throw InputError(
           "grains, or the gap, are so wide beside their periodic cell that each has hundreds of images; correct the unit of the radii, the gap or the cell");
   }

@@ -27,18 +27,19 @@ template <class Visit> void for_each_image(const Domain& domain, const geometry:
     if (periodic) return std::pair{static_cast<int>(std::ceil(low / period)), static_cast<int>(std::floor(high / period))};
     return std::pair{0, low <= 0 && high >= 0 ? 0 : -1};
   };
-  const auto [row0, row1] = range(window.y_min - extent.y_max, window.y_max - extent.y_min, domain.height(), domain.periodic_y);
+  const auto [row0, row1] = range(window.y_min - extent.y_max, window.y_max - extent.y_min, domain.height(), domain.periodic[1]);
   for (int row = row0; row <= row1; ++row) {
     const double along = row * domain.tilt;
-    const auto [column0, column1] = range(window.x_min - extent.x_max - along, window.x_max - extent.x_min - along, domain.width(), domain.periodic_x);
+    const auto [column0, column1] = range(window.x_min - extent.x_max - along, window.x_max - extent.x_min - along, domain.width(), domain.periodic[0]);
     for (int column = column0; column <= column1; ++column) visit(ImageShift{column, row, {column * domain.width() + along, row * domain.height()}});
   }
 }
 
 /// Disks in their cell, followed by those of their periodic images that can be within a gap of one in it.
 struct PeriodicImages {
-  std::vector<double> x, y, radius;  ///< m
-  std::vector<std::int32_t> of;      ///< the disk
+  std::vector<Vec2> centre;      ///< m
+  std::vector<double> radius;    ///< m
+  std::vector<std::int32_t> of;  ///< the disk
 
   void add(Vec2 centre, double r, std::int32_t disk);
   /// All pairs of disks and images with a surface gap of at most this, m.
@@ -46,8 +47,8 @@ struct PeriodicImages {
 };
 
 /// `gap`: the widest that is asked about, m. Throws InputError for disks far larger than the cell.
-PeriodicImages images_of(std::span<const double> x, std::span<const double> y, std::span<const double> radius, const Domain& domain, double gap);
-inline PeriodicImages images_of(const Grains& grains, const Domain& domain, double gap) { return images_of(grains.x, grains.y, grains.radius, domain, gap); }
+PeriodicImages images_of(std::span<const Vec2> centre, std::span<const double> radius, const Domain& domain, double gap);
+inline PeriodicImages images_of(const Grains& grains, const Domain& domain, double gap) { return images_of(grains.position, grains.radius, domain, gap); }
 
 /// Every pair of grains whose surface gap (nearest image, sheared cells too) is at most `gap`, m, by (i, j), i < j.
 std::vector<geometry::Pair> pairs_within(const Grains& grains, const Domain& domain, double gap);

@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/vec.hpp"
+
 namespace arenite {
 
 /// What fills a node of a grid: nothing, binding matrix, or a particle.
@@ -40,6 +42,7 @@ struct StressField {
   std::vector<double> ux, uy;      ///< m
   std::vector<double> xx, yy, xy;  ///< Pa
   std::size_t size() const { return xx.size(); }
+  Vec2 displacement(std::size_t node) const { return {ux[node], uy[node]}; }
 };
 
 }  // namespace arenite

@@ -36,7 +36,7 @@ Shape shape_of(const Grains& grains, std::size_t g) {
   if (all.empty()) return {{{}}, {grains.radius[g]}, false};
   Shape shape;
   for (std::int32_t d = all.first[g]; d < all.first[g + 1]; ++d) {
-    shape.place.push_back({all.x[d], all.y[d]});
+    shape.place.push_back(all.place[d]);
     shape.radius.push_back(all.radius[d]);
   }
   shape.filled = all.filled[g] != 0;
@@ -46,17 +46,16 @@ Shape shape_of(const Grains& grains, std::size_t g) {
 void add_shape(Shapes& shapes, const Shape& shape, double gyration) {
   if (shapes.first.empty()) shapes.first.push_back(0);
   for (std::size_t k = 0; k < shape.place.size(); ++k) {
-    shapes.x.push_back(shape.place[k].x);
-    shapes.y.push_back(shape.place[k].y);
+    shapes.place.push_back(shape.place[k]);
     shapes.radius.push_back(shape.radius[k]);
   }
-  shapes.first.push_back(static_cast<std::int32_t>(shapes.x.size()));
+  shapes.first.push_back(static_cast<std::int32_t>(shapes.place.size()));
   shapes.filled.push_back(shape.filled ? 1 : 0);
   shapes.gyration.push_back(gyration);
 }
 
 std::vector<Vec2> outline_of(const Grains& grains, std::size_t g, double step) {
-  const Vec2 by = direction(grains.angle[g]), centre = grains.centre(g);
+  const Vec2 by = direction(grains.angle[g]), centre = grains.position[g];
   std::vector<Vec2> points;
   for (const geometry::Edge& edge : rim_of(shape_of(grains, g))) {
     const int parts = edge.straight() ? 1 : static_cast<int>(std::ceil(std::abs(edge.sweep) / step));

@@ -45,8 +45,8 @@ void declare(Visitor& v, ContainerParameters& frame, PackingParameters::Method m
                          "mm");
   });
   v.number({"thickness", "Length of the cylinders, out of the plane.", true}, frame.thickness, "mm", range::positive);
-  v.flag({"periodic_x", "Left and right side are one: no walls there."}, frame.periodic_x);
-  v.flag({"periodic_y", "Bottom and top side are one: no walls there."}, frame.periodic_y);
+  v.flag({"periodic_x", "Left and right side are one: no walls there."}, frame.periodic[0]);
+  v.flag({"periodic_y", "Bottom and top side are one: no walls there."}, frame.periodic[1]);
 }
 
 void declare_fill_area(Visitor& v, std::optional<FillArea>& area) {
@@ -121,7 +121,7 @@ void require_fill_area(Visitor& v, const Recipe& recipe) {
   const auto& area = recipe.packing.area;
   if (!area) return;
   v.require(frame.height > 0, {"container", "packing"}, "a part of it can be filled only where its height is known; write height = \"... mm\"");
-  v.require((!frame.periodic_x || (!area->left && !area->right)) && (!frame.periodic_y || (!area->bottom && !area->top)), {"packing"},
+  v.require((!frame.periodic[0] || (!area->left && !area->right)) && (!frame.periodic[1] || (!area->bottom && !area->top)), {"packing"},
             "packing.area cannot end before a periodic side; leave out its edges there");
   const auto fits = [](std::optional<double> low, std::optional<double> high, double size) {
     return low.value_or(0) < high.value_or(size) && high.value_or(size) <= size;

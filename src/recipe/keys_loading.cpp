@@ -110,12 +110,12 @@ void require_one_pressing_edge(Visitor& v, const Stage& stage, std::size_t first
 
 void require_usable_sides(Visitor& v, const Stage& stage, const ContainerParameters& frame) {
   using Kind = SideDrive::Kind;
-  require_one_pressing_edge(v, stage, left, frame.periodic_x);
-  require_one_pressing_edge(v, stage, bottom, frame.periodic_y);
-  v.require(!stage.gravity || !frame.periodic_y, {"gravity"}, "grains would fall for ever through periodic sides; set container.periodic_y = false");
+  require_one_pressing_edge(v, stage, left, frame.periodic[0]);
+  require_one_pressing_edge(v, stage, bottom, frame.periodic[1]);
+  v.require(!stage.gravity || !frame.periodic[1], {"gravity"}, "grains would fall for ever through periodic sides; set container.periodic_y = false");
   const bool moves = std::ranges::count(stage.side, Kind::velocity, &SideDrive::kind) > 0 || stage.slide != std::array<double, 4>{} || stage.shear_rate != 0 ||
                      std::ranges::any_of(stage.boundaries, [](const auto& b) { return b.velocity != Vec2{} || b.spin != 0; });
-  v.require(stage.shear_rate == 0 || (frame.periodic_x && frame.periodic_y), {"shear_rate"},
+  v.require(stage.shear_rate == 0 || (frame.periodic[0] && frame.periodic[1]), {"shear_rate"},
             "only a cell that is periodic both ways is sheared so; set container.periodic_x and periodic_y, or let a wall slide");
   for (std::size_t side = 0; side < 4; ++side)
     v.require((stage.slide[side] == 0 && !stage.rough[side]) || !frame.is_periodic(side), {"slide", "rough"},

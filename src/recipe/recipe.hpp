@@ -29,8 +29,8 @@ struct ContainerParameters {
   double width = 0;      ///< m
   double height = 0;     ///< m; 0: as packing.solid_fraction asks
   double thickness = 0;  ///< m
-  bool periodic_x = false, periodic_y = false;
-  bool is_periodic(std::size_t side) const { return side < bottom ? periodic_x : periodic_y; }
+  std::array<bool, 2> periodic{};
+  bool is_periodic(std::size_t side) const { return periodic[side / 2]; }
   bool operator==(const ContainerParameters&) const = default;
 };
 

@@ -74,8 +74,8 @@ PictureGrains circles_of(const FilmResult& r) {
   PictureGrains out = r.grains.size() == grains.size() ? r.grains : PictureGrains{};
   out.x.clear(), out.y.clear(), out.radius.clear();
   for (std::size_t g = 0; g < grains.size(); ++g) {
-    out.x.push_back((grains.x[g] - r.origin.x) / r.pixel);
-    out.y.push_back((r.origin.y - grains.y[g]) / r.pixel);
+    out.x.push_back((grains.position[g].x - r.origin.x) / r.pixel);
+    out.y.push_back((r.origin.y - grains.position[g].y) / r.pixel);
     out.radius.push_back(grains.radius[g] / r.pixel);
   }
   return out;
@@ -119,8 +119,8 @@ Numbers contacts_of(const FilmResult& r, NumberBlock& block) {
   const auto reals = [&](const char* name, const std::vector<double>& values) {
     if (values.size() == contacts.size()) out[name] = block.add_reals(values);
   };
-  reals("nx", contacts.nx);
-  reals("ny", contacts.ny);
+  reals("nx", mapped(contacts.normal, &Vec2::x));
+  reals("ny", mapped(contacts.normal, &Vec2::y));
   reals("fn", contacts.fn);
   reals("ft", contacts.ft);
   reals("fn_error", r.fn_error);

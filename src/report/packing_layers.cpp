@@ -49,15 +49,12 @@ Numbers coarse_fields_of(const Packing& packing, double shear_rate, NumberBlock&
 Numbers shapes_of(Grains grains, NumberBlock& block) {
   grains.angle.assign(grains.size(), 0.0);
   std::vector<std::uint32_t> first{0};
-  std::vector<double> x, y;
+  std::vector<Vec2> rim;
   for (std::size_t g = 0; g < grains.size(); ++g) {
-    for (const Vec2& p : outline_of(grains, g, 0.3)) {
-      x.push_back(p.x - grains.x[g]);
-      y.push_back(p.y - grains.y[g]);
-    }
-    first.push_back(static_cast<std::uint32_t>(x.size()));
+    for (const Vec2& p : outline_of(grains, g, 0.3)) rim.push_back(p - grains.position[g]);
+    first.push_back(static_cast<std::uint32_t>(rim.size()));
   }
-  return {{"first", block.add_indices(first)}, {"x", block.add_reals(x)}, {"y", block.add_reals(y)}};
+  return {{"first", block.add_indices(first)}, {"x", block.add_reals(mapped(rim, &Vec2::x))}, {"y", block.add_reals(mapped(rim, &Vec2::y))}};
 }
 
 void add_grain_values(Numbers& out, const Packing& packing, NumberBlock& block) {
@@ -69,12 +66,11 @@ void add_grain_values(Numbers& out, const Packing& packing, NumberBlock& block) 
   out["pressure"] = block.add_reals(pressure);
   out["deviator"] = block.add_coarse(deviator);
   const Grains& grains = packing.grains;
-  const auto rests = [](double v) { return v == 0; };
-  if (!std::ranges::all_of(grains.vx, rests) || !std::ranges::all_of(grains.vy, rests)) {
-    out["vx"] = block.add_coarse(grains.vx);
-    out["vy"] = block.add_coarse(grains.vy);
+  if (!std::ranges::all_of(grains.velocity, [](Vec2 v) { return v == Vec2{}; })) {
+    out["vx"] = block.add_coarse(mapped(grains.velocity, &Vec2::x));
+    out["vy"] = block.add_coarse(mapped(grains.velocity, &Vec2::y));
   }
-  if (!std::ranges::all_of(grains.omega, rests)) out["spin"] = block.add_coarse(grains.omega);
+  if (!std::ranges::all_of(grains.omega, [](double v) { return v == 0; })) out["spin"] = block.add_coarse(grains.omega);
 }
 
 Numbers bonds_of(const Packing& packing, NumberBlock& block) {

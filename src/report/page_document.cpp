@@ -59,7 +59,7 @@ Numbers domain_of(const Domain& domain, NumberBlock& block) {
   const auto walls = mapped(domain.wall, [](const Wall& wall) {
     return Numbers{{"present", wall.present}, {"position", wall.position}, {"force", wall.force}, {"shear", wall.shear_force}};
   });
-  Numbers out{{"walls", walls}, {"periodic", {domain.periodic_x, domain.periodic_y}}, {"tilt", domain.tilt}, {"thickness", domain.thickness}};
+  Numbers out{{"walls", walls}, {"periodic", {domain.periodic[0], domain.periodic[1]}}, {"tilt", domain.tilt}, {"thickness", domain.thickness}};
   if (!domain.boundaries.empty()) out["boundaries"] = boundaries_of(domain, block);
   return out;
 }
@@ -84,8 +84,8 @@ Numbers frame_of(const Frame& frame, std::size_t stage, const texture::Texture* 
               {"time", frame.time},
               {"step", frame.step},
               {"domain", domain_of(frame.packing.domain, block)},
-              {"x", block.add_reals(grains.x)},
-              {"y", block.add_reals(grains.y)},
+              {"x", block.add_reals(mapped(grains.position, &Vec2::x))},
+              {"y", block.add_reals(mapped(grains.position, &Vec2::y))},
               {"angle", block.add_reals(grains.angle)},
               {"contacts", contacts_of(frame.packing, block)},
               {"equilibrium", rest_of(frame.equilibrium, "wall_speed")}};

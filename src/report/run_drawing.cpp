@@ -75,7 +75,7 @@ Numbers windows_of(const fs::path& run, double share) {
 
 Numbers sample_drawing(const workflow::FinalState& state, FigureKind kind) {
   const Grains& grains = state.packing.grains;
-  Numbers j = disks_json({grains.x, grains.y, grains.radius, grains.material, grains.zone});
+  Numbers j = disks_json({mapped(grains.position, &Vec2::x), mapped(grains.position, &Vec2::y), grains.radius, grains.material, grains.zone});
   j["materials"] = mapped(state.packing.materials, &Material::name);
   if (kind == FigureKind::forces) j.update(contacts_json(state.packing.contacts));
   if (kind == FigureKind::stresses) j["stress"] = stress_json(state.texture.per_grain.sigma_norm);

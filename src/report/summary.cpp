@@ -64,7 +64,7 @@ void describe_state(TextLines& lines, const Frame& frame) {
                 fmt::format("at {:.6g} m, force {:.5g} N, along it {:.5g} N", d.wall[side].position, d.wall[side].force, d.wall[side].shear_force));
   for (const Boundary& b : d.boundaries)
     if (b.present) lines.add(b.name, fmt::format("force {:.5g} N and {:.5g} N along x and y, torque {:.5g} N m", b.force.x, b.force.y, b.torque));
-  if (d.periodic_x || d.periodic_y) lines.add("periodic cell", fmt::format("{:.6g} m x {:.6g} m, tilt {:.6g} m", d.width(), d.height(), d.tilt));
+  if (d.periodic[0] || d.periodic[1]) lines.add("periodic cell", fmt::format("{:.6g} m x {:.6g} m, tilt {:.6g} m", d.width(), d.height(), d.tilt));
   lines.add("unbalanced force ratio", fmt::format("{:.2e}", frame.equilibrium.unbalanced_ratio));
   lines.add("kinetic/elastic energy", fmt::format("{:.2e}", frame.equilibrium.kinetic_ratio));
   lines.add("the same of grains that carry nothing", fmt::format("{:.2e}", frame.equilibrium.loose_kinetic));

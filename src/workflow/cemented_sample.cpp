@@ -31,7 +31,7 @@ Contacts take(const Contacts& from, const Numbering& numbering) {
   Contacts contacts;
   for (std::size_t c = 0; c < from.size(); ++c) {
     if (!numbering.has(from.i[c]) || (!from.is_wall(c) && !numbering.has(from.j[c]))) continue;
-    contacts.add(numbering[from.i[c]], from.is_wall(c) ? from.j[c] : numbering[from.j[c]], from.normal(c), from.fn[c], from.ft[c], from.arm_i[c],
+    contacts.add(numbering[from.i[c]], from.is_wall(c) ? from.j[c] : numbering[from.j[c]], from.normal[c], from.fn[c], from.ft[c], from.arm_i[c],
                  from.arm_j[c]);
     contacts.overlap.back() = from.overlap[c];
     contacts.sliding_velocity.back() = from.sliding_velocity[c];
@@ -113,11 +113,10 @@ CroppedPacking crop(const Packing& packing, const Cement& cement, const std::vec
 
 Packing transposed(const Packing& packing) {
   Packing other = packing;
-  std::swap(other.grains.x, other.grains.y);
-  std::swap(other.grains.vx, other.grains.vy);
+  for (auto* vectors : {&other.grains.position, &other.grains.velocity, &other.contacts.normal})
+    for (Vec2& v : *vectors) std::swap(v.x, v.y);
   for (auto* turning : {&other.grains.angle, &other.grains.omega})
     for (double& value : *turning) value = -value;
-  std::swap(other.contacts.nx, other.contacts.ny);
   for (double& ft : other.contacts.ft) ft = -ft;  // t is n turned counter-clockwise, which a mirror image is not
   for (std::int32_t& j : other.contacts.j)
     if (is_wall(j) && !is_boundary(j)) j = wall_partner(wall_side(j) ^ 2);
@@ -129,7 +128,7 @@ Packing transposed(const Packing& packing) {
   }
   std::swap(other.domain.wall[left], other.domain.wall[bottom]);
   std::swap(other.domain.wall[right], other.domain.wall[top]);
-  std::swap(other.domain.periodic_x, other.domain.periodic_y);
+  std::swap(other.domain.periodic[0], other.domain.periodic[1]);
   return other;
 }
 

@@ -99,7 +99,7 @@ io::GridFields grid_fields(const Packing& packing, double shear_rate) {
   g.scalars = {{"solid_fraction", "1", f.solid_fraction}, {"density", "kg/m^3", f.density}, {"kinetic_pressure", "Pa", {}}};
   for (std::size_t k = 0; k < f.grid.size(); ++k) {
     const Tensor2 c = f.contact_stress[k], t = f.kinetic_stress[k];
-    g.vx.push_back(f.velocity[k].x), g.vy.push_back(f.velocity[k].y);
+    g.velocity.push_back(f.velocity[k]);
     g.stress_xx.push_back(c.xx + t.xx), g.stress_yy.push_back(c.yy + t.yy), g.stress_xy.push_back(0.5 * (c.xy + c.yx + t.xy + t.yx));
     g.scalars.back().values.push_back(-0.5 * trace(t));
   }
@@ -124,7 +124,7 @@ class Loading {
     move_to(frame.packing);
     frames_.push_back(std::move(frame));
     io::ExportFrame one{static_cast<int>(times_.size()) - 1, stage, &frames_.back(), std::move(fields), std::move(of_contacts)};
-    if (times_.size() > 1) one.ux = ux_, one.uy = uy_;
+    if (times_.size() > 1) one.displacement = displacement_;
     if (format_.wants_grid) one.grid = grid_fields(frames_.back().packing, shear_rate);
     if (format_.of_loading) {
       all_.push_back(std::move(one));
@@ -147,11 +147,11 @@ class Loading {
   /// moved by what they did.
   void move_to(const Packing& now) {
     const Grains& g = now.grains;
-    if (g.id != last_.id) ux_.assign(g.size(), 0), uy_.assign(g.size(), 0);
+    if (g.id != last_.id) displacement_.assign(g.size(), {});
     else
       for (std::size_t i = 0; i < g.size(); ++i) {
-        const Vec2 step = now.domain.nearest_image(g.centre(i) - last_.centre(i));
-        ux_[i] += step.x, uy_[i] += step.y;
+        const Vec2 step = now.domain.nearest_image(g.position[i] - last_.position[i]);
+        displacement_[i] += step;
       }
     last_ = g;
   }
@@ -159,7 +159,8 @@ class Loading {
   const io::ExportFormat& format_;
   fs::path folder_;
   std::optional<ExportFolder> out_;
-  std::vector<double> times_, ux_, uy_;
+  std::vector<double> times_;
+  std::vector<Vec2> displacement_;
   Grains last_;
   std::deque<Frame> frames_;  // frames stay where they are
   std::vector<io::ExportFrame> all_;

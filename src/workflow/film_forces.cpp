@@ -40,7 +40,7 @@ Contacts touching_at_either_load(const recipe::FilmRecipe& recipe, const FilmRes
   std::set<std::pair<std::int32_t, std::int32_t>> known;
   for (std::size_t c = 0; c < contacts.size(); ++c) known.emplace(contacts.i[c], contacts.j[c]);
   for (std::size_t c = 0; c < opened.size(); ++c)
-    if (known.emplace(opened.i[c], opened.j[c]).second) contacts.add(opened.i[c], opened.j[c], opened.normal(c), 0, 0, opened.arm_i[c], opened.arm_j[c]);
+    if (known.emplace(opened.i[c], opened.j[c]).second) contacts.add(opened.i[c], opened.j[c], opened.normal[c], 0, 0, opened.arm_i[c], opened.arm_j[c]);
   return contacts;
 }
 
@@ -72,7 +72,7 @@ void keep(Contacts& contacts, const std::vector<std::uint8_t>& wanted, std::init
   for (std::size_t c = 0; c < all.size(); ++c) {
     if (!wanted[c]) continue;
     for (auto* values : also) (*values)[contacts.size()] = (*values)[c];
-    contacts.add(all.i[c], all.j[c], all.normal(c), all.fn[c], all.ft[c], all.arm_i[c], all.arm_j[c]);
+    contacts.add(all.i[c], all.j[c], all.normal[c], all.fn[c], all.ft[c], all.arm_i[c], all.arm_j[c]);
     contacts.overlap.back() = all.overlap[c];
   }
   for (auto* values : also) values->resize(contacts.size());

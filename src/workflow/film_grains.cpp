@@ -38,10 +38,8 @@ Grains in_metres(const PictureGrains& found, const FilmPlace& place) {
   Grains grains;
   grains.resize(found.size());
   for (std::size_t i = 0; i < found.size(); ++i) {
-    const Vec2 centre = place.metres(found.x[i], found.y[i]);
     grains.id[i] = static_cast<std::int64_t>(i) + 1;
-    grains.x[i] = centre.x;
-    grains.y[i] = centre.y;
+    grains.position[i] = place.metres(found.x[i], found.y[i]);
     grains.radius[i] = found.radius[i] * place.pixel;
     grains.material[i] = found.material[i];
   }
@@ -108,7 +106,7 @@ void refuse_overlapping(const std::string& file, const Grains& grains) {
   Problems problems(file);
   for (std::size_t i = 0; i < grains.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      const double overlap = grains.radius[i] + grains.radius[j] - norm(grains.centre(i) - grains.centre(j));
+      const double overlap = grains.radius[i] + grains.radius[j] - norm(grains.position[i] - grains.position[j]);
       if (overlap > most_overlap * std::min(grains.radius[i], grains.radius[j]))
         problems.add("grains {} and {} overlap by {:.3g} mm, more than load presses grains together; correct their centres or radii", grains.id[j],
                      grains.id[i], 1e3 * overlap);
@@ -124,8 +122,8 @@ PictureGrains read_list(const recipe::FilmRecipe& recipe, const FilmPlace& place
   refuse_overlapping(file.string(), read);
   PictureGrains grains;
   for (std::size_t i = 0; i < read.size(); ++i) {
-    grains.x.push_back(place.column(read.x[i]));
-    grains.y.push_back(place.row(read.y[i]));
+    grains.x.push_back(place.column(read.position[i].x));
+    grains.y.push_back(place.row(read.position[i].y));
     grains.radius.push_back(read.radius[i] / place.pixel);
     grains.position_error.push_back(0.3);
     grains.material.push_back(read.material[i]);

@@ -23,8 +23,8 @@ Domain frame_of(const recipe::Recipe& recipe) {
   const recipe::ContainerParameters& frame = recipe.container;
   Domain domain;
   domain.thickness = frame.thickness;
-  domain.periodic_x = frame.periodic_x;
-  domain.periodic_y = frame.periodic_y;
+  domain.periodic[0] = frame.periodic[0];
+  domain.periodic[1] = frame.periodic[1];
   for (int side = 0; side < 4; ++side) domain.wall[side].present = !frame.is_periodic(side);
   domain.wall[right].position = frame.width;
   domain.wall[top].position = frame.height;

@@ -29,7 +29,7 @@ std::string table_of(const FilmResult& film) {
   const Grains grains = in_metres(film.grains, {film.origin, film.pixel});
   std::string text = "id,x [m],y [m],radius [m],material\n";
   for (std::size_t i = 0; i < grains.size(); ++i)
-    text += fmt::format("{},{},{},{},{}\n", grains.id[i], grains.x[i], grains.y[i], grains.radius[i],
+    text += fmt::format("{},{},{},{},{}\n", grains.id[i], grains.position[i].x, grains.position[i].y, grains.radius[i],
                         film.packing.materials[static_cast<std::size_t>(grains.material[i])].name);
   return text;
 }

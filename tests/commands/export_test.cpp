@@ -93,9 +93,9 @@ TEST_F(Export, LammpsItselfReadsTheDumpAtItsStep) {
     double x = 0, y = 0, vy = 0;
     dump >> type >> x >> y >> vy;
     EXPECT_EQ(type, grains.material[i] + 1);
-    EXPECT_EQ(x, grains.x[i]);
-    EXPECT_EQ(y, grains.y[i]);
-    EXPECT_EQ(vy, grains.vy[i]);
+    EXPECT_EQ(x, grains.position[i].x);
+    EXPECT_EQ(y, grains.position[i].y);
+    EXPECT_EQ(vy, grains.velocity[i].y);
   }
 }
 

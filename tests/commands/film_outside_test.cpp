@@ -79,7 +79,7 @@ struct Judged {
 Judged judged(const VirtualFilm& of, const Json& j) {
   const FilmResult film = of.result();
   const Packing low = of.state("low"), high = of.state("high");
-  const auto match = test::nearest_of(film.packing.grains, high.grains, {low.domain.wall[left].position, low.domain.wall[bottom].position});
+  const auto match = test::nearest_of(film.packing.grains, high.grains, low.domain.corner());
   const auto released = test::stress_by_forces(low), loaded = test::stress_by_forces(high);
   Judged out;
   double within = 0, known = 0;

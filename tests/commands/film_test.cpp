@@ -15,8 +15,6 @@ using namespace arenite;
 using test::VirtualFilm;
 using Json = nlohmann::json;
 
-Vec2 lower_left(const Packing& p) { return {p.domain.wall[left].position, p.domain.wall[bottom].position}; }
-
 TEST(FilmCommand, GivesBackTheStressesOfTheSimulationThatWasFilmed) {
   const VirtualFilm virtual_film;
   ASSERT_EQ(virtual_film.filmed.status, 0) << virtual_film.simulated.err << virtual_film.filmed.err;
@@ -34,7 +32,7 @@ TEST(FilmCommand, GivesBackTheStressesOfTheSimulationThatWasFilmed) {
 
   const Packing low = virtual_film.state("low"), high = virtual_film.state("high");
   const FilmResult film = virtual_film.result();
-  const Vec2 corner = lower_left(low);
+  const Vec2 corner = low.domain.corner();
   const auto match = test::nearest_of(film.packing.grains, high.grains, corner);
   EXPECT_EQ(std::set<std::size_t>(match.begin(), match.end()).size(), 42u);
   const auto released = test::stress_by_forces(low), loaded = test::stress_by_forces(high);
@@ -45,13 +43,13 @@ TEST(FilmCommand, GivesBackTheStressesOfTheSimulationThatWasFilmed) {
     change.push_back(loaded[match[i]] - released[match[i]]);
     EXPECT_EQ(film.packing.materials[static_cast<std::size_t>(film.packing.grains.material[i])].name,
               high.materials[static_cast<std::size_t>(high.grains.material[match[i]])].name);
-    const Vec2 found = film.origin + Vec2{film.grains.x[i] * film.pixel, -film.grains.y[i] * film.pixel}, moved = film.packing.grains.centre(i);
-    off_at_low += std::pow(norm(low.grains.centre(match[i]) - corner - found) / film.pixel, 2) / 42;
+    const Vec2 found = film.origin + Vec2{film.grains.x[i] * film.pixel, -film.grains.y[i] * film.pixel}, moved = film.packing.grains.position[i];
+    off_at_low += std::pow(norm(low.grains.position[match[i]] - corner - found) / film.pixel, 2) / 42;
     const double border = 0.010;
     if (moved.x < border || moved.x > 0.095 - border || moved.y < high.domain.wall[bottom].position - corner.y + border ||
         moved.y > low.domain.height() - border)
       continue;
-    off_at_high += std::pow(norm(high.grains.centre(match[i]) - corner - moved) / film.pixel, 2);
+    off_at_high += std::pow(norm(high.grains.position[match[i]] - corner - moved) / film.pixel, 2);
     ++away;
   }
   EXPECT_LT(std::sqrt(off_at_low), 0.1);
@@ -72,7 +70,7 @@ struct OfMaterial {
 OfMaterial of_material(const VirtualFilm& of, std::int32_t material) {
   const Packing low = of.state("low"), high = of.state("high");
   const FilmResult film = of.result();
-  const auto match = test::nearest_of(film.packing.grains, high.grains, lower_left(low));
+  const auto match = test::nearest_of(film.packing.grains, high.grains, low.domain.corner());
   const auto released = test::stress_by_forces(low), loaded = test::stress_by_forces(high);
   double both = 0, square = 0, off = 0, n = 0;
   for (std::size_t i = 0; i < match.size(); ++i) {

@@ -59,7 +59,7 @@ TEST(GrainsCommand, WritesATableThatASimulationStartsFrom) {
   for (const auto& d : some_disks()) {
     int at = 0;
     for (std::size_t g = 0; g < grains.size(); ++g)
-      if (std::hypot(grains.x[g] - (d.x - 5) * 1.6e-3, grains.y[g] - (55 - d.y) * 1.6e-3) < 0.05 * 1.6e-3 &&
+      if (std::hypot(grains.position[g].x - (d.x - 5) * 1.6e-3, grains.position[g].y - (55 - d.y) * 1.6e-3) < 0.05 * 1.6e-3 &&
           std::abs(grains.radius[g] - d.radius * 1.6e-3) < 0.1e-3) {
         ++at;
         EXPECT_EQ(grains.material[g], d.level < 0.8 ? 1 : 0);

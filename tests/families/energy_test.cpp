@@ -26,7 +26,7 @@ struct Balance {
 /// drives changed and its glue taken away on the road.
 Balance run(const Case& c, double safety) {
   Packing p = testing::crowd(7, 7, 5, 0.0125);
-  p.domain.periodic_x = p.domain.periodic_y = c.periodic;
+  p.domain.periodic[0] = p.domain.periodic[1] = c.periodic;
   for (std::size_t k = 0; k < p.grains.size(); k += 2) p.grains.zone[k] = 1;
   ContactParameters contact;
   contact.normal = c.normal;

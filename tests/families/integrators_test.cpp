@@ -38,7 +38,7 @@ double error_of(const Swing& c, int steps) {
   const double fall = std::exp(-decay * end);
   const double x = amplitude * fall * (std::cos(turn * end) + decay / turn * std::sin(turn * end));
   const double v = -amplitude * fall * omega * omega / turn * std::sin(turn * end);
-  const double ex = after.grains.x[0] - 0.5 * p.domain.width() - x, ev = (after.grains.vx[0] - v) / omega;
+  const double ex = after.grains.position[0].x - 0.5 * p.domain.width() - x, ev = (after.grains.velocity[0].x - v) / omega;
   return std::hypot(ex, ev) / amplitude;
 }
 

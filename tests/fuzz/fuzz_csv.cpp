@@ -27,13 +27,13 @@ void examine(const Packing& packing) {
   const Grains& grains = packing.grains;
   const Contacts& contacts = packing.contacts;
   for (std::size_t g = 0; g < grains.size(); ++g) {
-    if (!std::isfinite(grains.x[g]) || !std::isfinite(grains.y[g]) || !(grains.radius[g] > 0)) std::abort();
+    if (!std::isfinite(grains.position[g].x) || !std::isfinite(grains.position[g].y) || !(grains.radius[g] > 0)) std::abort();
   }
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const auto n = static_cast<std::int32_t>(grains.size());
     if (contacts.i[c] < 0 || contacts.i[c] >= n || contacts.j[c] >= n || is_boundary(contacts.j[c])) std::abort();
     if (!std::isfinite(contacts.fn[c]) || !std::isfinite(contacts.ft[c])) std::abort();
-    if (!(std::abs(std::hypot(contacts.nx[c], contacts.ny[c]) - 1) < 1e-6)) std::abort();
+    if (!(std::abs(std::hypot(contacts.normal[c].x, contacts.normal[c].y) - 1) < 1e-6)) std::abort();
   }
 }
 

@@ -50,13 +50,10 @@ inline Grains pressed_disks(const CementedSample& sample, double side) {
   grains.radius = radius;
   grains.material = material;
   Domain domain;
-  domain.periodic_x = domain.periodic_y = true;
+  domain.periodic[0] = domain.periodic[1] = true;
   for (auto& wall : domain.wall) wall.present = false;
   domain.wall[right].position = domain.wall[top].position = side;
-  for (std::size_t i = 0; i < grains.size(); ++i) {
-    grains.x[i] = random.uniform(0, side);
-    grains.y[i] = random.uniform(0, side);
-  }
+  for (std::size_t i = 0; i < grains.size(); ++i) { grains.position[i] = {random.uniform(0, side), random.uniform(0, side)}; }
   packing::relax(grains, domain, 1e-4, 400);
   return grains;
 }
@@ -80,7 +77,7 @@ inline PhaseMap cemented_sample(const CementedSample& sample) {
   };
   for (std::size_t g = 0; g < grains.size(); ++g)
     images([&](double sx, double sy) {
-      const double cx = grains.x[g] + sx, cy = grains.y[g] + sy, r = grains.radius[g];
+      const double cx = grains.position[g].x + sx, cy = grains.position[g].y + sy, r = grains.radius[g];
       visit(cx - r, cx + r, cy - r, cy + r, [&](std::size_t i, double x, double y) {
         const double inside = r - std::hypot(x - cx, y - cy);
         if (inside < 0 || inside < depth[i]) return;
@@ -93,10 +90,11 @@ inline PhaseMap cemented_sample(const CementedSample& sample) {
     for (auto& p : map.phase) p = p == Phase::empty ? Phase::matrix : p;
     return map;
   }
-  for (const auto [a, b] : geometry::close_pairs(grains.x, grains.y, grains.radius, {0, 0, side, side, true, true}, sample.gap))
+  for (const auto [a, b] : geometry::close_pairs(grains.position, grains.radius, {{}, {side, side}, {true, true}}, sample.gap))
     images([&](double sx, double sy) {
-      const double ax = grains.x[a] + sx, ay = grains.y[a] + sy;
-      const double dx = std::remainder(grains.x[b] - grains.x[a], side), dy = std::remainder(grains.y[b] - grains.y[a], side);
+      const double ax = grains.position[a].x + sx, ay = grains.position[a].y + sy;
+      const double dx = std::remainder(grains.position[b].x - grains.position[a].x, side),
+                   dy = std::remainder(grains.position[b].y - grains.position[a].y, side);
       const double l2 = dx * dx + dy * dy, wide = sample.bridge * std::max(grains.radius[a], grains.radius[b]);
       visit(std::min(ax, ax + dx) - wide, std::max(ax, ax + dx) + wide, std::min(ay, ay + dy) - wide, std::max(ay, ay + dy) + wide,
             [&](std::size_t i, double x, double y) {

@@ -15,13 +15,12 @@ inline Packing disks(const std::vector<Disk>& all, double half, bool periodic = 
   Packing packing;
   packing.grains.resize(all.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
-    packing.grains.x[i] = all[i].x;
-    packing.grains.y[i] = all[i].y;
+    packing.grains.position[i] = {all[i].x, all[i].y};
     packing.grains.radius[i] = all[i].r;
   }
   packing.domain.wall[left].position = packing.domain.wall[bottom].position = -half;
   packing.domain.wall[right].position = packing.domain.wall[top].position = half;
-  packing.domain.periodic_x = packing.domain.periodic_y = periodic;
+  packing.domain.periodic[0] = packing.domain.periodic[1] = periodic;
   for (auto& wall : packing.domain.wall) wall.present = !periodic;
   return packing;
 }

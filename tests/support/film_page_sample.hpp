@@ -80,8 +80,8 @@ struct FilmPageSample {
     for (const double r : truth_.grains.radius) all.push_back({r, truth_.domain.thickness, {}, elasticity::Traction::point});
     const Contacts& c = truth_.contacts;
     for (std::size_t k = 0; k < c.size(); ++k) {
-      all[static_cast<std::size_t>(c.i[k])].forces.push_back({c.normal(k), c.fn[k], c.ft[k], 0});
-      if (!c.is_wall(k)) all[static_cast<std::size_t>(c.j[k])].forces.push_back({-1 * c.normal(k), c.fn[k], c.ft[k], 0});
+      all[static_cast<std::size_t>(c.i[k])].forces.push_back({c.normal[k], c.fn[k], c.ft[k], 0});
+      if (!c.is_wall(k)) all[static_cast<std::size_t>(c.j[k])].forces.push_back({-1 * c.normal[k], c.fn[k], c.ft[k], 0});
     }
     return all;
   }
@@ -93,7 +93,7 @@ struct FilmPageSample {
       const Vec2 at = pixel + film.pixel * part;
       warmth += 294.2 / 4;
       for (std::size_t g = 0; g < all.size(); ++g) {
-        const Vec2 x = at - truth_.grains.centre(g);
+        const Vec2 x = at - truth_.grains.position[g];
         if (norm(x) >= all[g].radius) continue;
         const int m = truth_.grains.material[g];
         warmth += (m == 0 ? 0.9 : 2.1) / 4;
@@ -137,12 +137,12 @@ struct FilmPageSample {
     const Grains& grains = truth_.grains;
     const auto all = disks();
     for (std::size_t g = 0; g < grains.size(); ++g) {
-      film.grains.x.push_back((grains.x[g] - film.origin.x) / film.pixel);
-      film.grains.y.push_back((film.origin.y - grains.y[g]) / film.pixel);
+      film.grains.x.push_back((grains.position[g].x - film.origin.x) / film.pixel);
+      film.grains.y.push_back((film.origin.y - grains.position[g].y) / film.pixel);
       film.grains.radius.push_back(grains.radius[g] / film.pixel);
       film.grains.position_error.push_back(0.06);
       film.grains.radius_error.push_back(0.05);
-      const double low = grains.y[g] / truth_.domain.wall[top].position - 1;
+      const double low = grains.position[g].y / truth_.domain.wall[top].position - 1;
       film.motion.cos_x.push_back(0.02 * random_.normal());
       film.motion.sin_x.push_back(0);
       film.motion.cos_y.push_back(0.8 * low);
@@ -168,7 +168,7 @@ struct FilmPageSample {
     const std::size_t there = c.size();
     for (std::size_t k = 0; k < there / 20; ++k) {
       const auto g = static_cast<std::int32_t>(k), other = nearest(grains, k);
-      const Vec2 d = grains.centre(k) - grains.centre(static_cast<std::size_t>(other));
+      const Vec2 d = grains.position[k] - grains.position[static_cast<std::size_t>(other)];
       c.add(g, other, (1 / norm(d)) * d, 0, 0, grains.radius[k], grains.radius[static_cast<std::size_t>(other)]);
     }
     for (std::size_t k = 0; k < c.size(); ++k) {
@@ -189,7 +189,7 @@ struct FilmPageSample {
     std::size_t best = g;
     double least = INFINITY;
     for (std::size_t other = 0; other < grains.size(); ++other) {
-      const double gap = norm(grains.centre(g) - grains.centre(other)) - grains.radius[g] - grains.radius[other];
+      const double gap = norm(grains.position[g] - grains.position[other]) - grains.radius[g] - grains.radius[other];
       if (other != g && gap > 0 && gap < least) best = other, least = gap;
     }
     return static_cast<std::int32_t>(best);

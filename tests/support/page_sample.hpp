@@ -14,17 +14,17 @@ namespace arenite::test {
 /// equilibrium, so squeezing the box and relaxing gives true states of loading in a moment.
 inline Contacts elastic_contacts(const Grains& grains, const Domain& domain, double stiffness) {
   Contacts contacts;
-  const geometry::Box box{0, domain.wall[bottom].position, domain.width(), domain.height()};
-  for (const auto& [i, j] : geometry::close_pairs(grains.x, grains.y, grains.radius, box, 0)) {
-    const Vec2 d = grains.centre(static_cast<std::size_t>(i)) - grains.centre(static_cast<std::size_t>(j));
+  const geometry::Box<2> box{domain.corner(), domain.size()};
+  for (const auto& [i, j] : geometry::close_pairs(grains.position, grains.radius, box, 0)) {
+    const Vec2 d = grains.position[static_cast<std::size_t>(i)] - grains.position[static_cast<std::size_t>(j)];
     const double ri = grains.radius[static_cast<std::size_t>(i)], rj = grains.radius[static_cast<std::size_t>(j)];
     const double h = ri + rj - norm(d);
     contacts.add(i, j, (1 / norm(d)) * d, stiffness * h, 0.02 * stiffness * h, ri - h / 2, rj - h / 2);
   }
   for (std::size_t g = 0; g < grains.size(); ++g) {
     const double r = grains.radius[g];
-    const double gap[4] = {grains.x[g] - domain.wall[left].position, domain.wall[right].position - grains.x[g], grains.y[g] - domain.wall[bottom].position,
-                           domain.wall[top].position - grains.y[g]};
+    const double gap[4] = {grains.position[g].x - domain.wall[left].position, domain.wall[right].position - grains.position[g].x,
+                           grains.position[g].y - domain.wall[bottom].position, domain.wall[top].position - grains.position[g].y};
     for (int side = 0; side < 4; ++side)
       if (gap[side] < r) contacts.add(static_cast<std::int32_t>(g), wall_partner(side), inward_normal(side), stiffness * (r - gap[side]), 0, gap[side], 0);
   }
@@ -97,7 +97,8 @@ bottom = { pressure = "1 kPa" }
     for (int k = 0; k < 5; ++k) {
       const double before = domain.wall[bottom].position;
       domain.wall[bottom].position = lowest + k * step;
-      for (std::size_t g = 0; g < count; ++g) grains.y[g] += (domain.wall[bottom].position - before) * (1 - grains.y[g] / domain.wall[top].position);
+      for (std::size_t g = 0; g < count; ++g)
+        grains.position[g].y += (domain.wall[bottom].position - before) * (1 - grains.position[g].y / domain.wall[top].position);
       packing::relax(grains, domain, 1e-9, 4000);
       stage.frames.push_back(state(grains, domain, k));
       record(history, stage.frames.back());
@@ -128,7 +129,7 @@ bottom = { pressure = "1 kPa" }
     load_walls(frame.packing);
     // Moves to the right the faster the higher, and turns clockwise.
     for (std::size_t g = 0; g < grains.size(); ++g) {
-      frame.packing.grains.vx[g] = 0.1 * grains.y[g];
+      frame.packing.grains.velocity[g].x = 0.1 * grains.position[g].y;
       frame.packing.grains.omega[g] = -0.05 * k;
     }
     return frame;

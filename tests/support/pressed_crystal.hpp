@@ -12,7 +12,7 @@ namespace arenite::test {
 /// Random contact forces that hold every grain in balance: those nearest to independent random ones.
 inline void put_balanced_forces(Packing& p, double force, std::uint64_t seed) {
   std::vector<Vec2> centre;
-  for (std::size_t g = 0; g < p.grains.size(); ++g) centre.push_back(p.grains.centre(g));
+  for (std::size_t g = 0; g < p.grains.size(); ++g) centre.push_back(p.grains.position[g]);
   const auto touches = inference::touches_of_grains(p, centre);
   inference::NormalEquations equations(static_cast<int>(2 * p.contacts.size()));
   RandomStream random(seed, Purpose::test, 5);
@@ -48,16 +48,16 @@ inline Packing pressed_crystal(int columns, int rows, double radius, std::uint64
       if (!border && random.uniform() < 0.1) continue;
       const std::size_t g = p.grains.size();
       p.grains.resize(g + 1);
-      p.grains.x[g] = radius * (1 + 2 * c + (r % 2)), p.grains.y[g] = radius + height * r, p.grains.radius[g] = radius;
+      p.grains.position[g].x = radius * (1 + 2 * c + (r % 2)), p.grains.position[g].y = radius + height * r, p.grains.radius[g] = radius;
       p.grains.material[g] = static_cast<std::int32_t>(random.below(2));
     }
   p.domain.thickness = 0.06;
   p.domain.wall[right].position = radius * (2 * columns + 1), p.domain.wall[top].position = 2 * radius + height * (rows - 1);
   const auto n = static_cast<std::int32_t>(p.grains.size());
   for (std::int32_t i = 0; i < n; ++i) {
-    const Vec2 a = p.grains.centre(static_cast<std::size_t>(i));
+    const Vec2 a = p.grains.position[static_cast<std::size_t>(i)];
     for (std::int32_t j = i + 1; j < n; ++j)
-      if (const Vec2 d = a - p.grains.centre(static_cast<std::size_t>(j)); norm(d) < 2.001 * radius)
+      if (const Vec2 d = a - p.grains.position[static_cast<std::size_t>(j)]; norm(d) < 2.001 * radius)
         p.contacts.add(i, j, (1 / norm(d)) * d, 0, 0, radius, radius);
     const double gap[4] = {a.x, p.domain.wall[right].position - a.x, a.y, p.domain.wall[top].position - a.y};
     for (int side = 0; side < 4; ++side)

@@ -26,21 +26,20 @@ inline Packing row_of_grains(int n, double shift = 0) {
   for (std::size_t i = 0; i < grains.size(); ++i) {
     const double k = static_cast<double>(i);
     grains.id[i] = 100 + static_cast<std::int64_t>(i);
-    grains.x[i] = 0.02 * k + shift;
-    grains.y[i] = 0.01 + 0.0001 * k;
+    grains.position[i] = {0.02 * k + shift, 0.01 + 0.0001 * k};
     grains.radius[i] = 0.0101;
     grains.material[i] = static_cast<std::int32_t>(i % 2);
     grains.zone[i] = i == 0 ? 1 : 0;
     grains.angle[i] = 0.1 * k;
-    grains.vx[i] = 1e-3 * k;
-    grains.vy[i] = -2e-3 * k;
+    grains.velocity[i] = {1e-3 * k, -2e-3 * k};
     grains.omega[i] = 3e-3 * k;
     if (i > 0) {
-      const Vec2 branch = grains.centre(i - 1) - grains.centre(i);
+      const Vec2 branch = grains.position[i - 1] - grains.position[i];
       const double half = 0.5 * norm(branch);
       packing.contacts.add(static_cast<std::int32_t>(i) - 1, static_cast<std::int32_t>(i), 0.5 / half * branch, 10.0 * k * k, 0.1 * k, half, half);
     }
-    packing.contacts.add(static_cast<std::int32_t>(i), wall_partner(bottom), {0, 1}, 5.0 + k, -0.25, grains.y[i] - packing.domain.wall[bottom].position, 0);
+    packing.contacts.add(static_cast<std::int32_t>(i), wall_partner(bottom), {0, 1}, 5.0 + k, -0.25,
+                         grains.position[i].y - packing.domain.wall[bottom].position, 0);
   }
   if (packing.contacts.size() > 0) packing.contacts.overlap[0] = 1e-4;
   return packing;

@@ -28,7 +28,7 @@ inline std::vector<elasticity::Disk> loaded_disks(const Packing& p, const Thermo
   std::vector<elasticity::Disk> disks;
   for (std::size_t g = 0; g < p.grains.size(); ++g) disks.push_back({p.grains.radius[g], p.domain.thickness, {}, drawing.traction});
   for (std::size_t c = 0; c < p.contacts.size(); ++c) {
-    const elasticity::RimForce f{p.contacts.normal(c), p.contacts.fn[c], p.contacts.ft[c], drawing.half_angle};
+    const elasticity::RimForce f{p.contacts.normal[c], p.contacts.fn[c], p.contacts.ft[c], drawing.half_angle};
     disks[static_cast<std::size_t>(p.contacts.i[c])].forces.push_back(f);
     if (!p.contacts.is_wall(c)) disks[static_cast<std::size_t>(p.contacts.j[c])].forces.push_back({-f.normal, f.fn, f.ft, f.half_angle});
   }
@@ -55,8 +55,8 @@ inline inference::ThermoelasticPicture draw_thermoelastic(const Packing& p, cons
   const Grains& grains = p.grains;
   double x0 = 1e9, x1 = -1e9, y0 = 1e9, y1 = -1e9;
   for (std::size_t g = 0; g < grains.size(); ++g) {
-    x0 = std::min(x0, grains.x[g] - grains.radius[g]), x1 = std::max(x1, grains.x[g] + grains.radius[g]);
-    y0 = std::min(y0, grains.y[g] - grains.radius[g]), y1 = std::max(y1, grains.y[g] + grains.radius[g]);
+    x0 = std::min(x0, grains.position[g].x - grains.radius[g]), x1 = std::max(x1, grains.position[g].x + grains.radius[g]);
+    y0 = std::min(y0, grains.position[g].y - grains.radius[g]), y1 = std::max(y1, grains.position[g].y + grains.radius[g]);
   }
   inference::ThermoelasticPicture picture;
   picture.pixel = d.pixel;
@@ -69,11 +69,11 @@ inline inference::ThermoelasticPicture draw_thermoelastic(const Packing& p, cons
   const std::vector<elasticity::Disk> disks = loaded_disks(p, d);
   for (std::size_t g = 0; g < grains.size(); ++g) {
     const double r = grains.radius[g], a = factor[static_cast<std::size_t>(grains.material[g])];
-    const int c0 = static_cast<int>((grains.x[g] - r - corner.x) / cell), c1 = static_cast<int>((grains.x[g] + r - corner.x) / cell) + 1;
-    const int r0 = static_cast<int>((corner.y - grains.y[g] - r) / cell), r1 = static_cast<int>((corner.y - grains.y[g] + r) / cell) + 1;
+    const int c0 = static_cast<int>((grains.position[g].x - r - corner.x) / cell), c1 = static_cast<int>((grains.position[g].x + r - corner.x) / cell) + 1;
+    const int r0 = static_cast<int>((corner.y - grains.position[g].y - r) / cell), r1 = static_cast<int>((corner.y - grains.position[g].y + r) / cell) + 1;
     for (int row = r0; row <= r1; ++row)
       for (int c = c0; c <= c1; ++c) {
-        const Vec2 x = Vec2{corner.x + c * cell, corner.y - row * cell} - grains.centre(g);
+        const Vec2 x = Vec2{corner.x + c * cell, corner.y - row * cell} - grains.position[g];
         const double inside = r - norm(x);
         const std::size_t k = static_cast<std::size_t>(row) * static_cast<std::size_t>(fw) + static_cast<std::size_t>(c);
         if (inside <= depth[k]) continue;  // the grain that holds the place deepest is seen

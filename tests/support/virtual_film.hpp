@@ -77,7 +77,7 @@ inline std::vector<std::size_t> nearest_of(const Grains& found, const Grains& tr
   for (std::size_t i = 0; i < found.size(); ++i) {
     std::size_t best = 0;
     for (std::size_t j = 1; j < truth.size(); ++j)
-      if (norm(truth.centre(j) - corner - found.centre(i)) < norm(truth.centre(best) - corner - found.centre(i))) best = j;
+      if (norm(truth.position[j] - corner - found.position[i]) < norm(truth.position[best] - corner - found.position[i])) best = j;
     nearest.push_back(best);
   }
   return nearest;

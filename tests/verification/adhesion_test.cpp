@@ -42,15 +42,15 @@ Packing pair(double h, double separation_speed = 0, std::uint8_t zone_b = 1) {
   add(p, {{0.5, 0.5}, ra, pom, {}, 0, 1});
   add(p, {{0.5 + ra + rb - h, 0.5}, rb, pom, {}, 0, zone_b});
   const double m = reduced(mass(p, 0), mass(p, 1));
-  p.grains.vx[0] = -separation_speed * m / mass(p, 0);
-  p.grains.vx[1] = separation_speed * m / mass(p, 1);
+  p.grains.velocity[0].x = -separation_speed * m / mass(p, 0);
+  p.grains.velocity[1].x = separation_speed * m / mass(p, 1);
   return p;
 }
 double pair_mass() {
   const Packing p = pair(0);
   return reduced(mass(p, 0), mass(p, 1));
 }
-double overlap(const Packing& p) { return ra + rb - norm(p.grains.centre(1) - p.grains.centre(0)); }
+double overlap(const Packing& p) { return ra + rb - norm(p.grains.position[1] - p.grains.position[0]); }
 double fine_step() { return contact_time(pair_mass(), k_pom) / 1000; }
 
 TEST(Adhesion, ForceIsKhMinusGammaRootRh) {
@@ -137,7 +137,7 @@ TEST(Adhesion, EscapeSpeedIsThatOfTheBondEnergyAndTheRestIsKept) {
       } else {
         const Packing p = engine.packing();
         EXPECT_EQ(p.contacts.size(), 0u);
-        const double speed = p.grains.vx[1] - p.grains.vx[0], expected = escape * std::sqrt(share * share - 1);
+        const double speed = p.grains.velocity[1].x - p.grains.velocity[0].x, expected = escape * std::sqrt(share * share - 1);
         EXPECT_NEAR(speed, expected, 2e-3 * escape);
       }
     }
@@ -177,8 +177,8 @@ TEST(Adhesion, CarriesAWeightJustBelowThePullOffForceAndDropsOneJustAbove) {
 Packing after_return(Adhesion kind) {
   const double escape = std::sqrt(2 * -bond.energy(bond.equilibrium()) / pair_mass());
   Packing p = pair(bond.equilibrium(), 2 * escape);
-  p.domain.wall[left].position = p.grains.x[0] - ra - 1e-4;
-  p.domain.wall[right].position = p.grains.x[1] + rb + 1e-4;
+  p.domain.wall[left].position = p.grains.position[0].x - ra - 1e-4;
+  p.domain.wall[right].position = p.grains.position[1].x + rb + 1e-4;
   dem::ContactParameters law = glued(kind, 0.9);
   Engine engine(p, law, with_step(contact_time(pair_mass(), k_pom) / 200));
   bool apart = false;
@@ -235,7 +235,7 @@ TEST(Adhesion, RaisesTheFrictionCapByThePullOffForceAndLowersItAsPrinted) {
       law.sliding_viscosity = 100;
       law.friction_cap = cap;
       Packing p = pair(h);
-      p.grains.vy[0] = 1000;  // far beyond what the viscosity would carry
+      p.grains.velocity[0].y = 1000;  // far beyond what the viscosity would carry
       Engine engine(p, law, with_step(fine_step()));
       const Packing now = engine.packing();
       const double raised = cap == dem::FrictionCap::raised_by_adhesion ? bond.pull_off() : -bond.pull_off();

@@ -57,7 +57,7 @@ Sag sag_of_cantilever(int bonds, double stiffness_ratio) {
   // Timoshenko's beam under point loads at a: P a^2 (3 L - a)/(6 E I) + P a/(kappa G A), in which a bond that shears by 1/k_s has its own bending,
   // l^3/(12 E I).
   const double shear_compliance = (1 / shear - std::pow(length, 3) / (12 * rigidity)) / length;
-  Sag sag{0.5 - engine.packing().grains.y[static_cast<std::size_t>(bonds)], 0};
+  Sag sag{0.5 - engine.packing().grains.position[static_cast<std::size_t>(bonds)].y, 0};
   for (int m = 1; m <= bonds; ++m) {
     const double a = length * m;
     sag.beam += weight * (a * a * (3 * whole - a) / (6 * rigidity) + a * shear_compliance);
@@ -84,7 +84,7 @@ TEST(Bonds, TensionHoldsASpinningPair) {
   const double before = angular_momentum(p, {0.5, 0.5});
   while (engine.time() < 0.05) engine.advance(100);  // more than two turns
   const Packing end = engine.packing();
-  const double length = norm(end.grains.centre(1) - end.grains.centre(0)), turning = end.grains.omega[0];
+  const double length = norm(end.grains.position[1] - end.grains.position[0]), turning = end.grains.omega[0];
   EXPECT_GT(end.grains.angle[0], 4 * pi);
   EXPECT_NEAR(end.grains.omega[1], turning, 1e-9 * turning);
   EXPECT_NEAR(-end.bonds[0].fn, 0.5 * mass(p, 0) * turning * turning * length, 1e-6 * std::abs(end.bonds[0].fn));

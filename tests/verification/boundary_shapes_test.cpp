@@ -67,8 +67,7 @@ Packing on_a_tip(double off, double turn = 0, double deep = 1e-5) {
   add(p, Polygon{});
   const double half = half_side(p, 0), r = rounding(p, 0);
   const Vec2 at{off, -(half + r - deep)};
-  p.grains.x[0] = 0.5 - at.x;
-  p.grains.y[0] = 0.4 - at.y;
+  p.grains.position[0] = {0.5 - at.x, 0.4 - at.y};
   p.grains.angle[0] = turn;
   return p;
 }
@@ -83,7 +82,7 @@ TEST(BoundaryShapes, ASideIsCarriedByATipThatJutsOut) {
   EXPECT_NEAR(now.contacts.overlap[0], 1e-5, 1e-12);
   EXPECT_NEAR(now.contacts.fn[0] / (k_pom * 1e-5), 1, 1e-6);
   EXPECT_NEAR(now.contacts.lever_i(0).x, 1e-3, 1e-12);
-  EXPECT_NEAR(now.contacts.lever_i(0).y, 0.4 - p.grains.y[0], 1e-12);
+  EXPECT_NEAR(now.contacts.lever_i(0).y, 0.4 - p.grains.position[0].y, 1e-12);
   EXPECT_NEAR(engine.domain().boundaries[0].force.y, -now.contacts.fn[0], 1e-12 * now.contacts.fn[0]);
 }
 
@@ -95,12 +94,10 @@ TEST(BoundaryShapes, ForceIsMinusTheGradientOfTheEnergy) {
   Packing on_segment = on_a_tip(0);
   const Vec2 up{-std::sqrt(0.5), std::sqrt(0.5)}, along{std::sqrt(0.5), std::sqrt(0.5)};
   const Vec2 place = Vec2{0.4, 0.3} + 0.05 * along + (half * std::sqrt(2.0) + r - 1e-5) * up;
-  on_segment.grains.x[0] = place.x;
-  on_segment.grains.y[0] = place.y;
+  on_segment.grains.position[0] = place;
   on_segment.grains.angle[0] = 0.002;
   Packing corner = on_a_tip(0);  // its corner and the tip meet each other twice
-  corner.grains.x[0] = 0.5 + half + 0.6 * (r - 1e-5);
-  corner.grains.y[0] = 0.4 + half + 0.8 * (r - 1e-5);
+  corner.grains.position[0] = {0.5 + half + 0.6 * (r - 1e-5), 0.4 + half + 0.8 * (r - 1e-5)};
   struct Case {
     Packing packing;
     std::size_t contacts;
@@ -110,8 +107,8 @@ TEST(BoundaryShapes, ForceIsMinusTheGradientOfTheEnergy) {
     how.safety = 1e-4;
     const auto energy = [&](double dx, double dy, double turn) {
       Packing moved = c.packing;
-      moved.grains.x[0] += dx;
-      moved.grains.y[0] += dy;
+      moved.grains.position[0].x += dx;
+      moved.grains.position[0].y += dy;
       moved.grains.angle[0] += turn;
       return Engine(moved, elastic(), how).energies().elastic;
     };
@@ -125,8 +122,8 @@ TEST(BoundaryShapes, ForceIsMinusTheGradientOfTheEnergy) {
     const Vec2 force{-(energy(h, 0, 0) - energy(-h, 0, 0)) / (2 * h), -(energy(0, h, 0) - energy(0, -h, 0)) / (2 * h)};
     const double torque = -(energy(0, 0, turn) - energy(0, 0, -turn)) / (2 * turn);
     ASSERT_GT(norm(force), 1);
-    EXPECT_NEAR(m * end.grains.vx[0] / dt, force.x, 1e-5 * norm(force));
-    EXPECT_NEAR(m * end.grains.vy[0] / dt, force.y, 1e-5 * norm(force));
+    EXPECT_NEAR(m * end.grains.velocity[0].x / dt, force.x, 1e-5 * norm(force));
+    EXPECT_NEAR(m * end.grains.velocity[0].y / dt, force.y, 1e-5 * norm(force));
     EXPECT_NEAR(inertia * end.grains.omega[0] / dt, torque, 1e-5 * half * norm(force));
   }
 }

@@ -20,9 +20,9 @@ Motion motion_of(const Packing& p) {
   const Grains& g = p.grains;
   for (std::size_t k = 0; k < g.size(); ++k) {
     const double m = mass(p, k), inertia = m * g.shapes.gyration[k] * g.shapes.gyration[k];
-    const Vec2 v{g.vx[k], g.vy[k]};
+    const Vec2 v = g.velocity[k];
     sum.momentum += m * v;
-    sum.angular += m * cross(g.centre(k), v) + inertia * g.omega[k];
+    sum.angular += m * cross(g.position[k], v) + inertia * g.omega[k];
     sum.kinetic += 0.5 * m * dot(v, v) + 0.5 * inertia * g.omega[k] * g.omega[k];
   }
   return sum;
@@ -36,8 +36,8 @@ TEST(Clumps, OneThatFliesKeepsMomentumAngularMomentumAndEnergy) {
   engine.advance(20'000);
   const Packing end = engine.packing();
   const Motion after = motion_of(end);
-  EXPECT_NEAR(end.grains.x[0], 0.3 + 0.01 * 1.5, 1e-12);
-  EXPECT_NEAR(end.grains.y[0], 0.4 - 0.01 * 0.7, 1e-12);
+  EXPECT_NEAR(end.grains.position[0].x, 0.3 + 0.01 * 1.5, 1e-12);
+  EXPECT_NEAR(end.grains.position[0].y, 0.4 - 0.01 * 0.7, 1e-12);
   EXPECT_NEAR(end.grains.angle[0], 0.4 + 0.01 * 90, 1e-11);
   EXPECT_NEAR(after.momentum.x / before.momentum.x, 1, 1e-12);
   EXPECT_NEAR(after.momentum.y / before.momentum.y, 1, 1e-12);
@@ -74,7 +74,7 @@ TEST(Clumps, CollisionKeepsMomentumAndAngularMomentum) {
 TEST(Clumps, ImpulseAndSpinOfAnEccentricCollisionAreTheClosedForm) {
   Packing p = box(1, 1);
   add(p, Clump{dumbbell, {0.3, 0.4}, 6.2e-3, pi / 2, {1, 0}});
-  const double lever = p.grains.shapes.x[1], disk = p.grains.shapes.radius[0], gyration = p.grains.shapes.gyration[0];
+  const double lever = p.grains.shapes.place[1].x, disk = p.grains.shapes.radius[0], gyration = p.grains.shapes.gyration[0];
   add(p, Clump{dumbbell, {0.3 + 2 * disk + 1e-5, 0.4 + 2 * lever}, 6.2e-3, pi / 2, {-1, 0}});
   dem::IntegrationParameters how;
   how.safety = 0.001;
@@ -83,8 +83,8 @@ TEST(Clumps, ImpulseAndSpinOfAnEccentricCollisionAreTheClosedForm) {
   while (engine.packing().contacts.size() > 0) engine.advance(50);
   const Packing end = engine.packing();
   const double impulse = 2 / (1 + lever * lever / (gyration * gyration)), spin = impulse * lever / (gyration * gyration);
-  EXPECT_NEAR(end.grains.vx[0], 1 - impulse, 1e-3);
-  EXPECT_NEAR(end.grains.vx[1], impulse - 1, 1e-3);
+  EXPECT_NEAR(end.grains.velocity[0].x, 1 - impulse, 1e-3);
+  EXPECT_NEAR(end.grains.velocity[1].x, impulse - 1, 1e-3);
   EXPECT_NEAR(end.grains.omega[0] / spin, 1, 1e-3);
   EXPECT_NEAR(end.grains.omega[1] / spin, 1, 1e-3);
 }
@@ -94,7 +94,7 @@ TEST(Clumps, CentralCollisionHasTheRestitutionThatIsAsked) {
   for (const double restitution : {1.0, 0.7, 0.3}) {
     Packing p = box(1, 1);
     add(p, Clump{dumbbell, {0.3, 0.4}, 6.2e-3, 0, {1, 0}});
-    add(p, Clump{dumbbell, {0.3 + 2 * (p.grains.shapes.x[1] + p.grains.shapes.radius[1]) + 1e-5, 0.4}, 6.2e-3, 0, {-1, 0}});
+    add(p, Clump{dumbbell, {0.3 + 2 * (p.grains.shapes.place[1].x + p.grains.shapes.radius[1]) + 1e-5, 0.4}, 6.2e-3, 0, {-1, 0}});
     dem::ContactParameters law;
     law.restitution = restitution;
     dem::IntegrationParameters how;
@@ -102,8 +102,8 @@ TEST(Clumps, CentralCollisionHasTheRestitutionThatIsAsked) {
     Engine engine(p, law, how);
     while (engine.packing().contacts.size() == 0) engine.advance(50);
     while (engine.packing().contacts.size() > 0) engine.advance(50);
-    EXPECT_NEAR(engine.packing().grains.vx[1], restitution, 2e-3);
-    EXPECT_NEAR(engine.packing().grains.vx[0], -restitution, 2e-3);
+    EXPECT_NEAR(engine.packing().grains.velocity[1].x, restitution, 2e-3);
+    EXPECT_NEAR(engine.packing().grains.velocity[0].x, -restitution, 2e-3);
   }
 }
 
@@ -227,8 +227,8 @@ TEST(Clumps, DisksAmongThemTouchAtTheirOwnCentresArms) {
       for (std::size_t c = 0; c < now.contacts.size(); ++c) {
         if (now.contacts.j[c] < 36) continue;
         ++disks;
-        EXPECT_NEAR(now.contacts.off_j_x[c], 0, 1e-15) << c;
-        EXPECT_NEAR(now.contacts.off_j_y[c], 0, 1e-15) << c;
+        EXPECT_NEAR(now.contacts.off_j[c].x, 0, 1e-15) << c;
+        EXPECT_NEAR(now.contacts.off_j[c].y, 0, 1e-15) << c;
       }
   }
   EXPECT_GT(engine.list_builds(), 20);
@@ -248,8 +248,8 @@ TEST(Clumps, ForceIsMinusTheGradientOfTheEnergy) {
   const double mass_of_one = mass(p, 0), inertia = mass_of_one * std::pow(p.grains.shapes.gyration[0], 2);
   const auto energy = [&](double dx, double dy, double turn) {
     Packing moved = p;
-    moved.grains.x[0] += dx;
-    moved.grains.y[0] += dy;
+    moved.grains.position[0].x += dx;
+    moved.grains.position[0].y += dy;
     moved.grains.angle[0] += turn;
     return Engine(moved, law, how).energies().elastic;
   };
@@ -262,8 +262,8 @@ TEST(Clumps, ForceIsMinusTheGradientOfTheEnergy) {
   const double h = 1e-8;
   const Vec2 force{-(energy(h, 0, 0) - energy(-h, 0, 0)) / (2 * h), -(energy(0, h, 0) - energy(0, -h, 0)) / (2 * h)};
   const double turn = h / 6.2e-3, torque = -(energy(0, 0, turn) - energy(0, 0, -turn)) / (2 * turn);
-  EXPECT_NEAR(mass_of_one * end.grains.vx[0] / dt, force.x, 1e-5 * norm(force));
-  EXPECT_NEAR(mass_of_one * end.grains.vy[0] / dt, force.y, 1e-5 * norm(force));
+  EXPECT_NEAR(mass_of_one * end.grains.velocity[0].x / dt, force.x, 1e-5 * norm(force));
+  EXPECT_NEAR(mass_of_one * end.grains.velocity[0].y / dt, force.y, 1e-5 * norm(force));
   EXPECT_NEAR(inertia * end.grains.omega[0] / dt, torque, 1e-5 * std::abs(torque));
 }
 
@@ -273,7 +273,7 @@ TEST(Clumps, ALyingDumbbellSlidesAboveTheAngleOfFriction) {
   for (const double slope : {0.9 * std::atan(mu), 1.2 * std::atan(mu)}) {
     Packing p = box(2, 1);
     add(p, Clump{dumbbell, {0.1, 0}, 6.2e-3});
-    p.grains.y[0] = p.grains.shapes.radius[0] - 0.5 * mass(p, 0) * gravity * std::cos(slope) / k_pom;
+    p.grains.position[0].y = p.grains.shapes.radius[0] - 0.5 * mass(p, 0) * gravity * std::cos(slope) / k_pom;
     dem::ContactParameters law;
     law.friction = mu;
     law.restitution = 0.3;
@@ -284,8 +284,8 @@ TEST(Clumps, ALyingDumbbellSlidesAboveTheAngleOfFriction) {
     const double then = engine.time();
     while (engine.time() < 0.1) engine.advance(100);
     const Packing end = engine.packing();
-    const double acceleration = (end.grains.vx[0] - first.grains.vx[0]) / (engine.time() - then);
-    if (slope < std::atan(mu)) EXPECT_NEAR(end.grains.vx[0], 0, 1e-6);
+    const double acceleration = (end.grains.velocity[0].x - first.grains.velocity[0].x) / (engine.time() - then);
+    if (slope < std::atan(mu)) EXPECT_NEAR(end.grains.velocity[0].x, 0, 1e-6);
     else EXPECT_NEAR(acceleration / (gravity * (std::sin(slope) - mu * std::cos(slope))), 1, 1e-5);
     ASSERT_EQ(end.contacts.size(), 2U);
     EXPECT_NEAR(end.contacts.fn[0] + end.contacts.fn[1], mass(p, 0) * gravity * std::cos(slope), 1e-3 * mass(p, 0) * gravity);

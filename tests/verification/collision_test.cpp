@@ -69,7 +69,7 @@ Packing head_on(const Pair& pair, double speed, double dt) {
   return p;
 }
 double separation(const Packing& p) {
-  const Vec2 n = p.grains.centre(1) - p.grains.centre(0);
+  const Vec2 n = p.grains.position[1] - p.grains.position[0];
   return dot(velocity(p, 1) - velocity(p, 0), (1 / norm(n)) * n);
 }
 
@@ -110,10 +110,8 @@ TEST(Collision, RestitutionOnAWallIsTheOneAskedForWithTheWholeMassAndTheStiffest
           const double tc = contact_time(mass(p, 0), k_pom), dt = tc / 2000;
           const Vec2 n = inward_normal(side);
           const Vec2 centre = Vec2{0.05, 0.05} - (0.05 - r - 2.6 * speed * dt) * n;
-          p.grains.x[0] = centre.x;
-          p.grains.y[0] = centre.y;
-          p.grains.vx[0] = -speed * n.x;
-          p.grains.vy[0] = -speed * n.y;
+          p.grains.position[0] = centre;
+          p.grains.velocity[0] = {-speed * n.x, -speed * n.y};
           add(p, {{0.05, 0.05}, r, pom});  // out of the way; walls are as stiff as the stiffest grain of the sample
           const Outcome out = collide(p, frictionless(e), with_step(dt, kind), speed, [&](const Packing& now) { return dot(velocity(now, 0), n); });
           EXPECT_NEAR(out.restitution, e, restitution_tolerance(e, pi / 2000, kind));

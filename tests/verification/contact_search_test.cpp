@@ -19,15 +19,15 @@ std::map<std::pair<std::int32_t, std::int32_t>, double> all_overlaps(const Packi
     const auto a = static_cast<std::size_t>(i);
     for (std::int32_t j = i + 1; j < n; ++j) {
       const auto b = static_cast<std::size_t>(j);
-      const Vec2 d = p.domain.nearest_image(p.grains.centre(a) - p.grains.centre(b));
+      const Vec2 d = p.domain.nearest_image(p.grains.position[a] - p.grains.position[b]);
       const double overlap = p.grains.radius[a] + p.grains.radius[b] - norm(d);
       if (overlap > 0) found[{i, j}] = overlap;
     }
     for (int side = 0; side < 4; ++side) {
       const Wall& wall = p.domain.wall[static_cast<std::size_t>(side)];
       if (!wall.present) continue;
-      const Vec2 plane = side < 2 ? Vec2{wall.position, p.grains.y[a]} : Vec2{p.grains.x[a], wall.position};
-      const double overlap = p.grains.radius[a] - dot(p.grains.centre(a) - plane, inward_normal(side));
+      const Vec2 plane = side < 2 ? Vec2{wall.position, p.grains.position[a].y} : Vec2{p.grains.position[a].x, wall.position};
+      const double overlap = p.grains.radius[a] - dot(p.grains.position[a] - plane, inward_normal(side));
       if (overlap > 0) found[{i, wall_partner(side)}] = overlap;
     }
   }
@@ -37,8 +37,8 @@ std::map<std::pair<std::int32_t, std::int32_t>, double> all_overlaps(const Packi
 /// A gas of disks of radii 1 to 8 mm that flies apart at up to some radii a hundred steps.
 Packing gas(bool periodic_x, bool periodic_y, double tilt) {
   Packing p = box(0.16, 0.12);
-  p.domain.periodic_x = periodic_x;
-  p.domain.periodic_y = periodic_y;
+  p.domain.periodic[0] = periodic_x;
+  p.domain.periodic[1] = periodic_y;
   p.domain.tilt = tilt;
   RandomStream random(17, Purpose::test);
   for (int attempt = 0; attempt < 4000 && p.grains.size() < 110; ++attempt) {
@@ -47,8 +47,8 @@ Packing gas(bool periodic_x, bool periodic_y, double tilt) {
     disk.centre = {random.uniform(disk.radius, 0.16 - disk.radius), random.uniform(disk.radius, 0.12 - disk.radius)};
     disk.velocity = {random.uniform(-30, 30), random.uniform(-30, 30)};
     disk.material = random.uniform() < 0.5 ? pom : hdpe;
-    const bool free = std::none_of(p.grains.x.begin(), p.grains.x.end(), [&, i = std::size_t{0}](double) mutable {
-      const Vec2 d = p.domain.nearest_image(p.grains.centre(i) - disk.centre);
+    const bool free = std::none_of(p.grains.position.begin(), p.grains.position.end(), [&, i = std::size_t{0}](Vec2 other) mutable {
+      const Vec2 d = p.domain.nearest_image(other - disk.centre);
       return norm(d) < 0.95 * (p.grains.radius[i++] + disk.radius);
     });
     if (free) add(p, disk);

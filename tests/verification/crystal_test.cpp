@@ -41,7 +41,7 @@ TEST(Crystal, HasTheModuliOfATriangularLatticeOfNormalAndTangentialSprings) {
       EXPECT_NEAR(1 - p.domain.width() / start.domain.width(), strain.x, 1e-7 * strain.x);
       Tensor2 s;
       for (std::size_t c = 0; c < p.contacts.size(); ++c)
-        s += 1 / p.domain.area() * outer(p.contacts.force_on_i(c), (p.contacts.arm_i[c] + p.contacts.arm_j[c]) * p.contacts.normal(c));
+        s += 1 / p.domain.area() * outer(p.contacts.force_on_i(c), (p.contacts.arm_i[c] + p.contacts.arm_j[c]) * p.contacts.normal[c]);
       const double kt = friction == dem::NoFriction{} ? 0 : 0.8 * k_pom;
       const double c11 = std::sqrt(3) / 4 * (3 * k_pom + kt), c12 = std::sqrt(3) / 4 * (k_pom - kt);
       // Small strain: corrections of its own order; the springs' sum by the trapezoidal rule.
@@ -63,7 +63,7 @@ TEST(Crystal, CarriesSoundAtTheSpeedOfItsStiffness) {
   for (double& r : p.grains.radius) r *= 1.001;  // pressed, so that no contact opens
   const double width = p.domain.width(), q = 2 * pi / width, d = 2 * disk_radius;
   const double m = mass(p, 0), c11 = std::sqrt(3) / 4 * 3 * k_pom, rho = m / (std::sqrt(0.75) * d * d);
-  for (std::size_t i = 0; i < p.grains.size(); ++i) p.grains.vx[i] = 1e-3 * std::sin(q * p.grains.x[i]);
+  for (std::size_t i = 0; i < p.grains.size(); ++i) p.grains.velocity[i].x = 1e-3 * std::sin(q * p.grains.position[i].x);
   const double period = 2 * pi / (q * std::sqrt(c11 / rho));
   const std::int64_t quarter = 2000;
   Engine engine(p, elastic(), with_step(period / (4 * quarter)));
@@ -71,8 +71,8 @@ TEST(Crystal, CarriesSoundAtTheSpeedOfItsStiffness) {
   const Packing half = engine.packing();
   double overlap = 0, norm_of_start = 0;
   for (std::size_t i = 0; i < p.grains.size(); ++i) {
-    overlap += half.grains.vx[i] * p.grains.vx[i];
-    norm_of_start += p.grains.vx[i] * p.grains.vx[i];
+    overlap += half.grains.velocity[i].x * p.grains.velocity[i].x;
+    norm_of_start += p.grains.velocity[i].x * p.grains.velocity[i].x;
   }
   // cos(omega t) at omega t = pi (1 - delta), delta < (q d)^2/16 and the prestress's 1e-3: nearly -1; a speed wrong by 5 % gives -0.988.
   EXPECT_LT(overlap / norm_of_start, -0.998);
@@ -80,7 +80,7 @@ TEST(Crystal, CarriesSoundAtTheSpeedOfItsStiffness) {
   engine.advance(quarter);  // three quarters: at rest
   const Packing rest = engine.packing();
   double now = 0;
-  for (std::size_t i = 0; i < p.grains.size(); ++i) now += rest.grains.vx[i] * p.grains.vx[i];
+  for (std::size_t i = 0; i < p.grains.size(); ++i) now += rest.grains.velocity[i].x * p.grains.velocity[i].x;
   EXPECT_NEAR(now / norm_of_start, 0, 3 * pi / 2 * 0.01);
 }
 

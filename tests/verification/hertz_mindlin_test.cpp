@@ -68,7 +68,7 @@ struct Outcome {
 Outcome collide(const dem::ContactParameters& law, std::int32_t a, std::int32_t b, double speed, double dt) {
   const double ra = 2e-3, rb = 5e-3;
   Packing p = pressed_pair(a, b, ra, rb, -2.37 * speed * dt);
-  p.grains.vx = {speed, 0};
+  p.grains.velocity = {{speed, 0}, {}};
   Engine engine(p, law, with_step(dt));
   Outcome out;
   for (int step = 0, touched = 0; step < 100000; ++step) {
@@ -78,7 +78,7 @@ Outcome collide(const dem::ContactParameters& law, std::int32_t a, std::int32_t 
       ++touched;
       out.deepest = std::max(out.deepest, now.contacts.overlap[0]);
     } else if (touched > 0) {
-      out.restitution = (now.grains.vx[1] - now.grains.vx[0]) / speed;
+      out.restitution = (now.grains.velocity[1].x - now.grains.velocity[0].x) / speed;
       out.duration = touched * dt;
       return out;
     }

@@ -20,7 +20,7 @@ struct Incline {
     add(start, {{1, radius}, radius});
     m = mass(start, 0);
     overlap = m * gravity * std::cos(slope) / k_pom;
-    start.grains.y[0] -= overlap;
+    start.grains.position[0].y -= overlap;
   }
   double step() const { return contact_time(m, k_pom) / 100; }
   Vec2 pull() const { return gravity * Vec2{std::sin(slope), -std::cos(slope)}; }
@@ -53,7 +53,7 @@ Acceleration measured(Engine& engine, std::int64_t steps) {
   engine.advance(steps / 2);
   const Packing b = engine.packing();
   const double t = static_cast<double>(steps / 2) * engine.time_step();
-  return {(b.grains.vx[0] - a.grains.vx[0]) / t, (b.grains.omega[0] - a.grains.omega[0]) / t};
+  return {(b.grains.velocity[0].x - a.grains.velocity[0].x) / t, (b.grains.omega[0] - a.grains.omega[0]) / t};
 }
 
 TEST(Incline, ASlidingBlockAcceleratesByGSinMinusMuCos) {
@@ -96,7 +96,7 @@ TEST(Incline, ADiskRollsWithTwoThirdsOfGSin) {
     if (friction == dem::RegularisedCoulomb{}) {
       // The viscous law rolls with the slip that its friction force needs: m g sin/3 = gamma_s v_s.
       const Packing p = engine.packing();
-      const double slip = p.grains.vx[0] + p.grains.omega[0] * (radius - incline.overlap);
+      const double slip = p.grains.velocity[0].x + p.grains.omega[0] * (radius - incline.overlap);
       const double expected = incline.m * gravity * std::sin(incline.slope) / 3 / 50;
       EXPECT_NEAR(slip, expected, 1e-4 * expected);
     }
@@ -110,7 +110,7 @@ TEST(Incline, RegularisedFrictionHoldsNoStaticFrictionButCreeps) {
   Engine engine = incline.engine(law, false);
   engine.advance(60000);  // many times m/gamma_s
   const double creep = incline.m * gravity * std::sin(incline.slope) / 50;
-  EXPECT_NEAR(engine.packing().grains.vx[0], creep, 1e-8 * creep);
+  EXPECT_NEAR(engine.packing().grains.velocity[0].x, creep, 1e-8 * creep);
 }
 
 TEST(Incline, ACundallStrackBlockSticksAtTheSpringsStretch) {
@@ -122,8 +122,8 @@ TEST(Incline, ACundallStrackBlockSticksAtTheSpringsStretch) {
   const Packing p = engine.packing();
   // The spring sums sliding velocities by the trapezoidal rule: (omega_t dt)^2/4 of the stretch.
   const double omega_t_dt = std::sqrt(0.8 * k_pom / incline.m) * incline.step();
-  EXPECT_NEAR(p.grains.x[0] - 1, moved_by, 0.3 * omega_t_dt * omega_t_dt * moved_by);
-  EXPECT_NEAR(p.grains.vx[0], 0, 1e-9);
+  EXPECT_NEAR(p.grains.position[0].x - 1, moved_by, 0.3 * omega_t_dt * omega_t_dt * moved_by);
+  EXPECT_NEAR(p.grains.velocity[0].x, 0, 1e-9);
   ASSERT_EQ(p.contacts.size(), 1u);
   const double force = dot(p.contacts.force_on_i(0), {1, 0});
   EXPECT_NEAR(force, -incline.m * gravity * std::sin(incline.slope), 1e-6 * std::abs(force));
@@ -142,7 +142,7 @@ TEST(Incline, ACundallStrackBlockLeavesWhenTheSlopePassesMu) {
     }
     engine.set_drag(0);
     engine.advance(20000);
-    const double v = engine.packing().grains.vx[0];
+    const double v = engine.packing().grains.velocity[0].x;
     if (excess < 0) EXPECT_LT(std::abs(v), 1e-8);
     else EXPECT_GT(v, 1e-4);
   }

@@ -48,14 +48,14 @@ struct OnTheWall {
     omega = std::sqrt(k_pom / mass(start, 0));
     rest = ball_radius - g / (omega * omega);
     amplitude = 0.4 * (ball_radius - rest);
-    start.grains.y[0] = rest + amplitude;
+    start.grains.position[0].y = rest + amplitude;
   }
   /// Errors against the damped oscillation with share zeta of the critical damping; velocity over omega.
   Vec2 error(const Packing& p, double zeta, double t) const {
     const double s = std::sqrt(1 - zeta * zeta), phase = omega * s * t, decay = std::exp(-zeta * omega * t);
     const double y = amplitude * decay * (std::cos(phase) + zeta / s * std::sin(phase));
     const double v = -amplitude * omega / s * decay * std::sin(phase);
-    return {(p.grains.y[0] - rest - y) / amplitude, (p.grains.vy[0] - v) / (amplitude * omega)};
+    return {(p.grains.position[0].y - rest - y) / amplitude, (p.grains.velocity[0].y - v) / (amplitude * omega)};
   }
 };
 
@@ -104,8 +104,8 @@ TEST(IntegratorOrder, HoldsForTheNonlinearGluedPair) {
   const Vec2 exact = runge_kutta({h0, 0}, end, 40000, [&](double h, double) { return -(k_pom * h - gamma * std::sqrt(r_eff * h)) / m; });
   for (const auto kind : integrators) {
     const Convergence c = converge(p, law, kind, end, 150, 0, [&](const Packing& now) {
-      const double h = 2 * ball_radius - (now.grains.x[1] - now.grains.x[0]);
-      return Vec2{(h - exact.x) / h_eq, (now.grains.vx[0] - now.grains.vx[1] - exact.y) / (h_eq * std::sqrt(k_pom / m))};
+      const double h = 2 * ball_radius - (now.grains.position[1].x - now.grains.position[0].x);
+      return Vec2{(h - exact.x) / h_eq, (now.grains.velocity[0].x - now.grains.velocity[1].x - exact.y) / (h_eq * std::sqrt(k_pom / m))};
     });
     expect_convergence(c, least_order(kind), 0.01, kind);
   }
@@ -124,7 +124,7 @@ TEST(IntegratorOrder, HoldsForHertz) {
   const Vec2 exact = runge_kutta({h0, 0}, end, 40000, [&](double h, double) { return g - k_hertz / m * std::pow(h, 1.5); });
   for (const auto kind : integrators) {
     const Convergence c = converge(p, law, kind, end, 300, g, [&](const Packing& now) {
-      return Vec2{(ball_radius - now.grains.y[0] - exact.x) / h0, (-now.grains.vy[0] - exact.y) * period / h0};
+      return Vec2{(ball_radius - now.grains.position[0].y - exact.x) / h0, (-now.grains.velocity[0].y - exact.y) * period / h0};
     });
     expect_convergence(c, least_order(kind), 0.01, kind);
   }
@@ -143,7 +143,7 @@ TEST(IntegratorOrder, GlobalDragDecaysExponentially) {
       how.drag = rate;
       Engine engine(p, elastic(), how);
       engine.advance(steps);
-      c.error[level] = std::abs(engine.packing().grains.y[0] - 0.5 - distance) / distance;
+      c.error[level] = std::abs(engine.packing().grains.position[0].y - 0.5 - distance) / distance;
     }
     expect_convergence(c, kind == IntegratorKind::leapfrog ? 0.95 : least_order(kind), 1e-2, kind);
   }

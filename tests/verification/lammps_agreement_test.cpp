@@ -53,11 +53,12 @@ void write_input(const std::filesystem::path& folder, const Packing& p, const La
        << fmt::format("{0} {1} xlo xhi\n{0} {1} ylo yhi\n-0.01 0.01 zlo zhi\n\nAtoms # sphere\n\n", -size, 2 * size);
   for (std::size_t k = 0; k < p.grains.size(); ++k) {
     const double r = p.grains.radius[k];  // LAMMPS takes the density of a sphere
-    data << fmt::format("{} 1 {:.17g} {:.17g} {:.17g} {:.17g} 0\n", k + 1, 2 * r, 0.75 * mass / (pi * r * r * r), p.grains.x[k], p.grains.y[k]);
+    data << fmt::format("{} 1 {:.17g} {:.17g} {:.17g} {:.17g} 0\n", k + 1, 2 * r, 0.75 * mass / (pi * r * r * r), p.grains.position[k].x,
+                        p.grains.position[k].y);
   }
   data << "\nVelocities\n\n";
   for (std::size_t k = 0; k < p.grains.size(); ++k)
-    data << fmt::format("{} {:.17g} {:.17g} 0 0 0 {:.17g}\n", k + 1, p.grains.vx[k], p.grains.vy[k], p.grains.omega[k]);
+    data << fmt::format("{} {:.17g} {:.17g} 0 0 0 {:.17g}\n", k + 1, p.grains.velocity[k].x, p.grains.velocity[k].y, p.grains.omega[k]);
 
   const auto coefficients = [&](double reduced_mass) {
     return fmt::format("{:.17g} 0 {:.17g} {:.17g} {:.17g} 1", stiffness, law.damping / reduced_mass, law.viscosity / reduced_mass, law.friction);
@@ -119,7 +120,7 @@ State ours(const Packing& start, const Law& law) {
   const Packing p = engine.packing();
   State state;
   for (std::size_t k = 0; k < p.grains.size(); ++k) {
-    state.place.push_back(p.grains.centre(k));
+    state.place.push_back(p.grains.position[k]);
     state.force.push_back({0, -9.81 * mass});
   }
   for (std::size_t c = 0; c < p.contacts.size(); ++c) {
@@ -137,7 +138,7 @@ void expect_agreement(const Law& law) {
   ASSERT_EQ(theirs.place.size(), start.grains.size());
   double way = 0, largest = 0, place_off = 0, force_off = 0;
   for (std::size_t k = 0; k < start.grains.size(); ++k) {
-    way = std::max(way, norm(own.place[k] - start.grains.centre(k)));
+    way = std::max(way, norm(own.place[k] - start.grains.position[k]));
     largest = std::max(largest, norm(own.force[k]));
     place_off = std::max(place_off, norm(own.place[k] - theirs.place[k]));
     force_off = std::max(force_off, norm(own.force[k] - theirs.force[k]));

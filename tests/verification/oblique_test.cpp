@@ -17,8 +17,8 @@ constexpr double normal_speed = 1e-3;
 struct Oblique {
   Packing before, after;
   double m_eff = 0, k = 0;
-  double normal_impulse() const { return mass(before, 0) * (before.grains.vx[0] - after.grains.vx[0]); }
-  double tangential_impulse() const { return mass(before, 0) * (before.grains.vy[0] - after.grains.vy[0]); }
+  double normal_impulse() const { return mass(before, 0) * (before.grains.velocity[0].x - after.grains.velocity[0].x); }
+  double tangential_impulse() const { return mass(before, 0) * (before.grains.velocity[0].y - after.grains.velocity[0].y); }
 };
 
 Oblique run(double tangential_speed, dem::ContactParameters law, double spin0 = 0, double spin1 = 0, double steps_in_contact = 4000) {
@@ -30,7 +30,7 @@ Oblique run(double tangential_speed, dem::ContactParameters law, double spin0 = 
   o.m_eff = reduced(mass(p, 0), mass(p, 1));
   o.k = reduced(k_pom, k_hdpe);
   const double tc = contact_time(o.m_eff, o.k), dt = tc / steps_in_contact;
-  p.grains.x[1] += 0.41 * normal_speed * dt;
+  p.grains.position[1].x += 0.41 * normal_speed * dt;
   o.before = p;
   Engine engine(p, law, with_step(dt));
   engine.advance(static_cast<std::int64_t>(1.5 * steps_in_contact));
@@ -51,7 +51,7 @@ TEST(ObliqueCollision, ConservesMomentumAndAngularMomentumAboutAnyPoint) {
     EXPECT_NEAR(momentum(o.after).x, momentum(o.before).x, 1e-12 * p0);
     EXPECT_NEAR(momentum(o.after).y, momentum(o.before).y, 1e-12 * p0);
     for (const Vec2 about : {Vec2{0.5 + 8.2e-3, 0.5}, Vec2{0, 0}}) {
-      const double scale = p0 * (8.2e-3 + norm(about - o.before.grains.centre(0)));
+      const double scale = p0 * (8.2e-3 + norm(about - o.before.grains.position[0]));
       EXPECT_NEAR(angular_momentum(o.after, about), angular_momentum(o.before, about), 1e-11 * scale);
     }
     EXPECT_GT(std::abs(o.after.grains.omega[0] - 0.04), 2e-3);

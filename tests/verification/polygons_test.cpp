@@ -33,9 +33,9 @@ Sums motion_of(const Packing& p) {
   const Grains& g = p.grains;
   for (std::size_t k = 0; k < g.size(); ++k) {
     const double m = mass(p, k), inertia = m * g.shapes.gyration[k] * g.shapes.gyration[k];
-    const Vec2 v{g.vx[k], g.vy[k]};
+    const Vec2 v = g.velocity[k];
     sum.momentum += m * v;
-    sum.angular += m * cross(g.centre(k), v) + inertia * g.omega[k];
+    sum.angular += m * cross(g.position[k], v) + inertia * g.omega[k];
     sum.kinetic += 0.5 * m * dot(v, v) + 0.5 * inertia * g.omega[k] * g.omega[k];
   }
   return sum;
@@ -74,7 +74,7 @@ TEST(Polygons, TwoSquaresRestOnEachOther) {
   Packing p = box(0.2, 0.2);
   add(p, Polygon{4, {0.1, 0}, 0});
   const double half = half_side(p, 0), r = rounding(p, 0), own_weight = mass(p, 0) * gravity;
-  p.grains.y[0] = half + r;
+  p.grains.position[0].y = half + r;
   add(p, Polygon{4, {0.1005, 3 * half + 3 * r}, 0});
   dem::ContactParameters law;
   law.restitution = 0.2;
@@ -95,17 +95,17 @@ TEST(Polygons, TwoSquaresRestOnEachOther) {
   EXPECT_NEAR(on_wall / (2 * own_weight), 1, 1e-9);
   EXPECT_NEAR(-between / own_weight, 1, 1e-9);
   for (std::size_t g = 0; g < 2; ++g) {
-    EXPECT_NEAR(end.grains.x[g], first.grains.x[g], 1e-12);
-    EXPECT_NEAR(end.grains.y[g], first.grains.y[g], 1e-12);
-    EXPECT_NEAR(end.grains.x[g], p.grains.x[g], 1e-8);
+    EXPECT_NEAR(end.grains.position[g].x, first.grains.position[g].x, 1e-12);
+    EXPECT_NEAR(end.grains.position[g].y, first.grains.position[g].y, 1e-12);
+    EXPECT_NEAR(end.grains.position[g].x, p.grains.position[g].x, 1e-8);
     EXPECT_NEAR(end.grains.angle[g], 0, 1e-6);
-    EXPECT_LT(std::abs(end.grains.vy[g]) + std::abs(end.grains.vx[g]), 1e-9);
+    EXPECT_LT(std::abs(end.grains.velocity[g].y) + std::abs(end.grains.velocity[g].x), 1e-9);
   }
   // Its weight acts 0.5 mm off the middle of the two contacts, which are 2 half - 0.5 mm apart.
   const double apart = 2 * half - 0.5e-3;
   for (std::size_t c = 0; c < end.contacts.size(); ++c)
     if (!end.contacts.is_wall(c)) {
-      const bool left_one = end.grains.x[0] + end.contacts.lever_i(c).x < 0.1;
+      const bool left_one = end.grains.position[0].x + end.contacts.lever_i(c).x < 0.1;
       EXPECT_NEAR(end.contacts.fn[c] / own_weight, 0.5 + (left_one ? -1 : 1) * 0.25e-3 / apart, 1e-5);
     }
   EXPECT_LT(engine.equilibrium().unbalanced_ratio, 1e-6);
@@ -116,7 +116,7 @@ TEST(Polygons, ASquareSlidesAboveTheAngleOfFriction) {
   for (const double slope : {0.95 * std::atan(mu), 1.1 * std::atan(mu)}) {
     Packing p = box(2, 1);
     add(p, Polygon{4, {0.1, 0}});
-    p.grains.y[0] = half_side(p, 0) + rounding(p, 0);
+    p.grains.position[0].y = half_side(p, 0) + rounding(p, 0);
     dem::ContactParameters law;
     law.friction = mu;
     law.restitution = 0.2;
@@ -127,8 +127,8 @@ TEST(Polygons, ASquareSlidesAboveTheAngleOfFriction) {
     const double then = engine.time();
     while (engine.time() < 0.2) engine.advance(100);
     const Packing end = engine.packing();
-    const double acceleration = (end.grains.vx[0] - first.grains.vx[0]) / (engine.time() - then);
-    if (slope < std::atan(mu)) EXPECT_NEAR(end.grains.vx[0], 0, 1e-8);
+    const double acceleration = (end.grains.velocity[0].x - first.grains.velocity[0].x) / (engine.time() - then);
+    if (slope < std::atan(mu)) EXPECT_NEAR(end.grains.velocity[0].x, 0, 1e-8);
     else EXPECT_NEAR(acceleration / (gravity * (std::sin(slope) - mu * std::cos(slope))), 1, 1e-6);
     EXPECT_EQ(end.contacts.size(), 2U);
   }
@@ -140,7 +140,7 @@ TEST(Polygons, TangentialForcesOfAPackingAreTakenUp) {
   Packing p = box(2, 1);
   add(p, Polygon{4, {0.1, 0}});
   const double half = half_side(p, 0), r = rounding(p, 0);
-  p.grains.y[0] = half + r;
+  p.grains.position[0].y = half + r;
   add(p, Polygon{4, {0.1, 3 * half + 3 * r}});
   dem::ContactParameters law;
   law.friction = 0.5;
@@ -181,8 +181,8 @@ TEST(Polygons, ForceIsMinusTheGradientOfTheEnergy) {
     how.safety = 1e-4;
     const auto energy = [&](double dx, double dy, double turn) {
       Packing moved = p;
-      moved.grains.x[1] += dx;
-      moved.grains.y[1] += dy;
+      moved.grains.position[1].x += dx;
+      moved.grains.position[1].y += dy;
       moved.grains.angle[1] += turn;
       return Engine(moved, law, how).energies().elastic;
     };
@@ -197,8 +197,8 @@ TEST(Polygons, ForceIsMinusTheGradientOfTheEnergy) {
     const double torque = -(energy(0, 0, turn) - energy(0, 0, -turn)) / (2 * turn);
     ASSERT_GT(norm(force), 1);
     // Velocities are those of the end of the step: half the force of its start, half that of its end.
-    EXPECT_NEAR(m * end.grains.vx[1] / dt, force.x, 1e-5 * norm(force));
-    EXPECT_NEAR(m * end.grains.vy[1] / dt, force.y, 1e-5 * norm(force));
+    EXPECT_NEAR(m * end.grains.velocity[1].x / dt, force.x, 1e-5 * norm(force));
+    EXPECT_NEAR(m * end.grains.velocity[1].y / dt, force.y, 1e-5 * norm(force));
     EXPECT_NEAR(inertia * end.grains.omega[1] / dt, torque, 1e-5 * half * norm(force));
   }
 }

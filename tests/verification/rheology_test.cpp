@@ -21,14 +21,14 @@ Packing cell_of_disks(int across, int up) {
   Packing p;
   p.materials = {{"glass", density, stiffness, 0}};
   p.domain.thickness = length;
-  p.domain.periodic_x = p.domain.periodic_y = true;
+  p.domain.periodic[0] = p.domain.periodic[1] = true;
   const double width = p.domain.wall[right].position = 20 * diameter * across / 19, height = p.domain.wall[top].position = 20 * diameter * up / 19;
   const int n = across * up;
   p.grains.resize(static_cast<std::size_t>(n));
   for (std::size_t k = 0; k < p.grains.size(); ++k) {
     p.grains.radius[k] = 0.5 * diameter * (0.8 + 0.4 * static_cast<double>((k * 7919) % static_cast<std::size_t>(n)) / n);
-    p.grains.x[k] = (static_cast<double>(k % static_cast<std::size_t>(across)) + 0.5) * width / across;
-    p.grains.y[k] = (static_cast<double>(k / static_cast<std::size_t>(across)) + 0.5) * height / up;
+    p.grains.position[k] = {(static_cast<double>(k % static_cast<std::size_t>(across)) + 0.5) * width / across,
+                            (static_cast<double>(k / static_cast<std::size_t>(across)) + 0.5) * height / up};
   }
   return p;
 }

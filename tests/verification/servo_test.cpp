@@ -78,7 +78,7 @@ TEST(Servo, CyclesFrom6To60KiloNewtonComeBackToTheSameStateInAnElasticFrictionle
   const Packing last = engine.packing();
   EXPECT_GT(travelled, 1e-3);
   EXPECT_NEAR(last.domain.wall[bottom].position, first.domain.wall[bottom].position, 1e-6 * travelled);
-  for (std::size_t i = 0; i < last.grains.size(); ++i) EXPECT_LT(norm(last.grains.centre(i) - first.grains.centre(i)), 1e-6 * travelled);
+  for (std::size_t i = 0; i < last.grains.size(); ++i) EXPECT_LT(norm(last.grains.position[i] - first.grains.position[i]), 1e-6 * travelled);
 }
 
 TEST(Servo, HoldsItsForceWhileTheOppositeWallPushesTheSampleAlong) {

@@ -24,7 +24,7 @@ inline void add(Packing& p, const Polygon& polygon) {
   p.grains.angle.back() = polygon.angle;
 }
 
-inline double half_side(const Packing& p, std::size_t g) { return p.grains.shapes.x[static_cast<std::size_t>(p.grains.shapes.first[g])]; }
+inline double half_side(const Packing& p, std::size_t g) { return p.grains.shapes.place[static_cast<std::size_t>(p.grains.shapes.first[g])].x; }
 inline double rounding(const Packing& p, std::size_t g) { return p.grains.shapes.radius[static_cast<std::size_t>(p.grains.shapes.first[g])]; }
 
 /// A grain of equal disks whose centres lie at these places, about its centre of mass, with the area of a disk of `radius`.

@@ -18,7 +18,7 @@ const std::string folder = std::string(ARENITE_SOURCE_DIR) + "/examples/20-dem-s
 
 Packing sheared() {
   io::SampleOptions o;
-  o.box = Vec2{62.7755, 62.7755}, o.tilt = 31.38775, o.periodic_x = o.periodic_y = true, o.thickness = 1;
+  o.box = Vec2{62.7755, 62.7755}, o.tilt = 31.38775, o.periodic[0] = o.periodic[1] = true, o.thickness = 1;
   Packing p = io::read_sample(folder + "grains-5000.csv", folder + "contacts-5000.csv", o).packing;
   p.materials = {{"disk", 1, 1, 1}};
   p.grains.material.assign(p.grains.size(), 0);
@@ -74,17 +74,17 @@ Packing with_images(const Packing& p, double reach) {
       const Vec2 shift{a * p.domain.width() + b * p.domain.tilt, b * p.domain.height()};
       std::vector<std::int32_t> image(p.grains.size(), -1);
       for (std::size_t g = 0; (a || b) && g < p.grains.size(); ++g) {
-        const Vec2 x = p.grains.centre(g) + shift;
+        const Vec2 x = p.grains.position[g] + shift;
         if (std::abs(x.x) > reach || std::abs(x.y) > reach) continue;
         const std::size_t k = all.grains.size();
         image[g] = static_cast<std::int32_t>(k);
         all.grains.resize(k + 1);
-        all.grains.x[k] = x.x, all.grains.y[k] = x.y, all.grains.radius[k] = p.grains.radius[g];
+        all.grains.position[k].x = x.x, all.grains.position[k].y = x.y, all.grains.radius[k] = p.grains.radius[g];
       }
       for (std::size_t c = 0; c < p.contacts.size(); ++c) {
         const auto i = image[static_cast<std::size_t>(p.contacts.i[c])], j = image[static_cast<std::size_t>(p.contacts.j[c])];
-        if (i >= 0) all.contacts.add(i, wall_partner(left), p.contacts.normal(c), p.contacts.fn[c], p.contacts.ft[c], 1, 0);
-        if (j >= 0) all.contacts.add(j, wall_partner(left), -p.contacts.normal(c), p.contacts.fn[c], p.contacts.ft[c], 1, 0);
+        if (i >= 0) all.contacts.add(i, wall_partner(left), p.contacts.normal[c], p.contacts.fn[c], p.contacts.ft[c], 1, 0);
+        if (j >= 0) all.contacts.add(j, wall_partner(left), -p.contacts.normal[c], p.contacts.fn[c], p.contacts.ft[c], 1, 0);
       }
     }
   return all;

@@ -28,8 +28,8 @@ Packing grains_above(double width, double height, double floor, int count, std::
   p.grains.resize(static_cast<std::size_t>(count));
   for (std::size_t k = 0; k < p.grains.size(); ++k) {
     p.grains.radius[k] = random.uniform(0.002, 0.003);
-    p.grains.x[k] = (static_cast<double>(k % static_cast<std::size_t>(columns)) + 0.5) * width / columns + random.uniform(-1e-4, 1e-4);
-    p.grains.y[k] = floor + (static_cast<double>(k / static_cast<std::size_t>(columns)) + 0.6) * pitch;
+    p.grains.position[k] = {(static_cast<double>(k % static_cast<std::size_t>(columns)) + 0.5) * width / columns + random.uniform(-1e-4, 1e-4),
+                            floor + (static_cast<double>(k / static_cast<std::size_t>(columns)) + 0.6) * pitch};
   }
   return p;
 }
@@ -107,7 +107,7 @@ Vec2 sum_of_moments(const Packing& p) {
   Vec2 sum;
   const Contacts& c = p.contacts;
   for (std::size_t k = 0; k < c.size(); ++k) {
-    const Vec2 f = c.force_on_i(k), branch = (c.arm_i[k] + c.arm_j[k]) * c.normal(k);
+    const Vec2 f = c.force_on_i(k), branch = (c.arm_i[k] + c.arm_j[k]) * c.normal[k];
     sum += {f.x * branch.x, f.y * branch.y};
   }
   return sum;

@@ -122,7 +122,7 @@ TEST(Box, TheLowerWallReachesItsForceAndTheWallsBalance) {
 Tensor2 stress(const Packing& p) {
   Tensor2 sum;
   for (std::size_t c = 0; c < p.contacts.size(); ++c)
-    sum += outer(p.contacts.force_on_i(c), (p.contacts.arm_i[c] + p.contacts.arm_j[c]) * p.contacts.normal(c));
+    sum += outer(p.contacts.force_on_i(c), (p.contacts.arm_i[c] + p.contacts.arm_j[c]) * p.contacts.normal[c]);
   return 1 / (p.domain.area() * p.domain.thickness) * sum;
 }
 
@@ -153,7 +153,7 @@ TEST(Box, StressOfTheContactsIsThatOfTheWalls) {
 
 TEST(Box, APeriodicFillingRestsWithItsWholeWeightOnTheBottom) {
   Packing start = shaken_lattice(8, 6, 2, true);
-  start.domain.periodic_y = false;
+  start.domain.periodic[1] = false;
   for (const int side : {bottom, top}) start.domain.wall[static_cast<std::size_t>(side)].present = true;
   start.domain.wall[top].position *= 1.1;
   Engine engine(start, rough(dem::CundallStrack{}), with_step(shortest_contact_time() / 20));

@@ -110,7 +110,7 @@ Rates true_rates(const Packing& p, const dem::ContactParameters& law) {
     const auto i = static_cast<std::size_t>(p.contacts.i[contact]);
     const bool wall = p.contacts.is_wall(contact);
     const auto j = wall ? i : static_cast<std::size_t>(p.contacts.j[contact]);
-    const Vec2 e = p.contacts.normal(contact), t = perpendicular(e);
+    const Vec2 e = p.contacts.normal[contact], t = perpendicular(e);
     Eigen::VectorXd normal = Eigen::VectorXd::Zero(n), tangential = normal;
     const auto enter = [&](std::size_t grain, double sign, double arm) {
       const auto q = static_cast<Eigen::Index>(3 * grain);
@@ -141,7 +141,7 @@ TEST(StepBound, IsBelowTheTrueLimitOfCompressedSamplesOfUnequalGrains) {
       Packing p = shaken_lattice(7, 7, seed);
       for (std::size_t i = 0; i < p.grains.size(); i += 3) p.grains.radius[i] *= 0.8;
       const double d = 2 * p.grains.radius[0];  // small light grains in the corner, held by two walls
-      p.grains.x[0] = p.grains.y[0] = 0.49 * d;
+      p.grains.position[0].x = p.grains.position[0].y = 0.49 * d;
       p.grains.material[0] = hdpe;
       dem::ContactParameters law;
       law.restitution = 0.5;
@@ -153,7 +153,7 @@ TEST(StepBound, IsBelowTheTrueLimitOfCompressedSamplesOfUnequalGrains) {
       engine.set_drives({});
       engine.advance(20000);
       Packing rest = engine.packing();  // at rest, so that f_n/h is the stiffness
-      for (std::size_t i = 0; i < rest.grains.size(); ++i) rest.grains.vx[i] = rest.grains.vy[i] = rest.grains.omega[i] = 0;
+      for (std::size_t i = 0; i < rest.grains.size(); ++i) rest.grains.velocity[i].x = rest.grains.velocity[i].y = rest.grains.omega[i] = 0;
       const Packing still = Engine(rest, law, with_step(1e-8)).packing();
       EXPECT_GT(still.contacts.size(), 60u);
       const Rates rates = true_rates(still, law);

@@ -75,7 +75,7 @@ TEST(Stiffness, FrictionOfAWallTurnsADiskByTheArmToThePlane) {
     Engine engine(p, law, with_step(dt));
     engine.advance(10);
     const Packing now = engine.packing();
-    const double slowed = mass(p, 0) * (now.grains.vy[0] - 0.3), turned = disk_inertia(p, 0) * now.grains.omega[0];
+    const double slowed = mass(p, 0) * (now.grains.velocity[0].y - 0.3), turned = disk_inertia(p, 0) * now.grains.omega[0];
     ASSERT_LT(slowed, 0);
     EXPECT_NEAR(std::abs(turned / slowed), full ? r : r - deep, 1e-5 * r);
   }
@@ -113,9 +113,9 @@ TEST(Stiffness, ContactPointHalvesTheOverlapAndLiesOnTheWall) {
     EXPECT_NEAR(arm_0, 8.2e-3 - (full ? 0 : 1.5 * h), 1e-12);
     EXPECT_NEAR(now.contacts.arm_i[*wall], 8.2e-3 - (full ? 0 : h), 1e-12);
     EXPECT_NEAR(now.contacts.overlap[*pair], 3 * h, 1e-12);
-    const Vec2 n = now.contacts.normal(*pair);
+    const Vec2 n = now.contacts.normal[*pair];
     EXPECT_NEAR(n.x, first_is_0 ? -1 : 1, 1e-12);
-    EXPECT_NEAR(now.contacts.normal(*wall).x, 1, 1e-15);
+    EXPECT_NEAR(now.contacts.normal[*wall].x, 1, 1e-15);
   }
 }
 

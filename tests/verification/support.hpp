@@ -40,7 +40,7 @@ inline Packing box(double width, double height) {
 
 inline Packing periodic_cell(double width, double height) {
   Packing p = box(width, height);
-  p.domain.periodic_x = p.domain.periodic_y = true;
+  p.domain.periodic[0] = p.domain.periodic[1] = true;
   for (Wall& wall : p.domain.wall) wall.present = false;
   return p;
 }
@@ -49,12 +49,10 @@ inline void add(Packing& p, const Disk& disk) {
   Grains& g = p.grains;
   const std::size_t i = g.size();
   g.resize(i + 1);
-  g.x[i] = disk.centre.x;
-  g.y[i] = disk.centre.y;
+  g.position[i] = disk.centre;
   g.radius[i] = disk.radius;
   g.material[i] = disk.material;
-  g.vx[i] = disk.velocity.x;
-  g.vy[i] = disk.velocity.y;
+  g.velocity[i] = disk.velocity;
   g.omega[i] = disk.spin;
   g.zone[i] = disk.zone;
 }
@@ -65,7 +63,7 @@ inline double mass(const Packing& p, std::size_t i) {
 }
 inline double disk_inertia(const Packing& p, std::size_t i) { return 0.5 * mass(p, i) * p.grains.radius[i] * p.grains.radius[i]; }
 inline double reduced(double a, double b) { return a * b / (a + b); }
-inline Vec2 velocity(const Packing& p, std::size_t i) { return {p.grains.vx[i], p.grains.vy[i]}; }
+inline Vec2 velocity(const Packing& p, std::size_t i) { return p.grains.velocity[i]; }
 
 inline Vec2 momentum(const Packing& p) {
   Vec2 sum;
@@ -75,7 +73,7 @@ inline Vec2 momentum(const Packing& p) {
 inline double angular_momentum(const Packing& p, Vec2 about) {
   double sum = 0;
   for (std::size_t i = 0; i < p.grains.size(); ++i)
-    sum += mass(p, i) * cross(p.grains.centre(i) - about, velocity(p, i)) + disk_inertia(p, i) * p.grains.omega[i];
+    sum += mass(p, i) * cross(p.grains.position[i] - about, velocity(p, i)) + disk_inertia(p, i) * p.grains.omega[i];
   return sum;
 }
 inline double weight(const Packing& p) {

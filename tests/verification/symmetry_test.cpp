@@ -48,11 +48,9 @@ const Motion quarter_turn{"turned by a quarter",
 Packing moved_by(const Motion& motion, Packing p) {
   const double w = p.domain.width(), h = p.domain.height();
   for (std::size_t i = 0; i < p.grains.size(); ++i) {
-    const Vec2 x = motion.point(p.grains.centre(i), w, h), v = motion.vector(velocity(p, i));
-    p.grains.x[i] = x.x;
-    p.grains.y[i] = x.y;
-    p.grains.vx[i] = v.x;
-    p.grains.vy[i] = v.y;
+    const Vec2 x = motion.point(p.grains.position[i], w, h), v = motion.vector(velocity(p, i));
+    p.grains.position[i] = x;
+    p.grains.velocity[i] = v;
     p.grains.omega[i] *= motion.turning;
   }
   if (motion.swaps_axes) {
@@ -108,8 +106,8 @@ TEST(Symmetry, MovedSamplesGiveMovedResults) {
         EXPECT_GT(plain.contacts.size(), 30u);
         const double w = start.domain.width(), h = start.domain.height();
         for (std::size_t i = 0; i < plain.grains.size(); ++i) {
-          const Vec2 expected = motion.point(plain.grains.centre(i), w, h);
-          EXPECT_LT(norm(moved_run.grains.centre(i) - expected), 1e-9 * 6e-3);
+          const Vec2 expected = motion.point(plain.grains.position[i], w, h);
+          EXPECT_LT(norm(moved_run.grains.position[i] - expected), 1e-9 * 6e-3);
           EXPECT_NEAR(moved_run.grains.angle[i], motion.turning * plain.grains.angle[i], 1e-9);
         }
         for (std::size_t side = 0; side < 4; ++side) {
@@ -131,13 +129,13 @@ TEST(Symmetry, RenumberedGrainsGetTheSameForcesAndPaths) {
   shuffled.grains = {};
   for (const std::size_t i : order) {
     const Grains& g = start.grains;
-    add(shuffled, {g.centre(i), g.radius[i], g.material[i], {g.vx[i], g.vy[i]}, g.omega[i], g.zone[i]});
+    add(shuffled, {g.position[i], g.radius[i], g.material[i], g.velocity[i], g.omega[i], g.zone[i]});
   }
   for (const dem::FrictionLaw& friction : std::initializer_list<dem::FrictionLaw>{dem::RegularisedCoulomb{}, dem::CundallStrack{}}) {
     const Packing a = run(start, with(friction), drives, {0, -2000}, dem::IntegratorKind::velocity_verlet);
     const Packing b = run(shuffled, with(friction), drives, {0, -2000}, dem::IntegratorKind::velocity_verlet);
     ASSERT_EQ(a.contacts.size(), b.contacts.size());
-    for (std::size_t s = 0; s < n; ++s) EXPECT_LT(norm(b.grains.centre(s) - a.grains.centre(order[s])), 1e-9 * 6e-3);
+    for (std::size_t s = 0; s < n; ++s) EXPECT_LT(norm(b.grains.position[s] - a.grains.position[order[s]]), 1e-9 * 6e-3);
     for (std::size_t c = 0; c < b.contacts.size(); ++c) {
       const auto grain = [&](std::int32_t k) { return k < 0 ? k : static_cast<std::int32_t>(order[static_cast<std::size_t>(k)]); };
       const auto same = find_contact(a, grain(b.contacts.i[c]), grain(b.contacts.j[c]));
@@ -165,8 +163,7 @@ TEST(Symmetry, APeriodicCellDoesNotKnowWhereItsEdgesAre) {
   Packing shifted = start;
   const double w = start.domain.width(), h = start.domain.height();
   for (std::size_t i = 0; i < start.grains.size(); ++i) {
-    shifted.grains.x[i] = std::fmod(start.grains.x[i] + 0.37 * w, w);
-    shifted.grains.y[i] = std::fmod(start.grains.y[i] + 0.61 * h, h);
+    shifted.grains.position[i] = {std::fmod(start.grains.position[i].x + 0.37 * w, w), std::fmod(start.grains.position[i].y + 0.61 * h, h)};
   }
   const dem::WallDrives none{};
   const Packing a = run(start, with(dem::CundallStrack{}), none, {}, dem::IntegratorKind::velocity_verlet);
@@ -174,7 +171,7 @@ TEST(Symmetry, APeriodicCellDoesNotKnowWhereItsEdgesAre) {
   EXPECT_EQ(a.contacts.size(), b.contacts.size());
   EXPECT_GT(a.contacts.size(), 10u);
   for (std::size_t i = 0; i < a.grains.size(); ++i) {
-    const Vec2 d = b.grains.centre(i) - a.grains.centre(i) - Vec2{0.37 * w, 0.61 * h};
+    const Vec2 d = b.grains.position[i] - a.grains.position[i] - Vec2{0.37 * w, 0.61 * h};
     EXPECT_LT(norm(a.domain.nearest_image(d)), 1e-9 * 6e-3);
   }
 }
@@ -185,8 +182,8 @@ TEST(Symmetry, AUniformMotionThroughThePeriodicEdgesChangesNothing) {
   Packing drifting = start;
   const Vec2 drift{25, -80};  // m/s: a good part of the cell during the run
   for (std::size_t i = 0; i < start.grains.size(); ++i) {
-    drifting.grains.vx[i] += drift.x;
-    drifting.grains.vy[i] += drift.y;
+    drifting.grains.velocity[i].x += drift.x;
+    drifting.grains.velocity[i].y += drift.y;
   }
   const dem::WallDrives none{};
   const std::int64_t steps = 10000;
@@ -195,7 +192,7 @@ TEST(Symmetry, AUniformMotionThroughThePeriodicEdgesChangesNothing) {
   const double t = static_cast<double>(steps) * shortest_contact_time() / 100;
   EXPECT_GT(-drift.y * t, 0.4 * a.domain.height());
   for (std::size_t i = 0; i < a.grains.size(); ++i) {
-    const Vec2 d = b.grains.centre(i) - a.grains.centre(i) - t * drift;
+    const Vec2 d = b.grains.position[i] - a.grains.position[i] - t * drift;
     EXPECT_LT(norm(a.domain.nearest_image(d)), 1e-8 * 6e-3);
   }
 }
@@ -208,7 +205,7 @@ TEST(Symmetry, ACellTiltedByItsWholeWidthIsTheUprightOne) {
   const Packing a = run(start, with(dem::CundallStrack{}), none, {}, dem::IntegratorKind::velocity_verlet);
   const Packing b = run(tilted, with(dem::CundallStrack{}), none, {}, dem::IntegratorKind::velocity_verlet);
   EXPECT_EQ(a.contacts.size(), b.contacts.size());
-  for (std::size_t i = 0; i < a.grains.size(); ++i) EXPECT_LT(norm(a.domain.nearest_image(b.grains.centre(i) - a.grains.centre(i))), 1e-9 * 6e-3);
+  for (std::size_t i = 0; i < a.grains.size(); ++i) EXPECT_LT(norm(a.domain.nearest_image(b.grains.position[i] - a.grains.position[i])), 1e-9 * 6e-3);
 }
 
 }  // namespace

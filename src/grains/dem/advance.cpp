@@ -151,7 +151,7 @@ void compute_forces(Sample& s, const ThreadPool& pool) {
 }
 
 void sum_edge_forces(Sample& s, const ThreadPool& pool) {
-  if (!s.domain.periodic_x && !s.domain.periodic_y) return;
+  if (!s.domain.periodic[0] && !s.domain.periodic[1]) return;
   const Tensor2 sum = sum_of_moments(s, pool);
   const auto give = [](Wall& low, Wall& high, double normal, double tangential) {
     low.force = high.force = normal;
@@ -159,8 +159,8 @@ void sum_edge_forces(Sample& s, const ThreadPool& pool) {
     low.shear_force = -tangential;
   };
   auto& w = s.domain.wall;
-  if (s.domain.periodic_x) give(w[left], w[right], sum.xx / s.domain.width(), sum.yx / s.domain.width());
-  if (s.domain.periodic_y) give(w[bottom], w[top], sum.yy / s.domain.height(), sum.xy / s.domain.height());
+  if (s.domain.periodic[0]) give(w[left], w[right], sum.xx / s.domain.width(), sum.yx / s.domain.width());
+  if (s.domain.periodic[1]) give(w[bottom], w[top], sum.yy / s.domain.height(), sum.xy / s.domain.height());
 }
 
 void Engine::advance(std::int64_t steps) {

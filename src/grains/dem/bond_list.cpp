@@ -33,11 +33,11 @@ void tune_dashpots(const Sample& s, BondSlot& b, double share) {
 /// Cells to the image that is nearest, by the vector from the thing itself.
 Cells nearest_image(const Sample& s, Vec2 d) {
   Cells shift;
-  if (s.domain.periodic_y) {
+  if (s.domain.periodic[1]) {
     shift.y = static_cast<std::int32_t>(std::nearbyint(d.y / s.domain.height()));
     d.x -= shift.y * s.domain.tilt;
   }
-  if (s.domain.periodic_x) shift.x = static_cast<std::int32_t>(std::nearbyint(d.x / s.domain.width()));
+  if (s.domain.periodic[0]) shift.x = static_cast<std::int32_t>(std::nearbyint(d.x / s.domain.width()));
   return shift;
 }
 

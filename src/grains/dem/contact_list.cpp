@@ -18,24 +18,24 @@ bool are_near(const Sample& s, const DiskRecord& a, const DiskRecord& b) {
 
 /// Partners of disk k that come after it: disks are sorted by cell, so they are the rest of its cell and the next one, and three cells of the row
 /// above.
-void find_near_disks(const Sample& s, const geometry::CellGrid& grid, const geometry::SortedCells& cells, std::size_t k, std::vector<std::int32_t>& near) {
+void find_near_disks(const Sample& s, const geometry::CellGrid<2>& grid, const geometry::SortedCells& cells, std::size_t k, std::vector<std::int32_t>& near) {
   const DiskRecord& a = s.record[k];
-  const std::int32_t row = grid.row(a.place.y), column = grid.column(a.place.x);
-  const std::int32_t from = std::max(column - 1, 0), to = std::min(column + 1, grid.columns - 1);
+  const std::int32_t row = grid.along(1, a.place.y), column = grid.along(0, a.place.x);
+  const std::int32_t from = std::max(column - 1, 0), to = std::min(column + 1, grid.count[0] - 1);
   const auto look_at = [&](std::int32_t begin, std::int32_t end) {
     for (std::int32_t j = begin; j < end; ++j)
       if (are_near(s, a, s.record[j])) near.push_back(j);
   };
-  const auto first_of = [&](std::int32_t r, std::int32_t c) { return cells.first[r * grid.columns + c]; };
+  const auto first_of = [&](std::int32_t r, std::int32_t c) { return cells.first[r * grid.count[0] + c]; };
   look_at(static_cast<std::int32_t>(k) + 1, first_of(row, to + 1));
-  if (row + 1 < grid.rows) look_at(first_of(row + 1, from), first_of(row + 1, to + 1));
+  if (row + 1 < grid.count[1]) look_at(first_of(row + 1, from), first_of(row + 1, to + 1));
 }
 
 /// Ghosts near disk k, in any cell around its own.
-void find_near_ghosts(const Sample& s, const geometry::CellGrid& grid, const geometry::SortedCells& ghosts, std::size_t k, std::vector<std::int32_t>& near) {
+void find_near_ghosts(const Sample& s, const geometry::CellGrid<2>& grid, const geometry::SortedCells& ghosts, std::size_t k, std::vector<std::int32_t>& near) {
   const DiskRecord& a = s.record[k];
   const auto begin = static_cast<std::ptrdiff_t>(near.size());
-  ghosts.for_near(grid, a.place.x, a.place.y, [&](std::int32_t j) {
+  ghosts.for_near(grid, a.place, [&](std::int32_t j) {
     if (are_near(s, a, s.record[j])) near.push_back(j);
   });
   std::sort(near.begin() + begin, near.end());
@@ -49,10 +49,10 @@ constexpr std::size_t disks_of_block = 64;
 
 /// The partners of all disks, block by block: what a block finds does not depend on who searches it.
 std::vector<Found> find_partners(const Sample& s, const ThreadPool& pool) {
-  const geometry::CellGrid grid = cells_of(s);
+  const auto grid = cells_of(s);
   const std::size_t n = s.count;
-  const auto cell_of = [&](std::size_t k) { return grid.cell(s.record[k].place.x, s.record[k].place.y); };
-  const geometry::SortedCells inner(grid, 0, n, cell_of), images(grid, n, s.record.size(), cell_of);
+  const auto cell_of = [&](std::size_t k) { return grid.cell(s.record[k].place); };
+  const geometry::SortedCells inner(grid.size(), 0, n, cell_of), images(grid.size(), n, s.record.size(), cell_of);
   // Ghosts lie beyond the right and the upper edge.
   const double reach = reach_of(s), right_zone = s.domain.wall[right].position - reach, upper_zone = s.domain.wall[top].position - reach;
   std::vector<Found> blocks((n + disks_of_block - 1) / disks_of_block);
@@ -189,12 +189,12 @@ void make_ghosts(Sample& s) {
   s.record.resize(s.count);
   const double reach = reach_of(s);
   const auto& w = s.domain.wall;
-  const int up = s.domain.periodic_y ? 1 : 0, across = s.domain.periodic_x ? 1 : 0;
+  const int up = s.domain.periodic[1] ? 1 : 0, across = s.domain.periodic[0] ? 1 : 0;
   for (int iy = 0; iy <= up; ++iy)
     for (int ix = iy == 0 ? 1 : -across; ix <= across; ++ix)
       for (std::size_t k = 0; k < s.count; ++k) {
         const double x = s.record[k].place.x + ix * s.domain.width() + iy * s.domain.tilt, y = s.record[k].place.y + iy * s.domain.height();
-        const bool near_x = !s.domain.periodic_x || (x > w[left].position - reach && x < w[right].position + reach);
+        const bool near_x = !s.domain.periodic[0] || (x > w[left].position - reach && x < w[right].position + reach);
         if (near_x && y < w[top].position + reach) s.ghost.push_back({static_cast<std::int32_t>(k), {ix, iy}});
       }
   s.record.resize(s.count + s.ghost.size());

@@ -51,11 +51,11 @@ void add_to_cell(const Sample& s, Vec2 branch, int rows, Vec2 force, Vec2 dash, 
     shear.dash -= rows * dash.x;
     shear.slip -= rows * slip.x;
   }
-  if (s.domain.periodic_x) {
+  if (s.domain.periodic[0]) {
     shot.edge[left].dash -= dash.x * branch.x / s.domain.width();
     shot.edge[left].slip -= slip.x * branch.x / s.domain.width();
   }
-  if (s.domain.periodic_y) {
+  if (s.domain.periodic[1]) {
     shot.edge[bottom].dash -= dash.y * branch.y / s.domain.height();
     shot.edge[bottom].slip -= slip.y * branch.y / s.domain.height();
   }
@@ -65,7 +65,7 @@ void add_contacts(const Sample& s, Snapshot& shot) {
   const ContactList& list = s.list;
   shot.springs = rolling_energy(s);
   // What disks in a box have none of is not looked for at each of their contacts.
-  const bool has_levers = !s.part.empty(), in_cell = s.domain.periodic_x || s.domain.periodic_y, coheres = !list.pull.empty(), shears = s.shear_rate != 0;
+  const bool has_levers = !s.part.empty(), in_cell = s.domain.periodic[0] || s.domain.periodic[1], coheres = !list.pull.empty(), shears = s.shear_rate != 0;
   s.laws.visit([&]<class N, class A, class F>(const N& normal, const A& adhesion, const F& friction) {
     for (std::size_t p = 0; p < list.size(); ++p) {
       const Kinematics c = p < list.pairs ? pair_kinematics(s.record[list.i[p]], s.record[list.j[p]], s.contact.arms) : slot_kinematics(s, p);
@@ -134,7 +134,7 @@ Snapshot take(const Sample& s) {
   add_contacts(s, shot);
   add_bonds(s, shot);
   for (const int low : {left, bottom}) {
-    if (!s.domain.periodic(low)) continue;
+    if (!s.domain.is_periodic(low)) continue;
     shot.edge[low + 1].dash = -shot.edge[low].dash;
     shot.edge[low + 1].slip = -shot.edge[low].slip;
   }

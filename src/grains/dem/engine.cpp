@@ -115,7 +115,7 @@ void Engine::set_mass_scaling(MassScaling masses) {
 void Engine::set_shear_rate(double rate) {
   Sample& s = machine_->sample;
   if (rate == s.shear_rate) return;
-  if (!s.domain.periodic_x || !s.domain.periodic_y) throw InputError("a cell that is sheared must be periodic in x and y");
+  if (!s.domain.periodic[0] || !s.domain.periodic[1]) throw InputError("a cell that is sheared must be periodic in x and y");
   check_still_cell(s, {}, true);
   synchronise(s);
   change_shear_rate(s, rate);

@@ -29,7 +29,7 @@ void check_places(const Sample& s) {
 }
 
 void wrap(Sample& s) {
-  if (s.domain.periodic_x) s.domain.tilt -= std::round(s.domain.tilt / s.domain.width()) * s.domain.width();
+  if (s.domain.periodic[0]) s.domain.tilt -= std::round(s.domain.tilt / s.domain.width()) * s.domain.width();
   for (std::size_t k = 0; k < s.count; ++k)
     if (!is_part(s, k)) wrap_over_sides(s, s.record[k].mass, s.record[k].place, s.vx[k], s.record[k].velocity);
 }
@@ -42,9 +42,8 @@ template <class T> void permute(std::vector<T>& values, const std::vector<std::i
 
 /// Returns the former number of every disk.
 std::vector<std::int32_t> sort_by_cell(Sample& s) {
-  const geometry::CellGrid grid = cells_of(s);
-  std::vector<std::int32_t> order =
-      geometry::SortedCells(grid, 0, s.count, [&](std::size_t k) { return grid.cell(s.record[k].place.x, s.record[k].place.y); }).item;
+  const auto grid = cells_of(s);
+  std::vector<std::int32_t> order = geometry::SortedCells(grid.size(), 0, s.count, [&](std::size_t k) { return grid.cell(s.record[k].place); }).item;
   s.record.resize(s.count);
   permute(s.record, order);
   for (auto* a : {&s.vx, &s.vy, &s.omega, &s.angle, &s.ax, &s.ay, &s.alpha}) permute(*a, order);
@@ -100,7 +99,7 @@ void wrap_over_sides(Sample& s, double mass, Vec2& place, double& own_x, Vec2& s
   const auto& w = s.domain.wall;
   const double width = s.domain.width(), height = s.domain.height();
   const CellMotion cell = cell_motion(s.domain);
-  if (s.domain.periodic_y) {
+  if (s.domain.periodic[1]) {
     const double n = std::floor((place.y - w[bottom].position) / height);
     const double y = place.y - n * height, faster = -n * s.shear_rate * height;
     seen.y += cell.y.at(y) - cell.y.at(place.y);
@@ -112,7 +111,7 @@ void wrap_over_sides(Sample& s, double mass, Vec2& place, double& own_x, Vec2& s
       seen.x += faster;
     }
   }
-  if (s.domain.periodic_x) {
+  if (s.domain.periodic[0]) {
     const double x = place.x - std::floor((place.x - w[left].position) / width) * width;
     seen.x += cell.x.at(x) - cell.x.at(place.x);
     place.x = x;
@@ -145,7 +144,7 @@ void rebuild_list(Sample& s, const ThreadPool& pool) {
   carry_over(s, s.former, was, pool);
 }
 
-geometry::CellGrid cells_of(const Sample& s) {
+geometry::Box<2> room_of(const Sample& s) {
   const auto& w = s.domain.wall;
   std::array<double, 4> edge{w[left].position, w[right].position, w[bottom].position, w[top].position};
   for (int side = 0; side < 4; ++side) {
@@ -154,7 +153,7 @@ geometry::CellGrid cells_of(const Sample& s) {
     for (std::size_t k = 0; k < s.count; ++k) beyond = std::max(beyond, -s.domain.depth(side, s.record[k].place));
     edge[side] -= inward_sign(side) * std::min(beyond, side < bottom ? s.domain.width() : s.domain.height());
   }
-  return {edge[left], edge[bottom], edge[right] - edge[left], edge[top] - edge[bottom], reach_of(s)};
+  return {{edge[left], edge[bottom]}, {edge[right] - edge[left], edge[top] - edge[bottom]}};
 }
 
 void number_held(Sample& s) {
@@ -191,7 +190,7 @@ void hold_grains(Sample& s) {
 
 double list_leeway(const Sample& s) {
   for (int side = 0; side < 4; ++side)
-    if (!s.domain.periodic(side) && std::abs(s.domain.wall[side].position - s.listed_domain.wall[side].position) > 0.5 * s.skin) return 0;
+    if (!s.domain.is_periodic(side) && std::abs(s.domain.wall[side].position - s.listed_domain.wall[side].position) > 0.5 * s.skin) return 0;
   if (farthest_moved(s.listed_domain, s.domain) > 0.5 * s.skin) return 0;
   const CellFrame then = cell_frame(s.listed_domain), now = cell_frame(s.domain);
   const double growth = std::abs(now.x.growth(then.x)) + std::abs(now.y.growth(then.y));

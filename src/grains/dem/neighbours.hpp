@@ -27,7 +27,8 @@ void hold_grains(Sample& sample);
 double list_leeway(const Sample& sample);
 
 /// Cells as wide as the list reaches, over the frame; beyond an open side as far as there are disks, but at most the frame's own size.
-geometry::CellGrid cells_of(const Sample& sample);
+geometry::Box<2> room_of(const Sample& sample);
+inline geometry::CellGrid<2> cells_of(const Sample& sample) { return {room_of(sample), reach_of(sample)}; }
 
 /// Makes the images of the disks near the right and the upper edge of a periodic cell; all others are the same pairs seen from the other side. The
 /// images' records come behind those of the disks.

@@ -172,8 +172,8 @@ struct CellMotion {
 };
 inline AffineMotion affine_between(const Wall& a, const Wall& b) { return {a.position, a.velocity, (b.velocity - a.velocity) / (b.position - a.position)}; }
 inline CellMotion cell_motion(const Domain& d) {
-  return {d.periodic_x ? affine_between(d.wall[left], d.wall[right]) : AffineMotion{},
-          d.periodic_y ? affine_between(d.wall[bottom], d.wall[top]) : AffineMotion{}};
+  return {d.periodic[0] ? affine_between(d.wall[left], d.wall[right]) : AffineMotion{},
+          d.periodic[1] ? affine_between(d.wall[bottom], d.wall[top]) : AffineMotion{}};
 }
 
 /// Where the periodic cell is, one direction each; nothing moves with it along a side that is not periodic.
@@ -187,15 +187,17 @@ struct CellAxis {
 struct CellFrame {
   CellAxis x, y;
 };
-inline CellFrame cell_frame(const Domain& d) { return {{d.periodic_x, d.wall[left].position, d.width()}, {d.periodic_y, d.wall[bottom].position, d.height()}}; }
+inline CellFrame cell_frame(const Domain& d) {
+  return {{d.periodic[0], d.wall[left].position, d.width()}, {d.periodic[1], d.wall[bottom].position, d.height()}};
+}
 
 /// From a place to its image some cells on, m, and how fast that moves past it, m/s.
 inline Vec2 image_place(const Sample& s, Cells shift) { return {shift.x * s.domain.width() + shift.y * s.domain.tilt, shift.y * s.domain.height()}; }
 inline Vec2 image_velocity(const Sample& s, Cells shift) {
   if ((shift.x | shift.y) == 0) return {};
   const auto& w = s.domain.wall;
-  const double stretch_x = s.domain.periodic_x ? w[right].velocity - w[left].velocity : 0;
-  const double stretch_y = s.domain.periodic_y ? w[top].velocity - w[bottom].velocity : 0;
+  const double stretch_x = s.domain.periodic[0] ? w[right].velocity - w[left].velocity : 0;
+  const double stretch_y = s.domain.periodic[1] ? w[top].velocity - w[bottom].velocity : 0;
   return {shift.x * stretch_x + shift.y * (s.domain.tilt * stretch_x / s.domain.width() + s.shear_rate * s.domain.height()), shift.y * stretch_y};
 }
 

@@ -67,11 +67,12 @@ void check_packing(Problems& problems, const Packing& start, bool by_moduli) {
   const Grains& g = start.grains;
   for (std::size_t k = 0; k < g.size(); ++k) {
     problems.unless(positive(g.radius[k]), "radius {} m of grain {} must be above 0", g.radius[k], g.id[k]);
-    problems.unless(std::isfinite(g.x[k] + g.y[k] + g.vx[k] + g.vy[k] + g.omega[k]), "grain {} has a coordinate or velocity that is not a number", g.id[k]);
+    problems.unless(std::isfinite(g.position[k].x + g.position[k].y + g.velocity[k].x + g.velocity[k].y + g.omega[k]),
+                    "grain {} has a coordinate or velocity that is not a number", g.id[k]);
     problems.unless(g.material[k] >= 0 && static_cast<std::size_t>(g.material[k]) < start.materials.size(),
                     "material {} of grain {} is not among the {} materials", g.material[k], g.id[k], start.materials.size());
     bool inside = true;
-    for (int side = 0; side < 4; ++side) inside = inside && (!domain.wall[side].present || domain.depth(side, g.centre(k)) >= 0);
+    for (int side = 0; side < 4; ++side) inside = inside && (!domain.wall[side].present || domain.depth(side, g.position[k]) >= 0);
     problems.unless(inside, "the centre of grain {} is outside of the container", g.id[k]);
   }
 }
@@ -86,9 +87,9 @@ void place_disks(Sample& s) {
   for (std::size_t k = 0; k < s.count; ++k) {
     const double r = g.radius[k];
     s.omega[k] = s.integration.rotations ? g.omega[k] : 0.0;
-    s.record[k] = {g.centre(k), g.velocity(k), s.omega[k], r, 0, g.material[k], static_cast<std::int32_t>(k)};
+    s.record[k] = {g.position[k], g.velocity[k], s.omega[k], r, 0, g.material[k], static_cast<std::int32_t>(k)};
     s.record[k].mass = own_mass(s, k);
-    const Vec2 own = g.velocity(k) - cell.at(g.centre(k));
+    const Vec2 own = g.velocity[k] - cell.at(g.position[k]);
     s.vx[k] = own.x;
     s.vy[k] = own.y;
     s.angle[k] = g.angle[k];
@@ -102,9 +103,9 @@ void place_disks(Sample& s) {
 void check_cell(const Sample& s) {
   Problems problems;
   const double needed = std::max(2.0 * reach_of(s), cell_for_bodies(s));
-  problems.unless(!s.domain.periodic_x || s.domain.width() >= needed, "a periodic cell {} m wide is too narrow for its grains; {} m would do", s.domain.width(),
-                  needed);
-  problems.unless(!s.domain.periodic_y || s.domain.height() >= needed, "a periodic cell {} m high is too low for its grains; {} m would do", s.domain.height(),
+  problems.unless(!s.domain.periodic[0] || s.domain.width() >= needed, "a periodic cell {} m wide is too narrow for its grains; {} m would do",
+                  s.domain.width(), needed);
+  problems.unless(!s.domain.periodic[1] || s.domain.height() >= needed, "a periodic cell {} m high is too low for its grains; {} m would do", s.domain.height(),
                   needed);
   problems.raise();
 }
@@ -156,7 +157,7 @@ void recall_bonds(Sample& s) {
 void clear_periodic_walls(Domain& domain) {
   for (int side = 0; side < 4; ++side) {
     Wall& wall = domain.wall[side];
-    wall = {wall.present && !domain.periodic(side), wall.position};
+    wall = {wall.present && !domain.is_periodic(side), wall.position};
   }
 }
 

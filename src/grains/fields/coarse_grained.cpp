@@ -39,8 +39,8 @@ geometry::Rectangle moved(const geometry::Rectangle& r, Vec2 by) { return {r.x_m
 /// How fast an image of the cell moves against the cell itself.
 Vec2 image_velocity(const Domain& domain, const CoarseGraining& choice, const ImageShift& image) {
   const auto rate = [&](int low, int high) { return domain.wall[high].velocity - domain.wall[low].velocity; };
-  const double wider = domain.periodic_x ? rate(left, right) : 0, higher = domain.periodic_y ? rate(bottom, top) : 0;
-  const double tilting = choice.tilt_rate.value_or(domain.periodic_x ? domain.tilt * wider / domain.width() : 0);
+  const double wider = domain.periodic[0] ? rate(left, right) : 0, higher = domain.periodic[1] ? rate(bottom, top) : 0;
+  const double tilting = choice.tilt_rate.value_or(domain.periodic[0] ? domain.tilt * wider / domain.width() : 0);
   return {image.columns * wider + image.rows * tilting, image.rows * higher};
 }
 
@@ -48,10 +48,10 @@ Vec2 image_velocity(const Domain& domain, const CoarseGraining& choice, const Im
 template <class Visit>
 void for_points_near(const Packing& packing, std::size_t g, const Grid& grid, const CoarseGraining& choice, double reach, Visit&& visit) {
   const Grains& grains = packing.grains;
-  const geometry::Rectangle extent = around(grains.centre(g), grains.centre(g), reach);
+  const geometry::Rectangle extent = around(grains.position[g], grains.position[g], reach);
   for_each_image(packing.domain, extent, grid.bounds, [&](const ImageShift& image) {
-    const Vec2 centre = grains.centre(g) + image.shift;
-    const Vec2 velocity = grains.velocity(g) + image_velocity(packing.domain, choice, image);
+    const Vec2 centre = grains.position[g] + image.shift;
+    const Vec2 velocity = grains.velocity[g] + image_velocity(packing.domain, choice, image);
     for_points_in(grid, moved(extent, image.shift), [&](std::size_t k, Vec2 point) {
       if (const Vec2 d = point - centre; dot(d, d) < reach * reach) visit(k, d, velocity);
     });
@@ -101,7 +101,7 @@ void add_contacts(const Packing& packing, const Kernel& kernel, CoarseFields& fi
   const Contacts& contacts = packing.contacts;
   const double length = packing.domain.thickness;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
-    const Vec2 start = packing.grains.centre(contacts.i[c]), force = contacts.force_on_i(c) / length;
+    const Vec2 start = packing.grains.position[contacts.i[c]], force = contacts.force_on_i(c) / length;
     const Vec2 branch = contacts.branch(c);
     const Tensor2 moment = outer(force, branch);
     const geometry::Rectangle extent = around(start, start + branch, kernel.reach());

@@ -35,7 +35,7 @@ std::vector<Candidate> candidates(const Contacts& contacts, const std::vector<Gr
     const GrainCompression& a = grains[contacts.i[c]];
     const GrainCompression& b = grains[contacts.j[c]];
     if (!(a.major > threshold && b.major > threshold)) continue;
-    const double at_i = dot(a.direction, -contacts.normal(c)), at_j = dot(b.direction, contacts.normal(c));
+    const double at_i = dot(a.direction, -contacts.normal[c]), at_j = dot(b.direction, contacts.normal[c]);
     if (std::abs(at_i) < least_cosine || std::abs(at_j) < least_cosine) continue;
     found.push_back({std::abs(at_i) + std::abs(at_j), static_cast<std::int32_t>(c), static_cast<std::int8_t>(at_i > 0), static_cast<std::int8_t>(at_j > 0)});
   }

@@ -20,16 +20,15 @@ constexpr std::size_t least_columns = 8;  // that a line is laid through
 
 /// Grains that hang together, turned so that gravity points down.
 struct Body {
-  std::vector<double> x, y, radius;
+  std::vector<Vec2> centre;
+  std::vector<double> radius;
 };
 
 std::vector<std::size_t> largest_set(const Grains& g, double gap) {
-  const auto pair = [](const std::vector<double>& v) { return std::minmax_element(v.begin(), v.end()); };
-  const auto [x0, x1] = pair(g.x);
-  const auto [y0, y1] = pair(g.y);
+  const geometry::Rectangle box = geometry::bounds(g.position);
   const double rim = *std::max_element(g.radius.begin(), g.radius.end()) + gap;
   JoinedSets sets(g.size());
-  for (const auto& p : geometry::close_pairs(g.x, g.y, g.radius, {*x0 - rim, *y0 - rim, *x1 - *x0 + 2 * rim, *y1 - *y0 + 2 * rim, false, false}, gap))
+  for (const auto& p : geometry::close_pairs(g.position, g.radius, {{box.x_min - rim, box.y_min - rim}, {box.width() + 2 * rim, box.height() + 2 * rim}}, gap))
     sets.join(p.i, p.j);
   std::vector<std::vector<std::size_t>> members(g.size());
   for (std::size_t k = 0; k < g.size(); ++k) members[sets.find(static_cast<std::int32_t>(k))].push_back(k);
@@ -40,8 +39,7 @@ Body body_of(const Packing& packing, Vec2 up, double gap) {
   Body body;
   const Grains& g = packing.grains;
   for (const std::size_t k : largest_set(g, gap)) {
-    body.x.push_back(g.x[k] * up.y - g.y[k] * up.x);
-    body.y.push_back(g.x[k] * up.x + g.y[k] * up.y);
+    body.centre.push_back({cross(g.position[k], up), dot(g.position[k], up)});
     body.radius.push_back(g.radius[k]);
   }
   return body;
@@ -51,12 +49,13 @@ Body body_of(const Packing& packing, Vec2 up, double gap) {
 void trace_rim(const Body& body, double width, FreeSurface& surface) {
   const auto columns = static_cast<std::size_t>(std::max(1.0, std::floor((surface.right - surface.left) / width)));
   std::vector<double> rim(columns, -std::numeric_limits<double>::infinity());
-  for (std::size_t k = 0; k < body.x.size(); ++k) {
-    const double first = (body.x[k] - body.radius[k] - surface.left) / width - 0.5, last = (body.x[k] + body.radius[k] - surface.left) / width - 0.5;
+  for (std::size_t k = 0; k < body.centre.size(); ++k) {
+    const double first = (body.centre[k].x - body.radius[k] - surface.left) / width - 0.5,
+                 last = (body.centre[k].x + body.radius[k] - surface.left) / width - 0.5;
     for (auto c = static_cast<std::ptrdiff_t>(std::max(0.0, std::ceil(first))); c <= last && c < static_cast<std::ptrdiff_t>(columns); ++c) {
-      const double off = surface.left + (static_cast<double>(c) + 0.5) * width - body.x[k];
+      const double off = surface.left + (static_cast<double>(c) + 0.5) * width - body.centre[k].x;
       auto& highest = rim[c];
-      highest = std::max(highest, body.y[k] + std::sqrt(std::max(0.0, body.radius[k] * body.radius[k] - off * off)));
+      highest = std::max(highest, body.centre[k].y + std::sqrt(std::max(0.0, body.radius[k] * body.radius[k] - off * off)));
     }
   }
   for (std::size_t c = 0; c < columns; ++c) {
@@ -129,14 +128,14 @@ FreeSurface find_free_surface(const Packing& packing, Vec2 gravity, const Surfac
   FreeSurface surface;
   for (const double r : packing.grains.radius) surface.diameter += 2 * r / static_cast<double>(packing.grains.size());
   const Body body = body_of(packing, -1.0 / g * gravity, options.gap * surface.diameter);
-  surface.grains = body.x.size();
+  surface.grains = body.centre.size();
   surface.left = surface.bottom = HUGE_VAL;
   surface.right = surface.top = -HUGE_VAL;
-  for (std::size_t k = 0; k < body.x.size(); ++k) {
-    surface.left = std::min(surface.left, body.x[k] - body.radius[k]);
-    surface.right = std::max(surface.right, body.x[k] + body.radius[k]);
-    surface.bottom = std::min(surface.bottom, body.y[k] - body.radius[k]);
-    surface.top = std::max(surface.top, body.y[k] + body.radius[k]);
+  for (std::size_t k = 0; k < body.centre.size(); ++k) {
+    surface.left = std::min(surface.left, body.centre[k].x - body.radius[k]);
+    surface.right = std::max(surface.right, body.centre[k].x + body.radius[k]);
+    surface.bottom = std::min(surface.bottom, body.centre[k].y - body.radius[k]);
+    surface.top = std::max(surface.top, body.centre[k].y + body.radius[k]);
   }
   trace_rim(body, surface.diameter, surface);
   if (!surface.place.empty()) measure_flanks(surface, options);

@@ -68,8 +68,8 @@ Walk walk_from(const Network& net, std::size_t start, std::vector<std::uint8_t>&
 /// which is shorter than the smaller periodic side.
 double half_the_cell(const Domain& domain) {
   double length = std::numeric_limits<double>::infinity();
-  if (domain.periodic_x) length = std::min(length, domain.width());
-  if (domain.periodic_y) length = std::min(length, domain.height());
+  if (domain.periodic[0]) length = std::min(length, domain.width());
+  if (domain.periodic[1]) length = std::min(length, domain.height());
   return length / 2;
 }
 

@@ -22,15 +22,15 @@ Vec2 times(const Tensor2& a, Vec2 b) { return {a.xx * b.x + a.xy * b.y, a.yx * b
 /// What the cell makes of a vector between two states: x stretched by the width, y by the height, and sheared by what the tilt gained.
 /// Along sides that are not periodic nothing is known and nothing needed: there no image is chosen.
 Tensor2 cell_motion(const Domain& before, const Domain& after) {
-  const double wider = before.periodic_x ? after.width() / before.width() : 1;
-  if (!before.periodic_y) return {wider, 0, 0, 1};
+  const double wider = before.periodic[0] ? after.width() / before.width() : 1;
+  if (!before.periodic[1]) return {wider, 0, 0, 1};
   return {wider, (after.tilt - wider * before.tilt) / before.height(), 0, after.height() / before.height()};
 }
 
 void check(const Packing& before, const Packing& after) {
   if (before.grains.size() != after.grains.size())
     throw InputError(fmt::format("states of {} and {} grains; compare states of the same grains", before.grains.size(), after.grains.size()));
-  if (before.domain.periodic_x != after.domain.periodic_x || before.domain.periodic_y != after.domain.periodic_y)
+  if (before.domain.periodic[0] != after.domain.periodic[0] || before.domain.periodic[1] != after.domain.periodic[1])
     throw InputError("one state is periodic along a side where the other has walls; compare states of one sample");
 }
 
@@ -42,13 +42,13 @@ struct Neighbour {
 /// Of every grain, near images included.
 std::vector<std::vector<Neighbour>> neighbours_within(const Packing& packing, double range) {
   const std::size_t n = packing.grains.size();
-  const PeriodicImages images = images_of(packing.grains.x, packing.grains.y, std::vector<double>(n, range / 2), packing.domain, 0);
+  const PeriodicImages images = images_of(packing.grains.position, std::vector<double>(n, range / 2), packing.domain, 0);
   std::vector<std::vector<Neighbour>> list(n);
   for (const auto [first, second] : images.close_pairs(0)) {
     const auto a = static_cast<std::size_t>(first), b = static_cast<std::size_t>(second);
     const auto of_a = static_cast<std::size_t>(images.of[a]), of_b = static_cast<std::size_t>(images.of[b]);
     if (of_a == of_b) continue;  // a grain and its own image say what the cell did, not what its neighbours did
-    const Vec2 separation{images.x[b] - images.x[a], images.y[b] - images.y[a]};
+    const Vec2 separation = images.centre[b] - images.centre[a];
     if (a < n) list[a].push_back({of_b, separation});
     if (b < n) list[b].push_back({of_a, -separation});
   }
@@ -91,7 +91,7 @@ LocalDeformation local_deformation(const Packing& before, const Packing& after, 
     for (const Neighbour& k : list[g]) {
       const Vec2 carried = times(motion, k.separation);
       from.push_back(k.separation);
-      to.push_back(carried + after.domain.nearest_image(after.grains.centre(k.grain) - after.grains.centre(g) - carried));
+      to.push_back(carried + after.domain.nearest_image(after.grains.position[k.grain] - after.grains.position[g] - carried));
     }
     out.neighbours[g] = static_cast<std::int32_t>(from.size());
     const Tensor2 f = best_gradient(from, to);
@@ -113,10 +113,10 @@ AffineFit affine_fit(const Packing& before, const Packing& after) {
   const Tensor2 motion = cell_motion(before.domain, after.domain);
   std::vector<Vec2> from, to;
   for (std::size_t g = 0; g < before.grains.size(); ++g) {
-    from.push_back(before.grains.centre(g));
+    from.push_back(before.grains.position[g]);
     // Carried along by the cell and by the first grain: the images are those nearest to that.
-    const Vec2 start = g == 0 ? after.grains.centre(0) : to.front(), carried = start + times(motion, from[g] - from.front());
-    to.push_back(carried + after.domain.nearest_image(after.grains.centre(g) - carried));
+    const Vec2 start = g == 0 ? after.grains.position[0] : to.front(), carried = start + times(motion, from[g] - from.front());
+    to.push_back(carried + after.domain.nearest_image(after.grains.position[g] - carried));
   }
   const Vec2 middle = mean_of(from), middle_after = mean_of(to);
   for (Vec2& p : from) p = p - middle;

@@ -14,14 +14,14 @@ namespace {
 using std::numbers::pi;
 constexpr std::size_t fewest_small = 10;
 
-geometry::Box set_box(Domain& domain, double side) {
+geometry::Box<2> set_box(Domain& domain, double side) {
   for (int s = 0; s < 4; ++s) {
     domain.wall[s] = Wall{};
-    domain.wall[s].present = !domain.periodic(s);
+    domain.wall[s].present = !domain.is_periodic(s);
   }
   domain.wall[right].position = domain.wall[top].position = side;
   domain.tilt = 0;
-  return {0, 0, side, side, domain.periodic_x, domain.periodic_y};
+  return {{}, {side, side}, domain.periodic};
 }
 
 CutNormal law_of(const BidisperseParameters& p, double mean) {
@@ -47,8 +47,7 @@ void hand_over(const TwoClasses& classes, Grains& grains) {
   grains = {};
   grains.resize(classes.disks.size());
   for (std::size_t i = 0; i < grains.size(); ++i) {
-    grains.x[i] = classes.disks[i].centre.x;
-    grains.y[i] = classes.disks[i].centre.y;
+    grains.position[i] = classes.disks[i].centre;
     grains.radius[i] = classes.disks[i].radius;
     grains.material[i] = i < classes.large ? 0 : 1;
   }
@@ -84,7 +83,7 @@ void check(const BidisperseParameters& p) {
   problems.raise();
 }
 
-TwoClasses sample_two_classes(const BidisperseParameters& p, const geometry::Box& box, double gap, std::uint64_t seed, std::uint64_t attempt) {
+TwoClasses sample_two_classes(const BidisperseParameters& p, const geometry::Box<2>& box, double gap, std::uint64_t seed, std::uint64_t attempt) {
   TwoClasses classes;
   classes.gap = gap;
   FreeSpace space(box, gap);
@@ -116,7 +115,7 @@ BidisperseReport sample_bidisperse(Packing& packing, const BidisperseParameters&
   check(p);
   const double side = std::sqrt(p.box_area * pi) * p.large_radius;
   Domain domain = packing.domain;
-  const geometry::Box box = set_box(domain, side);
+  const geometry::Box<2> box = set_box(domain, side);
   TwoClasses classes = find_gap(p, box, seed);
 
   BidisperseReport report;

@@ -22,24 +22,24 @@ struct Disk {
 class DiskCells {
  public:
   /// Cells about as wide as `size`, m.
-  DiskCells(const geometry::Box& box, double size) : box_(box), grid_(box.x0, box.y0, box.width, box.height, size, 20000), first_(grid_.size(), -1) {}
+  DiskCells(const geometry::Box<2>& box, double size) : box_(box), grid_(box, size, 20000), first_(grid_.size(), -1) {}
 
   void add(const Disk& disk);
   double largest() const { return largest_; }
 
   /// Whether `holds(image)` is true for any disk whose image may lie nearer to `point` than `reach`, centre to centre.
   template <class Predicate> bool any_near(Vec2 point, double reach, Predicate holds) const {
-    int row0 = grid_.free_row(point.y - reach), row1 = grid_.free_row(point.y + reach);
-    int column0 = grid_.free_column(point.x - reach), column1 = grid_.free_column(point.x + reach);
-    if (!box_.periodic_y) row0 = std::max(row0, 0), row1 = std::min(row1, grid_.rows - 1);
-    if (!box_.periodic_x) column0 = std::max(column0, 0), column1 = std::min(column1, grid_.columns - 1);
+    int row0 = grid_.free_along(1, point.y - reach), row1 = grid_.free_along(1, point.y + reach);
+    int column0 = grid_.free_along(0, point.x - reach), column1 = grid_.free_along(0, point.x + reach);
+    if (!box_.periodic[1]) row0 = std::max(row0, 0), row1 = std::min(row1, grid_.count[1] - 1);
+    if (!box_.periodic[0]) column0 = std::max(column0, 0), column1 = std::min(column1, grid_.count[0] - 1);
     for (int r = row0; r <= row1; ++r) {
-      const int turns_y = floor_divide(r, grid_.rows), cell_row = r - turns_y * grid_.rows;
+      const int turns_y = floor_divide(r, grid_.count[1]), cell_row = r - turns_y * grid_.count[1];
       for (int c = column0; c <= column1; ++c) {
-        const int turns_x = floor_divide(c, grid_.columns), cell = cell_row * grid_.columns + c - turns_x * grid_.columns;
+        const int turns_x = floor_divide(c, grid_.count[0]), cell = cell_row * grid_.count[0] + c - turns_x * grid_.count[0];
         for (std::int32_t k = first_[cell]; k >= 0; k = member_[k].next) {
           const Disk& disk = member_[k].disk;
-          if (holds(Disk{{disk.centre.x + turns_x * box_.width, disk.centre.y + turns_y * box_.height}, disk.radius})) return true;
+          if (holds(Disk{disk.centre + Vec2{turns_x * box_.size.x, turns_y * box_.size.y}, disk.radius})) return true;
         }
       }
     }
@@ -53,8 +53,8 @@ class DiskCells {
   };
   static int floor_divide(int a, int b) { return a >= 0 ? a / b : -((b - 1 - a) / b); }
 
-  geometry::Box box_;
-  geometry::CellGrid grid_;
+  geometry::Box<2> box_;
+  geometry::CellGrid<2> grid_;
   double largest_ = 0;
   std::vector<std::int32_t> first_;
   std::vector<Member> member_;
@@ -64,14 +64,14 @@ class DiskCells {
 /// too).
 class FreeSpace {
  public:
-  FreeSpace(const geometry::Box& box, double gap) : box_(box), gap_(gap) {}
+  FreeSpace(const geometry::Box<2>& box, double gap) : box_(box), gap_(gap) {}
 
   /// Disks of different size live in cells of their own: a new store for disks about as wide as `size`, m.
   void open_store(double size) { stores_.emplace_back(box_, size); }
   void add(const Disk& disk) { stores_.back().add(disk); }  ///< to the newest store
   void set_gap(double gap) { gap_ = gap; }
   double gap() const { return gap_; }
-  const geometry::Box& box() const { return box_; }
+  const geometry::Box<2>& box() const { return box_; }
 
   bool fits(const Disk& disk) const;
   /// Centre of a disk of that radius at that angle round another, at the least distance allowed, inside the periodic cell.
@@ -87,7 +87,7 @@ class FreeSpace {
   };
   std::vector<Arc> covered_arcs(const Disk& disk, double radius) const;
 
-  geometry::Box box_;
+  geometry::Box<2> box_;
   double gap_;
   std::vector<DiskCells> stores_;
 };
@@ -125,11 +125,11 @@ struct TwoClasses {
 };
 
 /// Both steps of the sampling, with that gap between large disks. Another `attempt` is another sampling.
-TwoClasses sample_two_classes(const BidisperseParameters& parameters, const geometry::Box& box, double gap, std::uint64_t seed, std::uint64_t attempt = 0);
+TwoClasses sample_two_classes(const BidisperseParameters& parameters, const geometry::Box<2>& box, double gap, std::uint64_t seed, std::uint64_t attempt = 0);
 
 /// The gap at which the volume ratio asked for comes out, by a line through the ratios that samplings reach; gap 0 where even that leaves too many
 /// small disks. Throws InputError where the ratio is below what the widest gap gives.
-TwoClasses find_gap(const BidisperseParameters& parameters, const geometry::Box& box, std::uint64_t seed);
+TwoClasses find_gap(const BidisperseParameters& parameters, const geometry::Box<2>& box, std::uint64_t seed);
 
 /// Removes small disks at random, each as likely, until the volume ratio is as near to the one asked for as it gets; returns how many.
 std::size_t leave_out_small(TwoClasses& classes, double volume_ratio, std::uint64_t seed);

@@ -40,15 +40,15 @@ struct Relaxation {
   }
 
   void list_pairs() {
-    const geometry::Box box{domain.wall[left].position, domain.wall[bottom].position, domain.width(), domain.height(), domain.periodic_x, domain.periodic_y};
-    pairs = geometry::close_pairs(grains.x, grains.y, grains.radius, box, skin);
+    const geometry::Box<2> box{domain.corner(), domain.size(), domain.periodic};
+    pairs = geometry::close_pairs(grains.position, grains.radius, box, skin);
     listed_at.resize(grains.size());
-    for (std::size_t i = 0; i < grains.size(); ++i) listed_at[i] = grains.centre(i);
+    listed_at = grains.position;
   }
 
   bool list_is_stale() const {
     for (std::size_t i = 0; i < grains.size(); ++i) {
-      const Vec2 moved = grains.centre(i) - listed_at[i];
+      const Vec2 moved = grains.position[i] - listed_at[i];
       if (dot(moved, moved) > 0.25 * skin * skin) return true;
     }
     return false;
@@ -56,7 +56,7 @@ struct Relaxation {
 
   void add_pair_forces() {
     for (const auto [i, j] : pairs) {
-      const Vec2 d = domain.nearest_image(grains.centre(i) - grains.centre(j));
+      const Vec2 d = domain.nearest_image(grains.position[i] - grains.position[j]);
       const double reach = grains.radius[i] + grains.radius[j], distance2 = dot(d, d);
       if (distance2 >= reach * reach) continue;
       const double distance = std::sqrt(distance2), overlap = reach - distance;
@@ -70,11 +70,11 @@ struct Relaxation {
 
   void add_wall_forces() {
     for (int side = 0; side < 4; ++side) {
-      if (domain.periodic(side)) continue;
+      if (domain.is_periodic(side)) continue;
       const Vec2 n = inward_normal(side);
       const double offset = domain.wall[side].position * (n.x + n.y);
       for (std::size_t i = 0; i < grains.size(); ++i) {
-        const double overlap = grains.radius[i] - (dot(n, grains.centre(i)) - offset);
+        const double overlap = grains.radius[i] - (dot(n, grains.position[i]) - offset);
         if (overlap <= 0) continue;
         force[i] += (overlap / unit) * n;
         largest_overlap = std::max(largest_overlap, overlap / grains.radius[i]);
@@ -92,8 +92,7 @@ struct Relaxation {
   void move(double dt) {
     for (std::size_t i = 0; i < grains.size(); ++i) {
       velocity[i] += dt * force[i];
-      grains.x[i] += unit * dt * velocity[i].x;
-      grains.y[i] += unit * dt * velocity[i].y;
+      grains.position[i] += unit * dt * velocity[i];
     }
     if (list_is_stale()) {
       wrap();
@@ -102,11 +101,7 @@ struct Relaxation {
   }
 
   void wrap() {
-    for (std::size_t i = 0; i < grains.size(); ++i) {
-      const Vec2 place = wrapped(domain, grains.centre(i));
-      grains.x[i] = place.x;
-      grains.y[i] = place.y;
-    }
+    for (std::size_t i = 0; i < grains.size(); ++i) { grains.position[i] = wrapped(domain, grains.position[i]); }
   }
 };
 
@@ -144,7 +139,7 @@ RelaxReport relax(Grains& grains, const Domain& domain, double tolerance, int ma
   RelaxReport report;
   if (grains.size() == 0) return report;
   std::vector<Vec2> start(grains.size());
-  for (std::size_t i = 0; i < grains.size(); ++i) start[i] = grains.centre(i);
+  start = grains.position;
 
   Relaxation relaxation(grains, domain);
   Inertia inertia;
@@ -158,7 +153,8 @@ RelaxReport relax(Grains& grains, const Domain& domain, double tolerance, int ma
   }
   relaxation.wrap();
   report.overlap_after = relaxation.largest_overlap;
-  for (std::size_t i = 0; i < grains.size(); ++i) report.largest_move = std::max(report.largest_move, norm(domain.nearest_image(grains.centre(i) - start[i])));
+  for (std::size_t i = 0; i < grains.size(); ++i)
+    report.largest_move = std::max(report.largest_move, norm(domain.nearest_image(grains.position[i] - start[i])));
   return report;
 }
 
@@ -167,9 +163,9 @@ double height_for(const Grains& grains, double width, double solid_fraction) { r
 RelaxReport fill_at_random(Grains& grains, const Domain& domain, std::uint64_t seed) {
   for (std::size_t i = 0; i < grains.size(); ++i) {
     RandomStream random(seed, Purpose::position, i);
-    const double mx = domain.periodic_x ? 0 : grains.radius[i], my = domain.periodic_y ? 0 : grains.radius[i];
-    grains.x[i] = random.uniform(domain.wall[left].position + mx, domain.wall[right].position - mx);
-    grains.y[i] = random.uniform(domain.wall[bottom].position + my, domain.wall[top].position - my);
+    const double mx = domain.periodic[0] ? 0 : grains.radius[i], my = domain.periodic[1] ? 0 : grains.radius[i];
+    grains.position[i] = {random.uniform(domain.wall[left].position + mx, domain.wall[right].position - mx),
+                          random.uniform(domain.wall[bottom].position + my, domain.wall[top].position - my)};
   }
   constexpr double densest = 0.9069;  // equal disks in a triangular lattice
   const double asked = disk_area(grains) / domain.area();
@@ -200,10 +196,7 @@ double fill_lattice(Grains& grains, const Domain& domain) {
   double y = domain.wall[bottom].position + site / 2;
   for (int row = 0; i < grains.size(); ++row, y += rise) {
     const double x0 = domain.wall[left].position + site * (row % 2 == 0 ? 0.5 : 1.0);
-    for (int k = 0; k < (row % 2 == 0 ? full : shifted) && i < grains.size(); ++k, ++i) {
-      grains.x[i] = x0 + k * site;
-      grains.y[i] = y;
-    }
+    for (int k = 0; k < (row % 2 == 0 ? full : shifted) && i < grains.size(); ++k, ++i) { grains.position[i] = {x0 + k * site, y}; }
   }
   return y - rise + site / 2 - domain.wall[bottom].position;
 }

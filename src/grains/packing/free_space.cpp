@@ -7,7 +7,7 @@
 namespace arenite::packing {
 
 void DiskCells::add(const Disk& disk) {
-  std::int32_t& first = first_[grid_.cell(disk.centre.x, disk.centre.y)];
+  std::int32_t& first = first_[grid_.cell(disk.centre)];
   member_.push_back({disk, first});
   first = static_cast<std::int32_t>(member_.size()) - 1;
   largest_ = std::max(largest_, disk.radius);
@@ -29,11 +29,11 @@ double wrap(double v, double v0, double length) {
 }  // namespace
 
 bool FreeSpace::fits(const Disk& disk) const {
-  const auto [x, y] = disk.centre;
   const double r = disk.radius;
-  if (!box_.periodic_x && (x - r < box_.x0 || x + r > box_.x0 + box_.width)) return false;
-  if (!box_.periodic_y && (y - r < box_.y0 || y + r > box_.y0 + box_.height)) return false;
-  if ((box_.periodic_x && 2 * r + gap_ > box_.width) || (box_.periodic_y && 2 * r + gap_ > box_.height)) return false;
+  for (int axis = 0; axis < 2; ++axis) {
+    const double at = disk.centre[axis];
+    if (box_.periodic[axis] ? 2 * r + gap_ > box_.size[axis] : at - r < box_.corner[axis] || at + r > box_.end()[axis]) return false;
+  }
   for (const DiskCells& store : stores_)
     if (store.any_near(disk.centre, r + store.largest() + gap_, [&](const Disk& other) {
           const Vec2 d = disk.centre - other.centre;
@@ -47,8 +47,8 @@ bool FreeSpace::fits(const Disk& disk) const {
 Vec2 FreeSpace::place_beside(const Disk& disk, double radius, double angle) const {
   const double distance = (disk.radius + radius + gap_) * (1 + stand_off);
   Vec2 p = disk.centre + distance * Vec2{std::cos(angle), std::sin(angle)};
-  if (box_.periodic_x) p.x = wrap(p.x, box_.x0, box_.width);
-  if (box_.periodic_y) p.y = wrap(p.y, box_.y0, box_.height);
+  for (int axis = 0; axis < 2; ++axis)
+    if (box_.periodic[axis]) p[axis] = wrap(p[axis], box_.corner[axis], box_.size[axis]);
   return p;
 }
 
@@ -61,10 +61,10 @@ std::vector<FreeSpace::Arc> FreeSpace::covered_arcs(const Disk& disk, double rad
     const double half = room <= -distance ? pi : std::acos(room / distance);
     arcs.push_back({outward - half, outward + half});
   };
-  cover(!box_.periodic_x, disk.centre.x - radius - box_.x0, pi);
-  cover(!box_.periodic_x, box_.x0 + box_.width - radius - disk.centre.x, 0);
-  cover(!box_.periodic_y, disk.centre.y - radius - box_.y0, -pi / 2);
-  cover(!box_.periodic_y, box_.y0 + box_.height - radius - disk.centre.y, pi / 2);
+  cover(!box_.periodic[0], disk.centre.x - radius - box_.corner.x, pi);
+  cover(!box_.periodic[0], box_.end().x - radius - disk.centre.x, 0);
+  cover(!box_.periodic[1], disk.centre.y - radius - box_.corner.y, -pi / 2);
+  cover(!box_.periodic[1], box_.end().y - radius - disk.centre.y, pi / 2);
   for (const DiskCells& store : stores_)
     store.any_near(disk.centre, distance + radius + store.largest() + gap_, [&](const Disk& other) {
       const Vec2 d = other.centre - disk.centre;

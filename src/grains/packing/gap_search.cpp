@@ -55,7 +55,7 @@ double aim(const std::vector<Known>& known, double near, double far) {
 
 class Search {
  public:
-  Search(const BidisperseParameters& p, const geometry::Box& box, std::uint64_t seed) : p_(p), box_(box), seed_(seed), widest_(widest_gap(p)) {}
+  Search(const BidisperseParameters& p, const geometry::Box<2>& box, std::uint64_t seed) : p_(p), box_(box), seed_(seed), widest_(widest_gap(p)) {}
 
   TwoClasses run() {
     search();
@@ -110,7 +110,7 @@ class Search {
   }
 
   const BidisperseParameters& p_;
-  const geometry::Box& box_;
+  const geometry::Box<2>& box_;
   std::uint64_t seed_;
   double widest_, least_ = 0;
   std::size_t sampled_disks_ = 0;
@@ -120,6 +120,6 @@ class Search {
 
 }  // namespace
 
-TwoClasses find_gap(const BidisperseParameters& p, const geometry::Box& box, std::uint64_t seed) { return Search(p, box, seed).run(); }
+TwoClasses find_gap(const BidisperseParameters& p, const geometry::Box<2>& box, std::uint64_t seed) { return Search(p, box, seed).run(); }
 
 }  // namespace arenite::packing

@@ -34,10 +34,10 @@ void add(FreeSpace& space, std::vector<Disk>& disks, const Disk& disk) {
 
 /// The first disk of an empty box, anywhere; false if the radius does not fit into the box at all.
 bool place_first(FreeSpace& space, std::vector<Disk>& disks, double radius, RandomStream& random) {
-  const geometry::Box& box = space.box();
-  const double mx = box.periodic_x ? 0 : radius, my = box.periodic_y ? 0 : radius;
-  const double x = random.uniform(box.x0 + mx, box.x0 + box.width - mx);
-  const double y = random.uniform(box.y0 + my, box.y0 + box.height - my);
+  const geometry::Box<2>& box = space.box();
+  const double mx = box.periodic[0] ? 0 : radius, my = box.periodic[1] ? 0 : radius;
+  const double x = random.uniform(box.corner.x + mx, box.end().x - mx);
+  const double y = random.uniform(box.corner.y + my, box.end().y - my);
   if (!space.fits({{x, y}, radius})) return false;
   add(space, disks, {{x, y}, radius});
   return true;

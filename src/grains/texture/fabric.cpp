@@ -26,7 +26,7 @@ double phase(Complex z, int m) {
 enum Term { count, c2, s2, c4, s4, c6, s6, cc, cs, ss, fn, fn_c, fn_s, ft, ft_c, ft_s, terms };
 
 void add_contact(const Contacts& contacts, std::size_t c, double* sums) {
-  const double nx = contacts.nx[c], ny = contacts.ny[c];
+  const double nx = contacts.normal[c].x, ny = contacts.normal[c].y;
   const Complex u{nx * nx - ny * ny, 2 * nx * ny}, u2 = u * u, u3 = u2 * u;
   const double x = u.real(), y = u.imag(), n = contacts.fn[c], t = contacts.ft[c];
   const double values[terms] = {1, x, y, u2.real(), u2.imag(), u3.real(), u3.imag(), x * x, x * y, y * y, n, n * x, n * y, t, t * x, t * y};
@@ -80,7 +80,7 @@ void fill_sectors(const View& view, const Items& items, Fabric& f) {
   f.sectors.assign(sectors, 0.0);
   f.sector_force.assign(sectors, 0.0);
   for (const std::size_t c : items) {
-    double angle = std::atan2(view.pairs().ny[c], view.pairs().nx[c]) * degrees;
+    double angle = std::atan2(view.pairs().normal[c].y, view.pairs().normal[c].x) * degrees;
     if (angle < 0) angle += 180;
     // A direction on an edge, as in a lattice, goes to the sector above it whatever its last bit says.
     const auto s = static_cast<std::size_t>(std::floor((angle + 1e-9) / (180.0 / view.options.sectors))) % sectors;
@@ -139,7 +139,7 @@ void measure_threshold(const View& view, Texture& texture) {
   std::stable_sort(sorted.begin(), sorted.end(), [&](std::size_t a, std::size_t b) { return contacts.fn[a] < contacts.fn[b]; });
   std::vector<double> sum{0};  // of cos 2(theta - theta_load) over the weakest k contacts
   for (const std::size_t c : sorted) {
-    const Vec2 n = contacts.normal(c), load{std::cos(view.load_axis), std::sin(view.load_axis)};
+    const Vec2 n = contacts.normal[c], load{std::cos(view.load_axis), std::sin(view.load_axis)};
     sum.push_back(sum.back() + 2 * dot(n, load) * dot(n, load) - 1);
   }
   ThresholdCurve& curve = texture.threshold;

@@ -46,7 +46,7 @@ GapCoordination gap_coordination(const Packing& packing, double gap, int large, 
   GapCoordination z;
   Items counted;
   for (std::size_t g = 0; g < neighbours.size(); ++g) {
-    if (window && !window->holds({images.x[g], images.y[g]})) continue;
+    if (window && !window->holds(images.centre[g])) continue;
     z.large += material[g] == large;
     z.small += material[g] == small;
     if (material[g] == large || material[g] == small) counted.push_back(g);
@@ -54,7 +54,7 @@ GapCoordination gap_coordination(const Packing& packing, double gap, int large, 
   if (counted.empty()) return z;
   const BlockGrid blocks{window.value_or(box_of(packing.domain)), blocks_per_side(counted.size())};
   std::vector<int> block;
-  for (std::size_t g = 0; g < neighbours.size(); ++g) block.push_back(blocks.block_of({images.x[g], images.y[g]}, g));
+  for (std::size_t g = 0; g < neighbours.size(); ++g) block.push_back(blocks.block_of(images.centre[g], g));
   const auto add = [&](std::size_t g, double* sums) {
     double* own = material[g] == large ? sums : sums + 3;
     own[0] += 1;

@@ -15,7 +15,7 @@ struct Six {
       if (view.pairs().is_wall(c)) continue;
       const auto i = static_cast<std::size_t>(view.pairs().i[c]), j = static_cast<std::size_t>(view.pairs().j[c]);
       if (!keep(i, j)) continue;
-      const std::complex<double> n{view.pairs().nx[c], view.pairs().ny[c]}, n2 = n * n, n6 = n2 * n2 * n2;
+      const std::complex<double> n{view.pairs().normal[c].x, view.pairs().normal[c].y}, n2 = n * n, n6 = n2 * n2 * n2;
       for (const std::size_t g : {i, j}) {
         sum[g] += n6;
         ++count[g];

@@ -48,7 +48,7 @@ void describe_sample(const View& view, Texture& texture) {
     texture.notes.push_back(
         "The direction of the load is not given: signed anisotropies refer to the sample's own axis of greatest compression, "
         "about which even chance has a positive sign.");
-  const bool walled = view.has_box && !(view.packing.domain.periodic_x && view.packing.domain.periodic_y);
+  const bool walled = view.has_box && !(view.packing.domain.periodic[0] && view.packing.domain.periodic[1]);
   if (walled && view.options.border > 0 && view.window.border == 0)
     texture.notes.push_back(
         fmt::format("The sample is too small to leave out {:g} mean diameters along its walls, so it is taken whole.", view.options.border));
@@ -59,7 +59,7 @@ void check_widths(const Packing& packing) {
   const Domain& d = packing.domain;
   const Grains& grains = packing.grains;
   for (std::size_t g = 0; g < grains.size(); ++g)
-    for (const auto& [periodic, side] : {std::pair(d.periodic_x, d.width()), std::pair(d.periodic_y, d.height())})
+    for (const auto& [periodic, side] : {std::pair(d.periodic[0], d.width()), std::pair(d.periodic[1], d.height())})
       if (periodic && side > 0 && !(2 * grains.radius[g] <= (1 + 1e-9) * side))
         throw InputError(
             fmt::format("grain {} is {:.4g} m wide in a periodic cell of {:.4g} m, so that it would cover itself; correct the unit of the radii, or the cell",

@@ -15,12 +15,12 @@ void measure_solid_fraction(const View& view, Texture& texture) {
   std::vector<double> fraction(static_cast<std::size_t>(blocks.count()), 0.0);
   double covered = 0;
   for (std::size_t g = 0; g < grains.size(); ++g) {
-    const double area = covered_area(domain, grains.centre(g), grains.radius[g], blocks.bounds);
+    const double area = covered_area(domain, grains.position[g], grains.radius[g], blocks.bounds);
     covered += area;
     if (area == 0) continue;
     for (int b = 0; b < blocks.count(); ++b) {
       const auto block = blocks.block(b);
-      fraction[b] += covered_area(domain, grains.centre(g), grains.radius[g], block) / block.area();
+      fraction[b] += covered_area(domain, grains.position[g], grains.radius[g], block) / block.area();
     }
   }
   texture.solid_fraction = {covered / blocks.bounds.area(), standard_error(fraction)};
@@ -36,11 +36,11 @@ std::vector<double> fractions(const Packing& packing, double side, int places, R
   const double width = side * box.width(), height = side * box.height();
   std::vector<double> found;
   for (int p = 0; p < places; ++p) {
-    const double x = random.uniform(box.x_min, domain.periodic_x ? box.x_max : box.x_max - width);
-    const double y = random.uniform(box.y_min, domain.periodic_y ? box.y_max : box.y_max - height);
+    const double x = random.uniform(box.x_min, domain.periodic[0] ? box.x_max : box.x_max - width);
+    const double y = random.uniform(box.y_min, domain.periodic[1] ? box.y_max : box.y_max - height);
     const geometry::Rectangle window{x, x + width, y, y + height};
     double covered = 0;
-    for (std::size_t g = 0; g < grains.size(); ++g) covered += covered_area(domain, grains.centre(g), grains.radius[g], window);
+    for (std::size_t g = 0; g < grains.size(); ++g) covered += covered_area(domain, grains.position[g], grains.radius[g], window);
     found.push_back(covered / window.area());
   }
   return found;

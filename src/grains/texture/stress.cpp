@@ -22,7 +22,7 @@ Tensor2 moment_of(const Packing& packing, const CohesivePair& pair) {
 /// Where the branch of a bond or pull touches grain i.
 template <class Link> Vec2 middle_of(const Packing& packing, const Link& link) {
   const Vec2 branch = branch_of(packing, link);
-  return packing.grains.centre(link.i) - packing.grains.radius[link.i] / norm(branch) * branch;
+  return packing.grains.position[link.i] - packing.grains.radius[link.i] / norm(branch) * branch;
 }
 
 /// Calls `see` for each bond and each cohesive pair.
@@ -60,7 +60,7 @@ TensorEstimate inner_stress(const View& view, const std::vector<Tensor2>& moment
   for (std::size_t g = 0; g < grains.size(); ++g) {
     const double r = grains.radius[g], disk = std::numbers::pi * r * r;
     for (int b = 0; b < blocks.count(); ++b)
-      if (const double area = covered_area(domain, grains.centre(g), r, blocks.block(b)); area > 0) density[b] += area / disk / volume * moments[g];
+      if (const double area = covered_area(domain, grains.position[g], r, blocks.block(b)); area > 0) density[b] += area / disk / volume * moments[g];
   }
   Tensor2 mean;
   for (const Tensor2& d : density) mean += 1.0 / blocks.count() * d;
@@ -136,9 +136,9 @@ Tensor2 wall_moment(const Packing& packing, Vec2 gravity) {
   const Grains& grains = packing.grains;
   Tensor2 sum;
   for (std::size_t c = 0; c < contacts.size(); ++c)
-    if (contacts.is_wall(c)) sum += outer(contacts.force_on_i(c), grains.centre(contacts.i[c]) + contacts.lever_i(c));
+    if (contacts.is_wall(c)) sum += outer(contacts.force_on_i(c), grains.position[contacts.i[c]] + contacts.lever_i(c));
   if (gravity.x == 0 && gravity.y == 0) return sum;
-  for (std::size_t g = 0; g < grains.size(); ++g) sum += mass_of(packing, g) * outer(gravity, grains.centre(g));
+  for (std::size_t g = 0; g < grains.size(); ++g) sum += mass_of(packing, g) * outer(gravity, grains.position[g]);
   return sum;
 }
 
@@ -155,7 +155,7 @@ void measure_stress(const View& view, Texture& texture) {
   stress.inner = inner_stress(view, moments);
   stress.grains = {};
   for (const Tensor2& m : moments) stress.grains += 1 / volume * m;
-  if (!domain.periodic_x && !domain.periodic_y && texture.wall_contacts > 0) stress.walls = 1 / volume * wall_moment(view.packing, view.options.gravity);
+  if (!domain.periodic[0] && !domain.periodic[1] && texture.wall_contacts > 0) stress.walls = 1 / volume * wall_moment(view.packing, view.options.gravity);
   const Tensor2& s = stress.whole.value;
   const double difference = s.xx - s.yy, shear = s.xy + s.yx;
   stress.pressure = -0.5 * trace(s);

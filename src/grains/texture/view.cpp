@@ -13,7 +13,7 @@ namespace {
 
 Window inner_window(const Domain& d, double border, bool has_box) {
   if (!has_box) return {};
-  const double bx = d.periodic_x ? 0 : border, by = d.periodic_y ? 0 : border;
+  const double bx = d.periodic[0] ? 0 : border, by = d.periodic[1] ? 0 : border;
   const geometry::Rectangle box = box_of(d);
   return {{box.x_min + bx, box.x_max - bx, box.y_min + by, box.y_max - by}, true, std::max(bx, by)};
 }
@@ -21,10 +21,7 @@ Window inner_window(const Domain& d, double border, bool has_box) {
 geometry::Rectangle bounds_of(const View& view) {
   if (view.window.known) return view.window;
   const Grains& g = view.packing.grains;
-  if (g.size() == 0) return {};
-  const auto [x0, x1] = std::minmax_element(g.x.begin(), g.x.end());
-  const auto [y0, y1] = std::minmax_element(g.y.begin(), g.y.end());
-  return {*x0, *x1, *y0, *y1};
+  return g.size() == 0 ? geometry::Rectangle{} : geometry::bounds(g.position);
 }
 
 /// Direction of greatest compression of the moment of all contacts, rad in [0, pi); vertical where nothing pushes.
@@ -33,9 +30,9 @@ double compression_axis(const Packing& packing) {
   double difference = 0, shear = 0;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const Vec2 f = contacts.force_on_i(c);
-    const bool disks = contacts.off_i_x.empty();
+    const bool disks = contacts.off_i.empty();
     const double d = disks ? contacts.arm_i[c] + contacts.arm_j[c] : 1;
-    const Vec2 n = disks ? contacts.normal(c) : -contacts.branch(c);
+    const Vec2 n = disks ? contacts.normal[c] : -contacts.branch(c);
     difference += d * (f.x * n.x - f.y * n.y);
     shear += d * (f.x * n.y + f.y * n.x);
   }
@@ -114,7 +111,7 @@ double mean_of_known(const Items& items, const std::vector<double>& values) {
 }
 
 double covered_area(const Domain& domain, Vec2 centre, double radius, const geometry::Rectangle& window) {
-  if (!domain.periodic_x && !domain.periodic_y) return geometry::disk_window_area(centre, radius, window);
+  if (!domain.periodic[0] && !domain.periodic[1]) return geometry::disk_window_area(centre, radius, window);
   const geometry::Rectangle extent{centre.x - radius, centre.x + radius, centre.y - radius, centre.y + radius};
   double area = 0;
   for_each_image(domain, extent, window, [&](const ImageShift& image) { area += geometry::disk_window_area(centre + image.shift, radius, window); });
@@ -132,11 +129,11 @@ View::View(const Packing& p, const Options& o) : packing(p), options(o) {
   window = inner_window(domain, options.border * mean_diameter, has_box);
   const auto inside = [&](Vec2 q) {
     return !window.known ||
-           ((domain.periodic_x || (q.x >= window.x_min && q.x <= window.x_max)) && (domain.periodic_y || (q.y >= window.y_min && q.y <= window.y_max)));
+           ((domain.periodic[0] || (q.x >= window.x_min && q.x <= window.x_max)) && (domain.periodic[1] || (q.y >= window.y_min && q.y <= window.y_max)));
   };
   const auto take_grains = [&] {
     for (std::size_t g = 0; g < all.size(); ++g)
-      if (inside(all.centre(g))) grains.push_back(g);
+      if (inside(all.position[g])) grains.push_back(g);
   };
   take_grains();
   if (grains.empty() && window.known) {  // a sample smaller than its border is taken whole
@@ -148,7 +145,7 @@ View::View(const Packing& p, const Options& o) : packing(p), options(o) {
   rattler = loose_grains(packing, options.rattler_contacts, [&](std::size_t c) { return pairs().fn[c] != 0; });
 
   blocks = {bounds_of(*this), blocks_per_side(grains.size())};
-  for (std::size_t g = 0; g < all.size(); ++g) grain_block.push_back(blocks.block_of(wrapped(domain, all.centre(g)), g));
+  for (std::size_t g = 0; g < all.size(); ++g) grain_block.push_back(blocks.block_of(wrapped(domain, all.position[g]), g));
   double sum = 0;
   std::size_t pushing = 0;
   for (std::size_t c = 0; c < pairs().size(); ++c) {
@@ -165,7 +162,7 @@ View::View(const Packing& p, const Options& o) : packing(p), options(o) {
   load_axis = options.load_axis.value_or(compression_axis(packing));
 }
 
-Vec2 View::contact_point(std::size_t c) const { return wrapped(packing.domain, packing.grains.centre(pairs().i[c]) + pairs().lever_i(c)); }
+Vec2 View::contact_point(std::size_t c) const { return wrapped(packing.domain, packing.grains.position[pairs().i[c]] + pairs().lever_i(c)); }
 
 std::string View::material_name(int m) const {
   const auto index = static_cast<std::size_t>(m);

@@ -34,9 +34,9 @@ std::string grain_table(const ExportFrame& from) {
   const Grains& g = packing.grains;
   std::string text = "id,x [m],y [m],radius [m],material,zone,angle [rad],vx [m/s],vy [m/s],omega [rad/s]" + titles(from.fields);
   for (std::size_t i = 0; i < g.size(); ++i) {
-    fmt::format_to(Text(text), "{},{},{},{},{},{}", g.id[i], g.x[i], g.y[i], g.radius[i],
+    fmt::format_to(Text(text), "{},{},{},{},{},{}", g.id[i], g.position[i].x, g.position[i].y, g.radius[i],
                    quoted_cell(packing.materials[static_cast<std::size_t>(g.material[i])].name), int{g.zone[i]});
-    for (const double v : {g.angle[i], g.vx[i], g.vy[i], g.omega[i]}) cell(text, v);
+    for (const double v : {g.angle[i], g.velocity[i].x, g.velocity[i].y, g.omega[i]}) cell(text, v);
     for (const auto& field : from.fields) cell(text, field.values[i]);
     text += '\n';
   }
@@ -55,7 +55,7 @@ std::string contact_table(const ExportFrame& from) {
     if (c.is_boundary(k)) text += packing.domain.boundaries[static_cast<std::size_t>(packing.domain.boundary_of(c.element(k)))].name;
     else if (c.is_wall(k)) text += side_names[static_cast<std::size_t>(c.wall_side(k))];
     else fmt::format_to(Text(text), "{}", name(c.j[k]));
-    for (const double v : {c.fn[k], c.ft[k], 0 - c.nx[k], 0 - c.ny[k]}) cell(text, v);
+    for (const double v : {c.fn[k], c.ft[k], 0 - c.normal[k].x, 0 - c.normal[k].y}) cell(text, v);
     fmt::format_to(Text(text), ",{},{},{}", contact_type(packing, k), c.fn[k] > mean ? 1 : 0, int{c.glued[k]});
     for (const double v : {c.arm_i[k], c.arm_j[k], c.overlap[k], c.sliding_velocity[k]}) cell(text, v);
     for (const auto& field : from.of_contacts) cell(text, field.values[k]);
@@ -75,7 +75,7 @@ std::string node_table(const FieldResult& r) {
     for (int x = 0; x < map.width; ++x) {
       const auto i = map.index(x, y);
       fmt::format_to(Text(text), "{:.8g},{:.8g},{},{},{}", (x + 0.5) * map.dx, (y + 0.5) * map.dx, static_cast<int>(map.phase[i]), map.grain[i], classes[i]);
-      for (const auto& c : columns) fmt::format_to(Text(text), ",{}", static_cast<float>((r.field.*c.member)[i]));
+      for (const auto& c : columns) fmt::format_to(Text(text), ",{}", static_cast<float>((r.field.*c.numbers)[i]));
       text += '\n';
     }
   return text;

@@ -41,9 +41,9 @@ int contact_type(const Packing& packing, std::size_t contact) {
 
 Vec2 far_end(const Packing& packing, std::size_t contact) {
   const auto& contacts = packing.contacts;
-  const Vec2 from = packing.grains.centre(static_cast<std::size_t>(contacts.i[contact]));
+  const Vec2 from = packing.grains.position[static_cast<std::size_t>(contacts.i[contact])];
   if (contacts.is_wall(contact)) return from + contacts.lever_i(contact);
-  return from + packing.domain.nearest_image(packing.grains.centre(static_cast<std::size_t>(contacts.j[contact])) - from);
+  return from + packing.domain.nearest_image(packing.grains.position[static_cast<std::size_t>(contacts.j[contact])] - from);
 }
 
 std::vector<std::uint8_t> class_of_node(const PhaseMap& map) {

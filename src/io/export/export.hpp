@@ -18,7 +18,7 @@ struct GridFields {
   double left = 0, bottom = 0, dx = 1, dy = 1;  ///< m
   int columns = 0, rows = 0;
   std::vector<GrainField> scalars{};                          ///< one value a point
-  std::vector<double> vx{}, vy{};                             ///< m/s; NaN where no grain is near
+  std::vector<Vec2> velocity{};                               ///< m/s; NaN where no grain is near
   std::vector<double> stress_xx{}, stress_yy{}, stress_xy{};  ///< Pa, tension positive, with the kinetic part
 };
 
@@ -29,8 +29,8 @@ struct ExportFrame {
   const Frame* frame = nullptr;
   std::vector<GrainField> fields;
   std::vector<GrainField> of_contacts = {};
-  std::vector<double> ux{}, uy{};  ///< m, of every grain since the first state; empty if there is none before this
-  GridFields grid{};               ///< for a format that wants it; without columns where the state has none
+  std::vector<Vec2> displacement{};  ///< m, of every grain since the first state; empty if there is none before this
+  GridFields grid{};                 ///< for a format that wants it; without columns where the state has none
 };
 
 /// A result on nodes, as export formats get it.

@@ -107,12 +107,16 @@ template <class Array> auto joined(const Frames& frames, Array array) {
   return all;
 }
 /// A member of the grains or contacts of each state.
+template <class Owner> const Owner& part_of(const ExportFrame& f) {
+  if constexpr (std::is_same_v<Owner, Grains>) return f.frame->packing.grains;
+  else return f.frame->packing.contacts;
+}
 template <class T, class Owner> std::vector<T> joined(const Frames& frames, std::vector<T> Owner::*member) {
-  const auto values_in = [member](const ExportFrame& f) -> auto& {
-    if constexpr (std::is_same_v<Owner, Grains>) return f.frame->packing.grains.*member;
-    else return f.frame->packing.contacts.*member;
-  };
-  return joined(frames, values_in);
+  return joined(
+      frames, [member](const ExportFrame& f) -> auto& { return part_of<Owner>(f).*member; });
+}
+template <class Owner> std::vector<double> joined(const Frames& frames, const Column<Owner>& column) {
+  return joined(frames, [&](const ExportFrame& f) { return column.of(part_of<Owner>(f)); });
 }
 
 void put_states(NetcdfFile& file, const Frames& frames) {
@@ -156,15 +160,13 @@ void put_grains(NetcdfFile& file, const Frames& frames) {
   for (const auto& m : frames.front().frame->packing.materials) names += (names.empty() ? "" : ", ") + m.name;
   file.variable("material", {"grain"}, first.material, {"1", "place in the list of materials: " + names});
   file.variable("zone", over, joined(frames, &Grains::zone), {"1", "1 where grains may be glued"});
-  for (const auto& column : grain_state_columns) file.variable(column.name, over, joined(frames, column.member), {column.unit, ""});
+  for (const auto& column : grain_state_columns) file.variable(column.name, over, joined(frames, column), {column.unit, ""});
   if (frames.size() > 1) {
-    const std::vector<double> none(first.size(), 0.0);
-    const auto moved = [&](auto member) {
-      return joined(
-          frames, [&](const auto& f) -> auto& { return (f.*member).empty() ? none : f.*member; });
+    const auto moved = [&](double Vec2::*axis) {
+      return joined(frames, [&](const auto& f) { return f.displacement.empty() ? std::vector<double>(first.size(), 0.0) : mapped(f.displacement, axis); });
     };
-    file.variable("ux", over, moved(&ExportFrame::ux), {"m", "displacement along x since the first state"});
-    file.variable("uy", over, moved(&ExportFrame::uy), {"m", "displacement along y since the first state"});
+    file.variable("ux", over, moved(&Vec2::x), {"m", "displacement along x since the first state"});
+    file.variable("uy", over, moved(&Vec2::y), {"m", "displacement along y since the first state"});
   }
   for (std::size_t k = 0; k < frames.front().fields.size(); ++k) {
     const GrainField& field = frames.front().fields[k];
@@ -191,8 +193,7 @@ void put_contacts(NetcdfFile& file, const Frames& frames) {
   file.variable("contact_state", {"contact"}, state, {"1", "index along time of the state that the contact belongs to"});
   file.variable("contact_i", {"contact"}, i, {"1", "id of the grain"});
   file.variable("contact_j", {"contact"}, j, {"1", "id of the other grain; walls are -1 left, -2 right, -3 bottom, -4 top"});
-  for (const auto& column : contact_columns)
-    file.variable(std::string("contact_") + column.name, {"contact"}, joined(frames, column.member), {column.unit, ""});
+  for (const auto& column : contact_columns) file.variable(std::string("contact_") + column.name, {"contact"}, joined(frames, column), {column.unit, ""});
   file.variable("contact_glued", {"contact"}, joined(frames, &Contacts::glued), {"1", "1 where adhesion acts"});
 }
 

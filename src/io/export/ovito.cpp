@@ -16,8 +16,8 @@ std::string header(const ExportFrame& from, const char* what, std::size_t count)
   const Domain& domain = from.frame->packing.domain;
   const double x0 = domain.wall[left].position, x1 = domain.wall[right].position;
   const double half = 0.5 * domain.thickness, tilt = domain.tilt;
-  const char* x = domain.periodic_x ? "pp" : "ff";
-  const char* y = domain.periodic_y ? "pp" : "ff";
+  const char* x = domain.periodic[0] ? "pp" : "ff";
+  const char* y = domain.periodic[1] ? "pp" : "ff";
   std::string text = from.number == 0 ? "ITEM: UNITS\nsi\n" : "";
   fmt::format_to(Text(text), "ITEM: TIME\n{}\nITEM: TIMESTEP\n{}\nITEM: NUMBER OF {}\n{}\n", from.frame->time, from.frame->step, what, count);
   if (tilt == 0)
@@ -36,8 +36,8 @@ std::string grain_dump(const ExportFrame& from) {
   for (const auto& field : from.fields) text += " " + field.name;
   text += '\n';
   for (std::size_t i = 0; i < g.size(); ++i) {
-    fmt::format_to(Text(text), "{} {} {} {} 0 {} {} {} 0 {} {} {}", g.id[i], g.material[i] + 1, g.x[i], g.y[i], g.radius[i], g.vx[i], g.vy[i], g.omega[i],
-                   g.angle[i], int{g.zone[i]});
+    fmt::format_to(Text(text), "{} {} {} {} 0 {} {} {} 0 {} {} {}", g.id[i], g.material[i] + 1, g.position[i].x, g.position[i].y, g.radius[i], g.velocity[i].x,
+                   g.velocity[i].y, g.omega[i], g.angle[i], int{g.zone[i]});
     for (const auto& field : from.fields) fmt::format_to(Text(text), " {}", field.values[i]);
     text += '\n';
   }
@@ -54,11 +54,11 @@ std::string contact_dump(const ExportFrame& from) {
   std::size_t count = 0;
   for (std::size_t k = 0; k < c.size(); ++k) {
     if (c.is_wall(k)) continue;
-    const Vec2 n = c.normal(k), normal = c.fn[k] * n, tangential = c.ft[k] * perpendicular(n);
+    const Vec2 n = c.normal[k], normal = c.fn[k] * n, tangential = c.ft[k] * perpendicular(n);
     fmt::format_to(Text(rows), "{} {} {} {} 0 {} {} 0 {} {} {} {}", packing.grains.id[static_cast<std::size_t>(c.i[k])],
                    packing.grains.id[static_cast<std::size_t>(c.j[k])], normal.x, normal.y, tangential.x, tangential.y, contact_type(packing, k),
                    c.fn[k] > mean ? 1 : 0, int{c.glued[k]}, c.arm_i[k] + c.arm_j[k]);
-    for (const auto& column : contact_columns) fmt::format_to(Text(rows), " {}", (c.*column.member)[k]);
+    for (const auto& column : contact_columns) fmt::format_to(Text(rows), " {}", column.of(c)[k]);
     rows += '\n';
     ++count;
   }
@@ -78,7 +78,7 @@ std::string word(std::string text) {
 std::string comment_line(const ExportFrame& from) {
   const Domain& d = from.frame->packing.domain;
   std::string text = fmt::format("Lattice=\"{} 0 0 {} {} 0 0 0 {}\" Origin=\"{} {} {}\" pbc=\"{} {} F\"", d.width(), d.tilt, d.height(), d.thickness,
-                                 d.wall[left].position, d.wall[bottom].position, -0.5 * d.thickness, d.periodic_x ? "T" : "F", d.periodic_y ? "T" : "F");
+                                 d.wall[left].position, d.wall[bottom].position, -0.5 * d.thickness, d.periodic[0] ? "T" : "F", d.periodic[1] ? "T" : "F");
   fmt::format_to(Text(text), " Time={} Step={} Stage={} Label=\"{}\" Properties=species:S:1:pos:R:3:radius:R:1:id:I:1:zone:I:1:velo:R:3:angle:R:1:omega:R:1",
                  from.frame->time, from.frame->step, word(from.stage), word(from.frame->label));
   for (const auto& field : from.fields) text += ":" + word(field.name) + ":R:1";
@@ -95,8 +95,8 @@ std::vector<NamedBytes> extxyz_frame(const ExportFrame& from) {
   const auto species = mapped(packing.materials, [](const Material& material) { return word(material.name); });
   std::string text = fmt::format("{}\n{}\n", g.size(), comment_line(from));
   for (std::size_t i = 0; i < g.size(); ++i) {
-    fmt::format_to(Text(text), "{} {} {} 0 {} {} {} {} {} 0 {} {}", species[static_cast<std::size_t>(g.material[i])], g.x[i], g.y[i], g.radius[i], g.id[i],
-                   int{g.zone[i]}, g.vx[i], g.vy[i], g.angle[i], g.omega[i]);
+    fmt::format_to(Text(text), "{} {} {} 0 {} {} {} {} {} 0 {} {}", species[static_cast<std::size_t>(g.material[i])], g.position[i].x, g.position[i].y,
+                   g.radius[i], g.id[i], int{g.zone[i]}, g.velocity[i].x, g.velocity[i].y, g.angle[i], g.omega[i]);
     for (const auto& field : from.fields) fmt::format_to(Text(text), " {}", field.values[i]);
     text += '\n';
   }

@@ -32,11 +32,11 @@ VtkPolyData grains_of(const ExportFrame& from) {
   const Grains& grains = from.frame->packing.grains;
   VtkPolyData data;
   data.time = from.frame->time;
-  data.points = in_space(grains.x, grains.y);
+  data.points = in_space(grains.position);
   data.point_arrays = {
-      {"id", grains.id},       {"radius", grains.radius}, {"material", grains.material}, {"zone", grains.zone}, {"velocity", in_space(grains.vx, grains.vy), 3},
+      {"id", grains.id},       {"radius", grains.radius}, {"material", grains.material}, {"zone", grains.zone}, {"velocity", in_space(grains.velocity), 3},
       {"angle", grains.angle}, {"omega", grains.omega}};
-  if (from.ux.size() == grains.size()) data.point_arrays.push_back({"displacement", in_space(from.ux, from.uy), 3});
+  if (from.displacement.size() == grains.size()) data.point_arrays.push_back({"displacement", in_space(from.displacement), 3});
   for (const auto& field : from.fields) data.point_arrays.push_back({field.name, field.values});
   if (auto stress = stress_of(from); !stress.empty()) data.point_arrays.push_back({"stress", std::move(stress), 9});
   return data;
@@ -59,23 +59,22 @@ VtkPolyData contacts_of(const ExportFrame& from) {
   std::vector<std::int64_t> id_i, id_j;
   std::vector<std::int32_t> type;
   std::vector<std::uint8_t> strong;
-  std::vector<double> fx, fy;
+  std::vector<Vec2> forces;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const auto i = static_cast<std::size_t>(contacts.i[c]);
-    const Vec2 a = packing.grains.centre(i), b = far_end(packing, c);
+    const Vec2 a = packing.grains.position[i], b = far_end(packing, c);
     data.points.insert(data.points.end(), {a.x, a.y, 0, b.x, b.y, 0});
     force_at_ends.insert(force_at_ends.end(), 2, contacts.fn[c]);
     id_i.push_back(packing.grains.id[i]);
     id_j.push_back(contacts.is_wall(c) ? contacts.j[c] : packing.grains.id[static_cast<std::size_t>(contacts.j[c])]);
     type.push_back(contact_type(packing, c));
     strong.push_back(contacts.fn[c] > mean ? 1 : 0);
-    const Vec2 force = contacts.force_on_i(c);
-    fx.push_back(force.x), fy.push_back(force.y);
+    forces.push_back(contacts.force_on_i(c));
   }
   data.point_arrays = {{"fn", force_at_ends}};  // on points as well: ParaView's tubes take their radius from there
   data.cell_arrays = {
-      {"i", id_i}, {"j", id_j}, {"type", type}, {"strong", strong}, {"glued", contacts.glued}, {"force", in_space(fx, fy), 3}};  // on i, the line's first end
-  for (const auto& column : contact_columns) data.cell_arrays.push_back({column.name, contacts.*column.member});
+      {"i", id_i}, {"j", id_j}, {"type", type}, {"strong", strong}, {"glued", contacts.glued}, {"force", in_space(forces), 3}};  // on i, the line's first end
+  for (const auto& column : contact_columns) data.cell_arrays.push_back({column.name, column.of(contacts)});
   return data;
 }
 
@@ -198,7 +197,7 @@ std::vector<NamedBytes> fields_frame(const ExportFrame& from) {
   if (g.columns == 0) return {};
   VtkImage image{g.columns, g.rows, g.dx, {}, g.dy, g.left, g.bottom};
   for (const GrainField& field : g.scalars) image.point_arrays.push_back({field.name, field.values});
-  image.point_arrays.push_back({"velocity", in_space(g.vx, g.vy), 3});
+  image.point_arrays.push_back({"velocity", in_space(g.velocity), 3});
   std::vector<double> stress;
   for (std::size_t k = 0; k < g.stress_xx.size(); ++k) stress.insert(stress.end(), {g.stress_xx[k], g.stress_yy[k], 0, g.stress_xy[k], 0, 0});
   image.point_arrays.push_back({"stress", stress, 6});
@@ -214,9 +213,11 @@ std::vector<NamedBytes> vti_field(const ExportField& from) {
   const auto phase = mapped(r.map.phase, [](Phase p) { return static_cast<std::uint8_t>(p); });
   image.point_arrays = {{"phase", phase}, {"grain", r.map.grain}, {"class", class_of_node(r.map)}};
   if (r.field.size() > 0) {
-    image.point_arrays.push_back({"displacement", single(in_space(r.field.ux, r.field.uy)), 3});
+    std::vector<Vec2> displacement;
+    for (std::size_t node = 0; node < r.field.size(); ++node) displacement.push_back(r.field.displacement(node));
+    image.point_arrays.push_back({"displacement", single(in_space(displacement)), 3});
     for (const auto& c : field_columns)
-      if (std::string_view(c.name).starts_with("sigma")) image.point_arrays.push_back({c.name, single(r.field.*c.member)});
+      if (std::string_view(c.name).starts_with("sigma")) image.point_arrays.push_back({c.name, single(r.field.*c.numbers)});
     image.point_arrays.push_back({"stress", stress_of(r.field), 6});
   }
   std::vector<NamedBytes> files{{r.name + ".vti", vti_bytes(image)}};

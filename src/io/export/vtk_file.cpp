@@ -101,10 +101,10 @@ class VtkWriter {
 
 }  // namespace
 
-std::vector<double> in_space(const std::vector<double>& x, const std::vector<double>& y) {
+std::vector<double> in_space(const std::vector<Vec2>& plane) {
   std::vector<double> vectors;
-  vectors.reserve(3 * x.size());
-  for (std::size_t k = 0; k < x.size(); ++k) vectors.insert(vectors.end(), {x[k], y[k], 0});
+  vectors.reserve(3 * plane.size());
+  for (const Vec2& v : plane) vectors.insert(vectors.end(), {v.x, v.y, 0});
   return vectors;
 }
 

@@ -14,7 +14,7 @@ struct VtkArray {
 };
 
 /// Vectors of the plane as VTK wants them: three components, the last 0.
-std::vector<double> in_space(const std::vector<double>& x, const std::vector<double>& y);
+std::vector<double> in_space(const std::vector<Vec2>& plane);
 
 /// Points with either one vertex each or straight lines between pairs of them: all that disks, contacts and walls need.
 struct VtkPolyData {

@@ -56,7 +56,7 @@ void transfer_stresses(const Hdf5Group& at, StressField& field, const PhaseMap& 
     field.dx = map.dx;
   }
   const auto group = at.group("field");
-  for (const auto& c : field_columns) group.image(c.name, field.*c.member, {field.height, field.width}, c.unit);
+  for (const auto& c : field_columns) group.image(c.name, field.*c.numbers, {field.height, field.width}, c.unit);
 }
 
 void transfer_field(const Hdf5Group& at, FieldResult& result) {

@@ -43,13 +43,7 @@ void transfer_boundaries(const Hdf5Group& at, std::vector<Boundary>& boundaries)
     one("force_x [N]", boundary.force.x);
     one("force_y [N]", boundary.force.y);
     one("torque [N m]", boundary.torque);
-    std::vector<double> x, y;
-    for (const Vec2& p : boundary.points) x.push_back(p.x), y.push_back(p.y);
-    one.array("x", x, "m");
-    one.array("y", y, "m");
-    one.same_length({x.size(), y.size()});
-    boundary.points.clear();
-    for (std::size_t p = 0; p < x.size(); ++p) boundary.points.push_back({x[p], y[p]});
+    transfer_points(one, boundary.points);
   });
 }
 
@@ -65,15 +59,14 @@ void transfer_shapes(const Hdf5Group& at, Grains& grains, const Grains* sample) 
   group.note("first", "grain g has the disks first[g] to first[g + 1] - 1, at x and y from its centre of mass where its angle is 0");
   group.note("filled", "1: the convex polygon of the disks' centres widened by their common radius; 0: the union of the disks");
   group.array("first", shapes.first);
-  group.array("x", shapes.x, "m");
-  group.array("y", shapes.y, "m");
+  transfer_points(group, shapes.place);
   group.array("radius", shapes.radius, "m");
   group.array("filled", shapes.filled);
   group.array("gyration", shapes.gyration, "m");
   if (!at.reads()) return;
-  const std::size_t n = grains.id.size(), disks = shapes.x.size();
+  const std::size_t n = grains.id.size(), disks = shapes.place.size();
   group.same_length({n, shapes.first.empty() ? n + 1 : shapes.first.size() - 1, shapes.filled.size(), shapes.gyration.size()});
-  group.same_length({disks, shapes.y.size(), shapes.radius.size()});
+  group.same_length({disks, shapes.radius.size()});
   const bool rising = std::is_sorted(shapes.first.begin(), shapes.first.end()) && shapes.first.front() == 0;
   if (!rising || shapes.first.back() != static_cast<std::int32_t>(disks)) group.refuse("names disks of grains that do not exist");
 }
@@ -107,6 +100,8 @@ void transfer_cohesive(const Hdf5Group& at, std::vector<CohesivePair>& pairs, st
 
 }  // namespace
 
+void transfer_points(const Hdf5Group& at, std::vector<Vec2>& points) { at.records(points, Named{"x", &Vec2::x, "m"}, Named{"y", &Vec2::y, "m"}); }
+
 void transfer_provenance(const Hdf5Group& at, Provenance& provenance) {
   at("version", provenance.version);
   at("stage", provenance.stage);
@@ -135,8 +130,8 @@ bool same(const Materials& a, const Materials& b) {
 
 void transfer_domain(const Hdf5Group& at, Domain& domain) {
   const auto group = at.group("domain");
-  group("periodic_x", domain.periodic_x);
-  group("periodic_y", domain.periodic_y);
+  group("periodic_x", domain.periodic[0]);
+  group("periodic_y", domain.periodic[1]);
   group("tilt [m]", domain.tilt);
   group("thickness [m]", domain.thickness);
   for (std::size_t side = 0; side < domain.wall.size(); ++side) {
@@ -180,7 +175,7 @@ void transfer_contacts(const Hdf5Group& at, Contacts& contacts, std::size_t grai
   group.array("j", contacts.j);
   transfer_columns(group, contacts, contact_columns, contacts.size());
   group.array("glued", contacts.glued);
-  if (at.reads() ? group.has(lever_columns[0].name) : !contacts.off_i_x.empty()) {
+  if (at.reads() ? group.has(lever_columns[0].name) : !contacts.off_i.empty()) {
     group.note("off_i_x", "the arms of i and j begin this far off the centres, which a grain that is no disk needs");
     transfer_columns(group, contacts, lever_columns, contacts.size());
   }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/mapped.hpp"
 #include "io/disk/store_file.hpp"
 #include "io/hdf5/group.hpp"
 #include "model/result.hpp"
@@ -24,25 +25,49 @@ template <class Result> Result read_result_file(const std::filesystem::path& pat
   return result;
 }
 
-/// A column of real numbers: name, SI unit ("1" if it has none) and where it lives. Every format takes its columns here.
-template <class Owner, class Value = double> struct Column {
+/// A column of real numbers: name, SI unit ("1" if it has none) and where it lives, as numbers or as one coordinate of vectors. Every format takes its
+/// columns here.
+template <class Owner> struct Column {
   const char* name;
   const char* unit;
-  std::vector<Value> Owner::*member;
+  std::vector<double> Owner::*numbers = nullptr;
+  std::vector<Vec2> Owner::*vectors = nullptr;
+  double Vec2::*axis = nullptr;
+
+  constexpr Column(const char* n, const char* u, std::vector<double> Owner::*of) : name(n), unit(u), numbers(of) {}
+  constexpr Column(const char* n, const char* u, std::vector<Vec2> Owner::*of, double Vec2::*along) : name(n), unit(u), vectors(of), axis(along) {}
+
+  std::vector<double> of(const Owner& owner) const { return numbers ? owner.*numbers : mapped(owner.*vectors, axis); }
+  void set(Owner& owner, std::vector<double> values) const {
+    if (numbers) {
+      owner.*numbers = std::move(values);
+      return;
+    }
+    auto& to = owner.*vectors;
+    to.resize(values.size());
+    for (std::size_t k = 0; k < to.size(); ++k) to[k].*axis = values[k];
+  }
 };
 
 /// What changes from frame to frame; radius, id, material and zone do not.
-inline constexpr Column<Grains> grain_state_columns[] = {{"x", "m", &Grains::x},     {"y", "m", &Grains::y},     {"angle", "rad", &Grains::angle},
-                                                         {"vx", "m/s", &Grains::vx}, {"vy", "m/s", &Grains::vy}, {"omega", "rad/s", &Grains::omega}};
+inline constexpr Column<Grains> grain_state_columns[] = {{"x", "m", &Grains::position, &Vec2::x},    {"y", "m", &Grains::position, &Vec2::y},
+                                                         {"angle", "rad", &Grains::angle},           {"vx", "m/s", &Grains::velocity, &Vec2::x},
+                                                         {"vy", "m/s", &Grains::velocity, &Vec2::y}, {"omega", "rad/s", &Grains::omega}};
 
-inline constexpr Column<Contacts> contact_columns[] = {{"nx", "1", &Contacts::nx},           {"ny", "1", &Contacts::ny},
-                                                       {"fn", "N", &Contacts::fn},           {"ft", "N", &Contacts::ft},
-                                                       {"arm_i", "m", &Contacts::arm_i},     {"arm_j", "m", &Contacts::arm_j},
-                                                       {"overlap", "m", &Contacts::overlap}, {"sliding_velocity", "m/s", &Contacts::sliding_velocity}};
+inline constexpr Column<Contacts> contact_columns[] = {{"nx", "1", &Contacts::normal, &Vec2::x},
+                                                       {"ny", "1", &Contacts::normal, &Vec2::y},
+                                                       {"fn", "N", &Contacts::fn},
+                                                       {"ft", "N", &Contacts::ft},
+                                                       {"arm_i", "m", &Contacts::arm_i},
+                                                       {"arm_j", "m", &Contacts::arm_j},
+                                                       {"overlap", "m", &Contacts::overlap},
+                                                       {"sliding_velocity", "m/s", &Contacts::sliding_velocity}};
 
 /// Of contacts of grains that are no disks; files of disks have none.
-inline constexpr Column<Contacts> lever_columns[] = {
-    {"off_i_x", "m", &Contacts::off_i_x}, {"off_i_y", "m", &Contacts::off_i_y}, {"off_j_x", "m", &Contacts::off_j_x}, {"off_j_y", "m", &Contacts::off_j_y}};
+inline constexpr Column<Contacts> lever_columns[] = {{"off_i_x", "m", &Contacts::off_i, &Vec2::x},
+                                                     {"off_i_y", "m", &Contacts::off_i, &Vec2::y},
+                                                     {"off_j_x", "m", &Contacts::off_j, &Vec2::x},
+                                                     {"off_j_y", "m", &Contacts::off_j, &Vec2::y}};
 
 /// Displacements and stresses of a field's nodes.
 inline constexpr Column<StressField> field_columns[] = {{"ux", "m", &StressField::ux},
@@ -55,10 +80,15 @@ inline constexpr Column<StressField> field_columns[] = {{"ux", "m", &StressField
 template <class Owner, class Columns>
 void transfer_columns(const Hdf5Group& at, Owner& owner, const Columns& columns, std::size_t size, bool may_lack = false) {
   for (const auto& c : columns) {
-    at.array(c.name, owner.*c.member, c.unit);
-    if (const std::size_t count = (owner.*c.member).size(); count > 0 || !may_lack) at.same_length({count, size});
+    std::vector<double> values = c.of(owner);
+    at.array(c.name, values, c.unit);
+    if (!values.empty() || !may_lack) at.same_length({values.size(), size});
+    if (at.reads()) c.set(owner, std::move(values));
   }
 }
+
+/// Points as the arrays x and y, m.
+void transfer_points(const Hdf5Group& at, std::vector<Vec2>& points);
 
 /// What made a result, its name and how it ended, as the groups "provenance" and "outcome"; the file itself says in its attributes what it is.
 void transfer_provenance(const Hdf5Group& at, Provenance& provenance);

@@ -15,14 +15,14 @@ Domain domain_of(const RawGrains& grains, const SampleOptions& options) {
   Domain d;
   d.thickness = options.thickness.value_or(0);
   d.tilt = grains.tilt;
-  d.periodic_x = grains.periodic_x;
-  d.periodic_y = grains.periodic_y;
+  d.periodic[0] = grains.periodic[0];
+  d.periodic[1] = grains.periodic[1];
   d.wall[left].position = grains.box_low.x;
   d.wall[right].position = grains.box_high.x;
   d.wall[bottom].position = grains.box_low.y;
   d.wall[top].position = grains.box_high.y;
-  d.wall[left].present = d.wall[right].present = grains.has_box && !d.periodic_x;
-  d.wall[bottom].present = d.wall[top].present = grains.has_box && !d.periodic_y;
+  d.wall[left].present = d.wall[right].present = grains.has_box && !d.periodic[0];
+  d.wall[bottom].present = d.wall[top].present = grains.has_box && !d.periodic[1];
   return d;
 }
 
@@ -36,14 +36,13 @@ Index add_grains(const RawGrains& raw, const Domain& domain, bool closed, Grains
     if (!index.emplace(row.id, static_cast<std::int32_t>(g)).second)
       problems.add(row.line, fmt::format("grain {} appears twice; give every grain its own id", row.id));
     if (!(row.radius > 0)) problems.add(row.line, fmt::format("the radius of grain {} is {:g} m; a radius must be positive", row.id, row.radius));
-    const bool outside_x = !domain.periodic_x && (row.centre.x < domain.wall[left].position || row.centre.x > domain.wall[right].position);
-    const bool outside_y = !domain.periodic_y && (row.centre.y < domain.wall[bottom].position || row.centre.y > domain.wall[top].position);
+    const bool outside_x = !domain.periodic[0] && (row.centre.x < domain.wall[left].position || row.centre.x > domain.wall[right].position);
+    const bool outside_y = !domain.periodic[1] && (row.centre.y < domain.wall[bottom].position || row.centre.y > domain.wall[top].position);
     if (closed && (outside_x || outside_y)) problems.add(row.line, fmt::format("grain {} lies outside the box; correct its centre, --box or --origin", row.id));
     if (row.zone < 0 || row.zone > 255) problems.add(row.line, fmt::format("the zone of grain {} is {}; zones are numbers from 0 to 255", row.id, row.zone));
     else grains.zone[g] = static_cast<std::uint8_t>(row.zone);
     grains.id[g] = row.id;
-    grains.x[g] = row.centre.x;
-    grains.y[g] = row.centre.y;
+    grains.position[g] = row.centre;
     grains.radius[g] = row.radius;
   }
   return index;
@@ -58,7 +57,7 @@ struct ContactGeometry {
 constexpr double far_apart = 2;  ///< centre distance over the sum of radii beyond which a contact cannot be meant
 
 std::optional<ContactGeometry> grain_geometry(const Packing& p, const RawContact& row, std::size_t i, std::size_t j, Problems& problems) {
-  const Vec2 branch = p.domain.nearest_image(p.grains.centre(j) - p.grains.centre(i));
+  const Vec2 branch = p.domain.nearest_image(p.grains.position[j] - p.grains.position[i]);
   const double ri = p.grains.radius[i], rj = p.grains.radius[j];
   double distance = norm(branch);
   ContactGeometry g;
@@ -90,7 +89,7 @@ std::optional<ContactGeometry> grain_geometry(const Packing& p, const RawContact
 ContactGeometry wall_geometry(const Packing& p, int side, std::size_t i, bool has_box) {
   const Vec2 n = -inward_normal(side);
   const double position = p.domain.wall[static_cast<std::size_t>(side)].position;
-  const double distance = side == left || side == right ? std::abs(p.grains.x[i] - position) : std::abs(p.grains.y[i] - position);
+  const double distance = side == left || side == right ? std::abs(p.grains.position[i].x - position) : std::abs(p.grains.position[i].y - position);
   return {n, has_box ? distance : p.grains.radius[i], 0};
 }
 
@@ -108,7 +107,7 @@ class Taken {
     const auto it = by_pair_.find(std::minmax(i, j));
     if (it == by_pair_.end()) return -1;
     for (const std::size_t c : it->second) {
-      const Vec2 out = contacts.i[c] == i ? -contacts.normal(c) : contacts.normal(c);  // from this row's i
+      const Vec2 out = contacts.i[c] == i ? -contacts.normal[c] : contacts.normal[c];  // from this row's i
       if (dot(out, n) > 0) return static_cast<std::int64_t>(c);
     }
     return -1;
@@ -184,8 +183,8 @@ void place_box(RawGrains& grains, Problems& problems) {
                     "--origin places it.",
                     size.*axis, name, grains.box_low.*axis));
   };
-  place(&Vec2::x, grains.periodic_x, "x");
-  place(&Vec2::y, grains.periodic_y, "y");
+  place(&Vec2::x, grains.periodic[0], "x");
+  place(&Vec2::y, grains.periodic[1], "y");
 }
 
 void assemble(const RawGrains& grains, const RawContacts& contacts, const SampleOptions& options, Sample& sample, Problems& grain_problems,

@@ -159,14 +159,13 @@ Grains read_placed_grains(const std::filesystem::path& path, const Materials& ma
     const RawGrain& row = raw.rows[i];
     if (const auto [seen, is_new] = line_of.emplace(row.id, row.line); !is_new)
       problems.add(row.line, fmt::format("grain {} stands in line {} already; give every grain its own id", row.id, seen->second));
-    const Vec2 centre = row.centre + Vec2{domain.wall[left].position, domain.wall[bottom].position};
+    const Vec2 centre = row.centre + domain.corner();
     if (!lies_inside(centre, domain))
       problems.add(row.line, fmt::format("the centre of grain {} at ({:g}, {:g}) m lies outside the container of {:g} x {:g} m; correct it, "
                                          "the unit of the column or [container]",
                                          row.id, row.centre.x, row.centre.y, domain.width(), domain.height()));
     grains.id[i] = row.id;
-    grains.x[i] = centre.x;
-    grains.y[i] = centre.y;
+    grains.position[i] = centre;
     grains.radius[i] = row.radius;
     grains.material[i] = material_of(row, materials, problems);
   }

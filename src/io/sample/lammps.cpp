@@ -77,8 +77,8 @@ void read_box(std::vector<Item>& items, double length, RawGrains& grains, Proble
   grains.box_high = {x[1] - std::max({0.0, xy, xz, xy + xz}), y[1]};
   grains.tilt = xy;
   const std::size_t first = tilted ? 3 : 0;
-  grains.periodic_x = flags.size() > first && flags[first] == "pp";
-  grains.periodic_y = flags.size() > first + 1 && flags[first + 1] == "pp";
+  grains.periodic[0] = flags.size() > first && flags[first] == "pp";
+  grains.periodic[1] = flags.size() > first + 1 && flags[first + 1] == "pp";
   grains.has_box = true;
 }
 

@@ -33,8 +33,8 @@ class PairGeometry {
  public:
   explicit PairGeometry(const RawGrains& grains) {
     for (const RawGrain& g : grains.rows) centre_[g.id] = g.centre;
-    cell_.periodic_x = grains.has_box && grains.periodic_x;
-    cell_.periodic_y = grains.has_box && grains.periodic_y;
+    cell_.periodic[0] = grains.has_box && grains.periodic[0];
+    cell_.periodic[1] = grains.has_box && grains.periodic[1];
     cell_.wall[right].position = grains.box_high.x - grains.box_low.x;
     cell_.wall[top].position = grains.box_high.y - grains.box_low.y;
     cell_.tilt = grains.tilt;

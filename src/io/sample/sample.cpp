@@ -71,8 +71,8 @@ void turn_rows_up(RawContacts& contacts) {
 }
 
 void apply_box(const SampleOptions& options, RawGrains& grains, Problems& problems) {
-  grains.periodic_x |= options.periodic_x;
-  grains.periodic_y |= options.periodic_y;
+  grains.periodic[0] |= options.periodic[0];
+  grains.periodic[1] |= options.periodic[1];
   if (options.box) {
     grains.has_box = true;
     grains.tilt = options.tilt;
@@ -80,7 +80,7 @@ void apply_box(const SampleOptions& options, RawGrains& grains, Problems& proble
     grains.box_high = grains.box_low + *options.box;
     if (!options.origin) place_box(grains, problems);
   }
-  if (!grains.has_box && (grains.periodic_x || grains.periodic_y)) problems.add("periodic sides need the size of the cell; give --box LX,LY[,tilt]");
+  if (!grains.has_box && (grains.periodic[0] || grains.periodic[1])) problems.add("periodic sides need the size of the cell; give --box LX,LY[,tilt]");
 }
 
 /// The text of a file; one with zero bytes is no text in any encoding that is read here.

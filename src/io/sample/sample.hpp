@@ -21,7 +21,7 @@ struct SampleOptions {
   std::optional<Vec2> box;                        ///< width, height, m
   std::optional<Vec2> origin;                     ///< lower left corner, m; default: the origin if all centres fit, else around them
   double tilt = 0;                                ///< m
-  bool periodic_x = false, periodic_y = false;
+  std::array<bool, 2> periodic{};
   std::optional<double> thickness;                 ///< m
   std::optional<std::filesystem::path> materials;  ///< table of material, name, density, stiffness, or of id, material
   bool y_down = false;                             ///< y counts image rows, which point down: it is turned round, fn and ft kept
@@ -74,7 +74,7 @@ struct RawGrains {
   std::vector<RawGrain> rows;
   bool has_box = false;
   Vec2 box_low, box_high;  ///< m
-  bool periodic_x = false, periodic_y = false;
+  std::array<bool, 2> periodic{};
   double tilt = 0;
   std::vector<std::string> notes;
 };

@@ -36,8 +36,8 @@ class Centres {
   std::int64_t find(Vec2 p) const {
     const double reach = 1e-5 * (std::abs(p.x) + std::abs(p.y));
     const Vec2 size = grains_.box_high - grains_.box_low, base = wrapped(p);
-    for (int ky = -grains_.periodic_y; ky <= int{grains_.periodic_y}; ++ky)
-      for (int kx = -grains_.periodic_x; kx <= int{grains_.periodic_x}; ++kx)
+    for (int ky = -grains_.periodic[1]; ky <= int{grains_.periodic[1]}; ++ky)
+      for (int kx = -grains_.periodic[0]; kx <= int{grains_.periodic[0]}; ++kx)
         if (const auto g = near(base + Vec2{kx * size.x + ky * grains_.tilt, ky * size.y}, reach); g >= 0) return g;
     return -1;
   }
@@ -49,8 +49,8 @@ class Centres {
   };
   Vec2 wrapped(Vec2 p) const {
     const Vec2 size = grains_.box_high - grains_.box_low;
-    if (grains_.periodic_y) p = p - std::floor((p.y - grains_.box_low.y) / size.y) * Vec2{grains_.tilt, size.y};
-    if (grains_.periodic_x) p.x -= std::floor((p.x - grains_.box_low.x) / size.x) * size.x;
+    if (grains_.periodic[1]) p = p - std::floor((p.y - grains_.box_low.y) / size.y) * Vec2{grains_.tilt, size.y};
+    if (grains_.periodic[0]) p.x -= std::floor((p.x - grains_.box_low.x) / size.x) * size.x;
     return p;
   }
   std::int64_t near(Vec2 p, double reach) const {
@@ -106,11 +106,11 @@ std::vector<Point> read_points(Words& words, std::size_t count, double factor, P
 bool may_be_wall(Vec2 n, const RawGrains& grains) {
   constexpr double slack = 1e-3;  // six digits, and walls that settled
   const double x = std::abs(n.x), y = std::abs(n.y);
-  return (y <= slack * x && !grains.periodic_x) || (x <= slack * y && !grains.periodic_y);
+  return (y <= slack * x && !grains.periodic[0]) || (x <= slack * y && !grains.periodic[1]);
 }
 
 std::string not_joined(std::size_t count, std::size_t all, const RawGrains& grains) {
-  const bool cell = grains.periodic_x || grains.periodic_y;
+  const bool cell = grains.periodic[0] || grains.periodic[1];
   return fmt::format("{} of {} interactions end at no grain's centre, and their forces are not those of a wall of the box; {}", count, all,
                      cell ? "the cell does not join the grains across its periodic sides: correct --box (O.cell.hSize) and --periodic"
                           : "if they cross a periodic side give the cell by --box and --periodic; spheres and interactions must be written at the same step");

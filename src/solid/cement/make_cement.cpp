@@ -18,7 +18,7 @@ namespace {
 
 geometry::MeniscusDisks disks_of(const Packing& packing, geometry::Pair pair) {
   const Grains& g = packing.grains;
-  const Vec2 d = packing.domain.nearest_image(g.centre(pair.j) - g.centre(pair.i));
+  const Vec2 d = packing.domain.nearest_image(g.position[pair.j] - g.position[pair.i]);
   return {g.radius[pair.i], g.radius[pair.j], norm(d)};
 }
 

@@ -171,8 +171,8 @@ geometry::Rectangle sample_of(const Packing& packing) {
   if (g.size() == 0) return {};
   geometry::Rectangle box{INFINITY, -INFINITY, INFINITY, -INFINITY};
   for (std::size_t i = 0; i < g.size(); ++i)
-    box = {std::min(box.x_min, g.x[i] - g.radius[i]), std::max(box.x_max, g.x[i] + g.radius[i]), std::min(box.y_min, g.y[i] - g.radius[i]),
-           std::max(box.y_max, g.y[i] + g.radius[i])};
+    box = {std::min(box.x_min, g.position[i].x - g.radius[i]), std::max(box.x_max, g.position[i].x + g.radius[i]),
+           std::min(box.y_min, g.position[i].y - g.radius[i]), std::max(box.y_max, g.position[i].y + g.radius[i])};
   return box;
 }
 

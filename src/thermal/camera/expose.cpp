@@ -111,7 +111,7 @@ template <class Paint> void each_point(Canvas& canvas, Vec2 centre, double radiu
 }
 
 Vec2 place_of(const Scene& scene, const Parameters& p, std::size_t i, double s) {
-  return p.motion ? scene.grains.centre(i) + s * scene.travel[i] : scene.grains.centre(i);
+  return p.motion ? scene.grains.position[i] + s * scene.travel[i] : scene.grains.position[i];
 }
 
 imaging::Lens lens_of(const Optics& optics) { return imaging::make_lens(optics.blur, static_cast<int>(optics.supersampling), 5); }
@@ -164,7 +164,7 @@ FloatImage optical_picture(const Scene& scene, const Parameters& p, const std::v
   paint_container(canvas, scene, view, 0, 0.5f, 0.35f);
   for (std::size_t i = 0; i < scene.grains.size(); ++i) {
     const auto grey = static_cast<float>(brightness[static_cast<std::size_t>(scene.grains.material[i])]);
-    each_point(canvas, view.seen(scene.grains.centre(i)), scene.grains.radius[i], [&](std::size_t at, double, double) { canvas.light[at] = grey; });
+    each_point(canvas, view.seen(scene.grains.position[i]), scene.grains.radius[i], [&](std::size_t at, double, double) { canvas.light[at] = grey; });
   }
   const int width = static_cast<int>(optics.width), height = static_cast<int>(optics.height);
   FloatImage picture{width, height, imaging::through_lens(lens, canvas.light, width, height)};

@@ -47,7 +47,7 @@ std::vector<elasticity::Disk> loaded_disks(const Packing& packing, double arc) {
   }
   const auto& contacts = packing.contacts;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
-    const Vec2 n = contacts.normal(c);
+    const Vec2 n = contacts.normal[c];
     disks[static_cast<std::size_t>(contacts.i[c])].forces.push_back({n, contacts.fn[c], contacts.ft[c], arc});
     if (!contacts.is_wall(c)) disks[static_cast<std::size_t>(contacts.j[c])].forces.push_back({-n, contacts.fn[c], contacts.ft[c], arc});
   }
@@ -78,7 +78,7 @@ Scene make_scene(const Packing* low, const Packing& high, const Parameters& p) {
   const auto released = low ? loaded_disks(*low, p.contact_arc) : std::vector<elasticity::Disk>{};
   const double cell = p.optics.pixel / static_cast<double>(p.optics.supersampling);
   for (std::size_t i = 0; i < pressed.size(); ++i) {
-    scene.travel.push_back(high.grains.centre(i) - start.grains.centre(i));
+    scene.travel.push_back(high.grains.position[i] - start.grains.position[i]);
     scene.stress.push_back(patch_of(low ? &released[i] : nullptr, pressed[i], cell));
   }
   return scene;
@@ -146,7 +146,7 @@ std::vector<Vec2> mean_displacements(const FieldResult& result) {
   for (std::size_t k = 0; k < result.map.size(); ++k) {
     const auto label = result.map.grain[k];
     if (label < 0) continue;
-    sum[static_cast<std::size_t>(label)] = sum[static_cast<std::size_t>(label)] + Vec2{result.field.ux[k], result.field.uy[k]};
+    sum[static_cast<std::size_t>(label)] += result.field.displacement(k);
     ++count[static_cast<std::size_t>(label)];
   }
   for (std::size_t g = 0; g < sum.size(); ++g) sum[g] = (1 / std::max(count[g], 1.0)) * sum[g];
@@ -192,7 +192,7 @@ Scene scene_of_field(const FieldResult& result, const Parameters& parameters) {
   for (std::size_t g = 0; g < grains; ++g) {
     const GrainNodes nodes(result, static_cast<std::int32_t>(g));
     scene.stress.push_back(
-        fill_patch(scene.grains.radius[g], cell, [&](Vec2 middle, double) { return cell_mean(nodes, scene.grains.centre(g) + middle, cell, points); }));
+        fill_patch(scene.grains.radius[g], cell, [&](Vec2 middle, double) { return cell_mean(nodes, scene.grains.position[g] + middle, cell, points); }));
   }
   return scene;
 }

@@ -18,7 +18,7 @@ void check_errors(const std::vector<double>& errors, std::size_t grains, const c
 
 void check(const Grains& grains, const GrainErrors& errors, const ContactTolerance& tolerance) {
   for (std::size_t g = 0; g < grains.size(); ++g)
-    if (!std::isfinite(grains.x[g]) || !std::isfinite(grains.y[g]) || !(grains.radius[g] > 0) || !std::isfinite(grains.radius[g]))
+    if (!std::isfinite(grains.position[g].x) || !std::isfinite(grains.position[g].y) || !(grains.radius[g] > 0) || !std::isfinite(grains.radius[g]))
       throw refusal("grain {} has no place or no positive radius", grains.id[g]);
   check_errors(errors.position, grains.size(), "position");
   check_errors(errors.radius, grains.size(), "radius");
@@ -46,7 +46,7 @@ Contacts propose_contacts(const Grains& grains, const Domain& domain, const Grai
   Contacts contacts;
   for (const auto& [i, j] : pairs_within(grains, domain, floor + tolerance.errors * std::sqrt(2.0) * largest)) {
     const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
-    const Vec2 branch = domain.nearest_image(grains.centre(a) - grains.centre(b));
+    const Vec2 branch = domain.nearest_image(grains.position[a] - grains.position[b]);
     const double distance = norm(branch), overlap = grains.radius[a] + grains.radius[b] - distance;
     const double error = std::hypot(surface_error(errors, a), surface_error(errors, b));
     if (-overlap > floor + tolerance.errors * error || !(distance > 0)) continue;
@@ -57,7 +57,7 @@ Contacts propose_contacts(const Grains& grains, const Domain& domain, const Grai
     if (!wall.present) continue;
     const Vec2 normal = inward_normal(side);
     for (std::size_t g = 0; g < grains.size(); ++g) {
-      const double distance = dot(normal, grains.centre(g)) - (normal.x + normal.y) * wall.position;
+      const double distance = dot(normal, grains.position[g]) - (normal.x + normal.y) * wall.position;
       const double error = std::hypot(surface_error(errors, g), tolerance.wall_error);
       if (distance - grains.radius[g] > floor + tolerance.errors * error) continue;
       add_contact(contacts, static_cast<std::int32_t>(g), wall_partner(side), normal, distance, 0, grains.radius[g] - distance);

@@ -25,12 +25,12 @@ class CentreGrid {
   explicit CentreGrid(const PictureGrains& grains)
       : grains_(grains),
         grid_(grid_over(grains)),
-        cells_(grid_, 0, grains.size(), [&](std::size_t k) { return grid_.cell(grains.x[k], grains.y[k]); }) {}
+        cells_(grid_.size(), 0, grains.size(), [&](std::size_t k) { return grid_.cell(place(grains, k)); }) {}
 
   /// Calls visit(index, squared distance) for every place no farther than `reach`.
   template <class Visit> void within(Vec2 p, double reach, Visit visit) const {
-    const auto at = [&](double x, std::int32_t row) { return static_cast<std::size_t>(row * grid_.columns + grid_.column(x)); };
-    for (std::int32_t row = grid_.row(p.y - reach); row <= grid_.row(p.y + reach); ++row)
+    const auto at = [&](double x, std::int32_t row) { return static_cast<std::size_t>(row * grid_.count[0] + grid_.along(0, x)); };
+    for (std::int32_t row = grid_.along(1, p.y - reach); row <= grid_.along(1, p.y + reach); ++row)
       for (std::int32_t k = cells_.first[at(p.x - reach, row)]; k < cells_.first[at(p.x + reach, row) + 1]; ++k) {
         const std::int32_t item = cells_.item[static_cast<std::size_t>(k)];
         const Vec2 away = place(grains_, item) - p;
@@ -52,15 +52,15 @@ class CentreGrid {
 
  private:
   /// Cells as wide as a grain, but never many more than places, however far apart these lie.
-  static geometry::CellGrid grid_over(const PictureGrains& g) {
+  static geometry::CellGrid<2> grid_over(const PictureGrains& g) {
     const auto [x0, x1] = std::minmax_element(g.x.begin(), g.x.end());
     const auto [y0, y1] = std::minmax_element(g.y.begin(), g.y.end());
     const double width = *x1 - *x0, height = *y1 - *y0, n = static_cast<double>(g.size());
-    return {*x0, *y0, width, height, std::max({2 * mean_radius(g), std::sqrt(width * height / (4 * n)), std::max(width, height) / (4 * n)})};
+    return {{{*x0, *y0}, {width, height}}, std::max({2 * mean_radius(g), std::sqrt(width * height / (4 * n)), std::max(width, height) / (4 * n)})};
   }
 
   const PictureGrains& grains_;
-  geometry::CellGrid grid_;
+  geometry::CellGrid<2> grid_;
   geometry::SortedCells cells_;
 };
 

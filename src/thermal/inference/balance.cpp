@@ -42,10 +42,10 @@ double overlap_of(const Packing& packing, std::size_t c) {
   if (packing.contacts.is_wall(c)) {
     const int side = packing.contacts.wall_side(c);
     const Vec2 inward = inward_normal(side);
-    return grains.radius[i] - dot(inward, grains.centre(i)) + (inward.x + inward.y) * packing.domain.wall[static_cast<std::size_t>(side)].position;
+    return grains.radius[i] - dot(inward, grains.position[i]) + (inward.x + inward.y) * packing.domain.wall[static_cast<std::size_t>(side)].position;
   }
   const auto j = static_cast<std::size_t>(packing.contacts.j[c]);
-  return grains.radius[i] + grains.radius[j] - norm(packing.domain.nearest_image(grains.centre(i) - grains.centre(j)));
+  return grains.radius[i] + grains.radius[j] - norm(packing.domain.nearest_image(grains.position[i] - grains.position[j]));
 }
 
 void judge_presence(const Packing& packing, double widest_gap, InferredForces& forces) {
@@ -90,7 +90,7 @@ Touches touches_of_grains(const Packing& packing, const std::vector<Vec2>& centr
     const auto i = static_cast<std::size_t>(contacts.i[c]);
     const int contact = static_cast<int>(c);
     if (contacts.is_wall(c)) {
-      touches[i].push_back({contact, -1, contacts.is_boundary(c) ? contacts.normal(c) : inward_normal(contacts.wall_side(c)), 0});
+      touches[i].push_back({contact, -1, contacts.is_boundary(c) ? contacts.normal[c] : inward_normal(contacts.wall_side(c)), 0});
       continue;
     }
     const auto j = static_cast<std::size_t>(contacts.j[c]);
@@ -177,7 +177,7 @@ InferredForces finish(const ForceProblem& problem, const ForceOptions& options, 
     for (const Touch& t : touches[g]) {
       const auto c = static_cast<std::size_t>(t.contact);
       const bool first = static_cast<std::size_t>(out.contacts.i[c]) == g;
-      if (first) out.contacts.nx[c] = t.normal.x, out.contacts.ny[c] = t.normal.y;
+      if (first) out.contacts.normal[c] = t.normal;
     }
   const std::vector<double> variance = equations.inverse_diagonal();
   for (std::size_t c = 0; c < unknowns.contacts; ++c) {

@@ -16,14 +16,14 @@ void check_grains(const Packing& packing, Problems& problems) {
   const Grains& grains = packing.grains;
   if (!(packing.domain.thickness > 0)) problems.add("the thickness of the sample is not known; give the cylinders' length");
   for (std::size_t g = 0; g < grains.size(); ++g)
-    if (!(grains.radius[g] > 0) || !std::isfinite(grains.x[g]) || !std::isfinite(grains.y[g])) {
+    if (!(grains.radius[g] > 0) || !std::isfinite(grains.position[g].x) || !std::isfinite(grains.position[g].y)) {
       problems.add("grain {} has no finite place and positive radius; correct or remove it", grains.id[g]);
       return;
     }
   const Domain& d = packing.domain;
   for (const geometry::Pair& pair : pairs_within(grains, d, 0)) {
     const auto i = static_cast<std::size_t>(pair.i), j = static_cast<std::size_t>(pair.j);
-    const double overlap = grains.radius[i] + grains.radius[j] - norm(d.nearest_image(grains.centre(i) - grains.centre(j)));
+    const double overlap = grains.radius[i] + grains.radius[j] - norm(d.nearest_image(grains.position[i] - grains.position[j]));
     if (overlap > 0.4 * std::min(grains.radius[i], grains.radius[j]))
       problems.add("grains {} and {} overlap by {:.2g} mm, more than a fifth of the smaller diameter; check their centres and radii", grains.id[i],
                    grains.id[j], 1e3 * overlap);

@@ -63,7 +63,7 @@ InferredForces infer_from_means(const ForceProblem& problem, const std::vector<d
   const Packing& packing = problem.packing;
   if (sigma_hyd.size() != packing.grains.size() || error.size() != sigma_hyd.size()) throw InputError("mean stresses need a value and an error for each grain");
   std::vector<Vec2> centres;
-  for (std::size_t g = 0; g < packing.grains.size(); ++g) centres.push_back(packing.grains.centre(g));
+  for (std::size_t g = 0; g < packing.grains.size(); ++g) centres.push_back(packing.grains.position[g]);
   const Touches touches = touches_of_grains(packing, centres);
   double sum = 0;
   for (std::size_t g = 0; g < centres.size(); ++g)

@@ -12,7 +12,7 @@ namespace {
 /// Shifts by whole cells that may bring a grain into the picture.
 std::vector<Vec2> images(const Domain& domain) {
   std::vector<Vec2> shifts;
-  const int nx = domain.periodic_x ? 1 : 0, ny = domain.periodic_y ? 1 : 0;
+  const int nx = domain.periodic[0] ? 1 : 0, ny = domain.periodic[1] ? 1 : 0;
   for (int b = -ny; b <= ny; ++b)
     for (int a = -nx - (b ? nx : 0); a <= nx + (b ? nx : 0); ++a) shifts.push_back({a * domain.width() * nx + b * domain.tilt, b * domain.height() * ny});
   return shifts;
@@ -64,7 +64,7 @@ Pixels pixels_of_grains(const ThermoelasticPicture& picture, const Packing& pack
     const double radius = packing.grains.radius[g], inner = radius - rim_margin * side;
     if (inner <= 0) continue;
     for (const Vec2 shift : shifts) {
-      const Vec2 centre = packing.grains.centre(g) + shift;
+      const Vec2 centre = packing.grains.position[g] + shift;
       const double column = (centre.x - picture.first.x) / side, row = (picture.first.y - centre.y) / side, reach = inner / side;
       each_pixel_near(column, row, reach, picture.width, picture.height, [&](int c, int r, std::size_t p) {
         const Vec2 x = Vec2{picture.first.x + c * side, picture.first.y - r * side} - centre;

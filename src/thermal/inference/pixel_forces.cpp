@@ -41,7 +41,7 @@ Placed placed_grains(const ForceProblem& problem) {
   placed.material = grains.material;
   for (std::size_t g = 0; g < grains.size(); ++g) {
     placed.factor.push_back(problem.factor[static_cast<std::size_t>(grains.material[g])]);
-    placed.found.push_back(grains.centre(g));
+    placed.found.push_back(grains.position[g]);
   }
   placed.centre = placed.found;
   placed.touches = touches_of_grains(problem.packing, placed.centre);
@@ -55,7 +55,7 @@ std::vector<std::vector<Near>> near_grains(const Packing& packing, double gap) {
   const Domain& d = packing.domain;
   std::vector<std::vector<Near>> near(grains.size());
   const auto add = [&](std::size_t i, std::size_t j) {
-    const Vec2 apart = grains.centre(i) - grains.centre(j);
+    const Vec2 apart = grains.position[i] - grains.position[j];
     near[i].push_back({j, apart - d.nearest_image(apart)});
   };
   for (const geometry::Pair& pair : pairs_within(grains, d, gap)) {

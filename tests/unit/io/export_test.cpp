@@ -13,14 +13,13 @@ Packing sheared_pair() {
   Packing packing;
   packing.materials = {{"A", 1, 1, 0}, {"B", 1, 1, 0}, {"C", 1, 1, 0}};
   auto& d = packing.domain;
-  d.periodic_x = d.periodic_y = true;
+  d.periodic[0] = d.periodic[1] = true;
   for (auto& wall : d.wall) wall.present = false;
   d.wall[right].position = 10;
   d.wall[top].position = 8;
   d.tilt = 3;
   packing.grains.resize(2);
-  packing.grains.x = {1, 4.5};
-  packing.grains.y = {0.5, 7.5};
+  packing.grains.position = {{1, 0.5}, {4.5, 7.5}};
   packing.grains.radius = {0.6, 0.6};
   return packing;
 }
@@ -71,7 +70,7 @@ TEST(ExportFrame, EveryFormatTakesASampleWithoutContactsOrGrains) {
   for (const auto& format : io::export_formats()) {
     std::set<std::string> names;
     io::ExportFrame one{0, "", &frame, {}};
-    if (format.wants_grid) one.grid = {0, 0, 1, 1, 1, 1, {}, {0}, {0}, {0}, {0}, {0}};
+    if (format.wants_grid) one.grid = {0, 0, 1, 1, 1, 1, {}, {{0, 0}}, {0}, {0}, {0}};
     for (const auto& file : format.of_loading ? format.of_loading({one}, {}) : format.of_frame(one)) {
       EXPECT_FALSE(file.bytes.empty()) << file.name;
       names.insert(file.name);
@@ -84,7 +83,7 @@ TEST(ExportFrame, FieldsAreAnImageOfTheBoxWithVectorsAndTensors) {
   io::ExportFrame one;
   one.number = 7;
   EXPECT_TRUE(io::fields_frame(one).empty());
-  one.grid = {1, 2, 0.5, 0.25, 2, 1, {{"density", "kg/m^3", {3, 4}}}, {1, 2}, {0, 0}, {-1, -1}, {-2, -2}, {0.5, 0.5}};
+  one.grid = {1, 2, 0.5, 0.25, 2, 1, {{"density", "kg/m^3", {3, 4}}}, {{1, 0}, {2, 0}}, {-1, -1}, {-2, -2}, {0.5, 0.5}};
   const auto files = io::fields_frame(one);
   ASSERT_EQ(files.size(), 1u);
   EXPECT_EQ(files[0].name, "fields_0007.vti");

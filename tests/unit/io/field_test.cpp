@@ -36,7 +36,7 @@ TEST(FieldFile, ReadsBackWhatWasWritten) {
   EXPECT_TRUE(back.converged);
   EXPECT_EQ(back.provenance.input_hash, r.provenance.input_hash);
   EXPECT_EQ(back.provenance.options, r.provenance.options);
-  EXPECT_EQ(back.packing.grains.x, r.packing.grains.x);
+  EXPECT_EQ(back.packing.grains.position, r.packing.grains.position);
   EXPECT_EQ(back.packing.grains.radius, r.packing.grains.radius);
   EXPECT_EQ(back.packing.contacts.fn, r.packing.contacts.fn);
   EXPECT_EQ(back.packing.domain.wall[top].force, r.packing.domain.wall[top].force);

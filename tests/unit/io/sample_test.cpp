@@ -54,7 +54,7 @@ TEST(SampleCsv, TurnsTheFilesForceOnJIntoTheModelsForceOnI) {
   // n from i to j is +x, t is +y: the force on grain 9 is (10, 2), on grain 7 (-10, -2).
   EXPECT_DOUBLE_EQ(c.force_on_i(0).x, -10);
   EXPECT_DOUBLE_EQ(c.force_on_i(0).y, -2);
-  EXPECT_DOUBLE_EQ(c.nx[0], -1);
+  EXPECT_DOUBLE_EQ(c.normal[0].x, -1);
   EXPECT_DOUBLE_EQ(c.arm_i[0], 0.95);  // the point halves the overlap
   EXPECT_EQ(s.packing.grains.id[1], 9);
 }
@@ -131,11 +131,11 @@ TEST(SampleCsv, JoinsGrainsAcrossPeriodicSidesWithTilt) {
   SampleOptions o;
   o.box = Vec2{10, 10};
   o.tilt = 2;
-  o.periodic_x = o.periodic_y = true;
+  o.periodic[0] = o.periodic[1] = true;
   // Grain 2 is above the cell's middle; its image below is shifted by -tilt: (3.4 - 2, 9.6 - 10) = (1.4, -0.4).
   const Sample s = Files("id,x,y,radius\n1,1,0.2,0.5\n2,3.4,9.6,0.5\n", "i,j,fn,ft\n1,2,1,0\n").read(o);
-  EXPECT_NEAR(s.packing.contacts.nx[0], -0.4 / std::hypot(0.4, 0.6), 1e-12);
-  EXPECT_NEAR(s.packing.contacts.ny[0], 0.6 / std::hypot(0.4, 0.6), 1e-12);
+  EXPECT_NEAR(s.packing.contacts.normal[0].x, -0.4 / std::hypot(0.4, 0.6), 1e-12);
+  EXPECT_NEAR(s.packing.contacts.normal[0].y, 0.6 / std::hypot(0.4, 0.6), 1e-12);
   EXPECT_NEAR(s.packing.contacts.arm_i[0] + s.packing.contacts.arm_j[0], std::hypot(0.4, 0.6), 1e-12);
 }
 
@@ -246,7 +246,7 @@ TEST(SampleLammps, TakesTheWholeForceWhereTheUserNamesItAlone) {
 
 TEST(SampleOptionsGiven, PeriodicSidesNeedTheCell) {
   SampleOptions o;
-  o.periodic_x = true;
+  o.periodic[0] = true;
   expect_part(Files(two_grains, "i,j,fn,ft\n").problems(o), "periodic sides need the size of the cell");
 }
 

@@ -10,7 +10,7 @@ using namespace arenite;
 
 Domain cell(double width, double height, double tilt) {
   Domain d;
-  d.periodic_x = d.periodic_y = true;
+  d.periodic[0] = d.periodic[1] = true;
   d.wall[left].position = -1;
   d.wall[right].position = width - 1;
   d.wall[top].position = height;
@@ -25,15 +25,14 @@ TEST(PeriodicImages, GivePairsByTheirNearestImageInShearedCells) {
     Grains grains;
     grains.resize(60);
     for (std::size_t g = 0; g < grains.size(); ++g) {
-      grains.x[g] = random.uniform(-9, 12);
-      grains.y[g] = random.uniform(-6, 11);
+      grains.position[g] = {random.uniform(-9, 12), random.uniform(-6, 11)};
       grains.radius[g] = random.uniform(0.2, 0.4);
     }
     std::vector<std::pair<int, int>> found, wanted;
     for (const auto& p : pairs_within(grains, domain, 0.1)) found.emplace_back(p.i, p.j);
     for (std::size_t i = 0; i < grains.size(); ++i)
       for (std::size_t j = i + 1; j < grains.size(); ++j)
-        if (norm(domain.nearest_image(grains.centre(i) - grains.centre(j))) <= grains.radius[i] + grains.radius[j] + 0.1) wanted.emplace_back(i, j);
+        if (norm(domain.nearest_image(grains.position[i] - grains.position[j])) <= grains.radius[i] + grains.radius[j] + 0.1) wanted.emplace_back(i, j);
     EXPECT_EQ(found, wanted);
   }
 }

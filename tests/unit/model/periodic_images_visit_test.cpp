@@ -15,8 +15,8 @@ TEST(Images, AreAllThatOverlapTheWindow) {
     Domain domain;
     domain.wall[right].position = 3;
     domain.wall[top].position = 2;
-    domain.periodic_x = k % 4 > 0;
-    domain.periodic_y = k % 4 > 1;
+    domain.periodic[0] = k % 4 > 0;
+    domain.periodic[1] = k % 4 > 1;
     domain.tilt = random.uniform(-5, 5);
     const auto rectangle = [&] {
       const double x = random.uniform(-4, 4), y = random.uniform(-4, 4);
@@ -31,7 +31,7 @@ TEST(Images, AreAllThatOverlapTheWindow) {
     });
     for (int row = -8; row <= 8; ++row)
       for (int column = -24; column <= 24; ++column) {
-        if ((row != 0 && !domain.periodic_y) || (column != 0 && !domain.periodic_x)) continue;
+        if ((row != 0 && !domain.periodic[1]) || (column != 0 && !domain.periodic[0])) continue;
         const double x = 3 * column + row * domain.tilt, y = 2 * row;
         if (geometry::overlap({extent.x_min + x, extent.x_max + x, extent.y_min + y, extent.y_max + y}, window)) wanted.insert({column, row});
       }

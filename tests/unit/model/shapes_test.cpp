@@ -13,8 +13,7 @@ using std::numbers::pi;
 Grains three_grains(const std::vector<double>& angles) {
   Grains grains;
   grains.resize(3);
-  grains.x = {0, 5, 10};
-  grains.y = {0, 1, 2};
+  grains.position = {{0, 0}, {5, 1}, {10, 2}};
   grains.radius = {1, 1, 1};
   grains.angle = angles;
   add_shape(grains.shapes, {{{0, 0}}, {1}, false}, std::sqrt(0.5));
@@ -52,7 +51,7 @@ TEST(Outlines, TurnWithTheirGrain) {
 TEST(Outlines, OfADiskAmongDisksNeedNoShapes) {
   Grains grains;
   grains.resize(1);
-  grains.x = {3}, grains.y = {4}, grains.radius = {2};
+  grains.position = {{3, 4}}, grains.radius = {2};
   for (const Vec2& p : outline_of(grains, 0)) EXPECT_NEAR(norm(p - Vec2{3, 4}), 2, 1e-14);
 }
 

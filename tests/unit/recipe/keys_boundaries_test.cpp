@@ -124,7 +124,7 @@ TEST(BoundariesInRecipes, MayBeInAPeriodicContainerThatStays) {
     text.replace(text.find("open = { right = true }"), std::string("open = { right = true }").size(), with_this);
     return text;
   };
-  EXPECT_TRUE(parse_recipe(closed(""), "r.toml").container.periodic_x);
+  EXPECT_TRUE(parse_recipe(closed(""), "r.toml").container.periodic[0]);
   EXPECT_TRUE(is_refused(closed("right = { velocity = \"1 mm/s\" }"), "is periodic and cannot move"));
 }
 

@@ -132,8 +132,8 @@ friction = 0
 )");
   EXPECT_EQ(recipe.seed, 42u);
   EXPECT_EQ(recipe.container.height, 0.35);
-  EXPECT_TRUE(recipe.container.periodic_x);
-  EXPECT_FALSE(recipe.container.periodic_y);
+  EXPECT_TRUE(recipe.container.periodic[0]);
+  EXPECT_FALSE(recipe.container.periodic[1]);
   EXPECT_EQ(recipe.materials.at(1).name, "B 2");
   EXPECT_EQ(recipe.materials[1].stiffness, 6.43e6);
   EXPECT_EQ(recipe.materials[0].thermoelastic_factor, 0.015e-6);

@@ -11,7 +11,7 @@ using Json = nlohmann::json;
 
 TEST(PackingLayers, APageHasFieldsOfItsStatesAndMotionWhereGrainsMove) {
   test::PageSample sample(60);
-  for (double& v : sample.stage.frames[0].packing.grains.vx) v = 0;
+  for (Vec2& v : sample.stage.frames[0].packing.grains.velocity) v.x = 0;
   const Json document = Json::parse(report::page_document(sample.data).json);
   for (const Json& frame : document["frames"]) {
     const Json& fields = frame["fields"];

@@ -17,8 +17,7 @@ workflow::FinalState state() {
   state.packing.materials = {{"POM", 1410, 1e7, 0}, {"HDPE", 950, 1e6, 0}};
   Grains& grains = state.packing.grains;
   grains.resize(2);
-  grains.x = {0.11, 0.14};
-  grains.y = {0.02, 0.02};
+  grains.position = {{0.11, 0.02}, {0.14, 0.02}};
   grains.radius = {0.01, 0.02};
   grains.material = {1, 0};
   grains.zone = {0, 1};

@@ -31,8 +31,7 @@ workflow::FinalState with_bare_walls() {
   auto& grains = state.packing.grains;
   for (int r = 1; r < 9; ++r)
     for (int c = 1; c < 9; ++c) {
-      grains.x.push_back(1e-3 * (c + 0.5));
-      grains.y.push_back(1e-3 * (r + 0.5));
+      grains.position.push_back({1e-3 * (c + 0.5), 1e-3 * (r + 0.5)});
       grains.radius.push_back(0.5e-3);
     }
   state.texture.mean_diameter = 1e-3;

@@ -31,7 +31,7 @@ TEST(TransposedPacking, StressIsTransposedWithIt) {
 
 TEST(TransposedPacking, TwiceIsTheSame) {
   const Packing packing = pressed(), twice = transposed(transposed(packing));
-  EXPECT_EQ(twice.grains.x, packing.grains.x);
+  EXPECT_EQ(twice.grains.position, packing.grains.position);
   EXPECT_EQ(twice.contacts.j, packing.contacts.j);
   EXPECT_EQ(twice.contacts.ft, packing.contacts.ft);
   for (std::size_t side = 0; side < 4; ++side) EXPECT_EQ(twice.domain.wall[side].position, packing.domain.wall[side].position);
@@ -47,8 +47,8 @@ TEST(CroppedPacking, LabelsComeFirstAndAllTheirContactsStay) {
   for (std::size_t l = 0; l < labels.size(); ++l) {
     const auto g = static_cast<std::size_t>(labels[l]);
     EXPECT_EQ(cropped.packing.grains.id[l], packing.grains.id[g]);
-    EXPECT_DOUBLE_EQ(cropped.packing.grains.x[l], packing.grains.x[g] - corner.x);
-    EXPECT_DOUBLE_EQ(cropped.packing.grains.y[l], packing.grains.y[g] - corner.y);
+    EXPECT_DOUBLE_EQ(cropped.packing.grains.position[l].x, packing.grains.position[g].x - corner.x);
+    EXPECT_DOUBLE_EQ(cropped.packing.grains.position[l].y, packing.grains.position[g].y - corner.y);
   }
   const auto contacts_of = [](const Packing& p, std::int64_t id) {
     std::multiset<double> forces;

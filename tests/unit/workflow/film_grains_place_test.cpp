@@ -60,8 +60,8 @@ TEST(FilmPlace, GrainsKeepOrderMaterialAndSize) {
   film.height = 41;
   const Grains grains = in_metres(found, place_of(framed(), film));
   ASSERT_EQ(grains.size(), 2u);
-  EXPECT_NEAR(grains.x[1], 0.020, 1e-15);
-  EXPECT_NEAR(grains.y[1], 0.010, 1e-15);
+  EXPECT_NEAR(grains.position[1].x, 0.020, 1e-15);
+  EXPECT_NEAR(grains.position[1].y, 0.010, 1e-15);
   EXPECT_DOUBLE_EQ(grains.radius[0], 0.008);
   EXPECT_EQ(grains.material, (std::vector<std::int32_t>{1, 0}));
   EXPECT_EQ(grains.id, (std::vector<std::int64_t>{1, 2}));

@@ -16,8 +16,7 @@ FilmResult four(const std::vector<double>& film, const std::vector<double>& simu
   r.packing.domain.wall[right].position = r.packing.domain.wall[top].position = 0.1;
   r.packing.grains.resize(4);
   for (std::size_t g = 0; g < 4; ++g) {
-    r.packing.grains.x[g] = 0.02 * static_cast<double>(g + 1);
-    r.packing.grains.y[g] = 0.05;
+    r.packing.grains.position[g] = {0.02 * static_cast<double>(g + 1), 0.05};
     r.packing.grains.radius[g] = 0.005;
   }
   r.peak_to_peak.sigma_hyd = film;

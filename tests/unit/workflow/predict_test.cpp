@@ -22,8 +22,7 @@ Packing two_disks(double radius, double larger) {
   packing.domain.wall[right].position = packing.domain.wall[top].position = 1;
   packing.grains.resize(2);
   packing.grains.radius = {radius, larger};
-  packing.grains.x = {0.3, 0.6};
-  packing.grains.y = {0.5, 0.5};
+  packing.grains.position = {{0.3, 0.5}, {0.6, 0.5}};
   return packing;
 }
 

@@ -50,7 +50,7 @@ double largest_core(const Sample& s) {
 
 /// Every polygon, and its images where their middles come as near to the cell as `reach`, m.
 std::vector<Core> all_cores(const Sample& s, double reach) {
-  const int across = s.domain.periodic_x ? 1 : 0, up = s.domain.periodic_y ? 1 : 0;
+  const int across = s.domain.periodic[0] ? 1 : 0, up = s.domain.periodic[1] ? 1 : 0;
   const auto& w = s.domain.wall;
   std::vector<Core> cores;
   for (std::size_t b = 0; b < s.body.size(); ++b) {
@@ -59,8 +59,8 @@ std::vector<Core> all_cores(const Sample& s, double reach) {
     for (int iy = -up; iy <= up; ++iy)
       for (int ix = -across; ix <= across; ++ix) {
         const Vec2 by = image_place(s, {ix, iy}), at = own.middle + by;
-        const bool near_x = !s.domain.periodic_x || (at.x > w[left].position - reach && at.x < w[right].position + reach);
-        const bool near_y = !s.domain.periodic_y || (at.y > w[bottom].position - reach && at.y < w[top].position + reach);
+        const bool near_x = !s.domain.periodic[0] || (at.x > w[left].position - reach && at.x < w[right].position + reach);
+        const bool near_y = !s.domain.periodic[1] || (at.y > w[bottom].position - reach && at.y < w[top].position + reach);
         if (!near_x || !near_y) continue;
         Core& core = cores.emplace_back(own);
         core.shift = {ix, iy};
@@ -104,12 +104,12 @@ inline Nearest nearest_on(const Core& core, Vec2 place) {
 }
 
 /// The cores that disk k may touch soon, with images in a fixed order.
-void find_cores(const Sample& s, const std::vector<Core>& cores, const geometry::CellGrid& grid, const geometry::SortedCells& cells, std::size_t k,
+void find_cores(const Sample& s, const std::vector<Core>& cores, const geometry::CellGrid<2>& grid, const geometry::SortedCells& cells, std::size_t k,
                 std::vector<std::int32_t>& near) {
   near.clear();
   const DiskRecord& d = s.record[k];
   const std::int32_t own = body_of(s, d.grain);
-  cells.for_near(grid, d.place.x, d.place.y, [&](std::int32_t at) {
+  cells.for_near(grid, d.place, [&](std::int32_t at) {
     const Core& core = cores[at];
     if (core.body == own || norm(d.place - core.middle) > core.reach + d.radius + s.skin) return;
     const Nearest found = nearest_on(core, d.place);
@@ -122,8 +122,8 @@ void find_cores(const Sample& s, const std::vector<Core>& cores, const geometry:
 /// In which periodic cell a place lies, counted from the one of now.
 Cells cell_of(const Domain& domain, Vec2 place) {
   Cells cell;
-  if (domain.periodic_x) cell.x = static_cast<std::int32_t>(std::floor((place.x - domain.wall[left].position) / domain.width()));
-  if (domain.periodic_y) cell.y = static_cast<std::int32_t>(std::floor((place.y - domain.wall[bottom].position) / domain.height()));
+  if (domain.periodic[0]) cell.x = static_cast<std::int32_t>(std::floor((place.x - domain.wall[left].position) / domain.width()));
+  if (domain.periodic[1]) cell.y = static_cast<std::int32_t>(std::floor((place.y - domain.wall[bottom].position) / domain.height()));
   return cell;
 }
 
@@ -150,10 +150,8 @@ std::vector<Foot> find_feet(const Sample& s, const ThreadPool& pool) {
   if (reach == 0) return {};
   reach += s.largest_radius + s.skin;
   const std::vector<Core> cores = all_cores(s, reach);
-  const geometry::CellGrid frame = cells_of(s);
-  const double width = frame.columns / frame.inverse_x, height = frame.rows / frame.inverse_y;
-  const geometry::CellGrid grid(frame.x0, frame.y0, width, height, reach);
-  const geometry::SortedCells cells(grid, 0, cores.size(), [&](std::size_t c) { return grid.cell(cores[c].middle.x, cores[c].middle.y); });
+  const geometry::CellGrid<2> grid(room_of(s), reach);
+  const geometry::SortedCells cells(grid.size(), 0, cores.size(), [&](std::size_t c) { return grid.cell(cores[c].middle); });
   constexpr std::size_t disks_of_block = 64;
   std::vector<std::vector<Foot>> blocks((s.count + disks_of_block - 1) / disks_of_block);
   pool.for_ranges(blocks.size(), [&](std::size_t begin, std::size_t end) {

@@ -10,7 +10,7 @@ namespace {
 
 bool is_disk(const Shapes& shapes, std::size_t g) {
   const std::int32_t d = shapes.first[g];
-  return shapes.first[g + 1] - d == 1 && shapes.x[d] == 0 && shapes.y[d] == 0;
+  return shapes.first[g + 1] - d == 1 && shapes.place[d] == Vec2{};
 }
 
 /// Corners of a filled shape turn counter-clockwise and have one radius.
@@ -45,11 +45,12 @@ void add_contact(Crowd& crowd, Vec2 centre, double radius, Vec2 n) {
 void check_shapes(Problems& problems, const Packing& start, const ContactParameters& contact, const IntegrationParameters& integration) {
   const Shapes& shapes = start.grains.shapes;
   if (shapes.empty()) return;
-  const std::size_t grains = start.grains.size(), disks = shapes.x.size();
-  bool sound = shapes.first.size() == grains + 1 && shapes.filled.size() == grains && shapes.gyration.size() == grains && shapes.y.size() == disks &&
-               shapes.radius.size() == disks && shapes.first.front() == 0 && shapes.first.back() == static_cast<std::int32_t>(disks);
+  const std::size_t grains = start.grains.size(), disks = shapes.place.size();
+  bool sound = shapes.first.size() == grains + 1 && shapes.filled.size() == grains && shapes.gyration.size() == grains && shapes.radius.size() == disks &&
+               shapes.first.front() == 0 && shapes.first.back() == static_cast<std::int32_t>(disks);
   for (std::size_t g = 0; g < grains && sound; ++g) sound = shapes.first[g + 1] > shapes.first[g] && shapes.gyration[g] > 0;
-  for (std::size_t d = 0; d < disks && sound; ++d) sound = std::isfinite(shapes.x[d] + shapes.y[d]) && std::isfinite(shapes.radius[d]) && shapes.radius[d] > 0;
+  for (std::size_t d = 0; d < disks && sound; ++d)
+    sound = std::isfinite(shapes.place[d].x + shapes.place[d].y) && std::isfinite(shapes.radius[d]) && shapes.radius[d] > 0;
   problems.unless(sound, "the shapes of the grains must give every grain its disks, with radii above 0, and a radius of gyration above 0");
   bool filled = false;
   for (std::size_t g = 0; g < grains && sound; ++g)
@@ -74,16 +75,16 @@ Packing disks_of(const Packing& from) {
   packing.contacts = from.contacts;
   const Grains& g = from.grains;
   Grains& disks = packing.grains;
-  disks.resize(shapes.x.size());
+  disks.resize(shapes.place.size());
   for (std::size_t k = 0; k < g.size(); ++k) {
     const Vec2 by = direction(g.angle[k]);
     for (std::int32_t d = shapes.first[k]; d < shapes.first[k + 1]; ++d) {
-      const Vec2 arm = turned({shapes.x[d], shapes.y[d]}, by);
+      const Vec2 arm = turned(shapes.place[d], by);
       disks.id[d] = g.id[k];
       disks.radius[d] = shapes.radius[d];
       disks.material[d] = g.material[k];
       disks.zone[d] = g.zone[k];
-      put_grain(disks, d, g.centre(k) + arm, g.angle[k], {g.velocity(k) + g.omega[k] * perpendicular(arm), g.omega[k]});
+      put_grain(disks, d, g.position[k] + arm, g.angle[k], {g.velocity[k] + g.omega[k] * perpendicular(arm), g.omega[k]});
     }
   }
   return packing;
@@ -93,12 +94,12 @@ void make_bodies(Sample& s, const Grains& given) {
   const Shapes& shapes = given.shapes;
   if (shapes.empty()) return;
   s.given = given;
-  s.part.resize(shapes.x.size());
+  s.part.resize(shapes.place.size());
   const CellMotion cell = cell_motion(s.domain);
   for (std::size_t g = 0; g < given.size(); ++g) {
     const bool single = is_disk(shapes, g);
     const auto body = single ? -1 : static_cast<std::int32_t>(s.body.size());
-    for (std::int32_t d = shapes.first[g]; d < shapes.first[g + 1]; ++d) s.part[d] = {static_cast<std::int32_t>(g), body, {shapes.x[d], shapes.y[d]}, {}};
+    for (std::int32_t d = shapes.first[g]; d < shapes.first[g + 1]; ++d) s.part[d] = {static_cast<std::int32_t>(g), body, shapes.place[d], {}};
     if (single) continue;
     Body& b = s.body.emplace_back();
     b.first = shapes.first[g];
@@ -106,9 +107,9 @@ void make_bodies(Sample& s, const Grains& given) {
     b.filled = shapes.filled[g];
     b.gyration = shapes.gyration[g];
     b.mass = own_mass_of(s, b);
-    b.place = given.centre(g);
+    b.place = given.position[g];
     b.angle = given.angle[g];
-    b.seen = {given.velocity(g), s.integration.rotations ? given.omega[g] : 0.0};
+    b.seen = {given.velocity[g], s.integration.rotations ? given.omega[g] : 0.0};
     b.own = {b.seen.velocity - cell.at(b.place), b.seen.omega};
   }
   s.part_disk.resize(s.part.size());
@@ -145,11 +146,11 @@ bool has_single_disks(const Sample& s) {
 }
 
 bool is_of_slot(const Sample& s, const Contacts& c, std::size_t q, std::size_t slot) {
-  if (s.part.empty() || c.off_i_x.empty()) return true;
+  if (s.part.empty() || c.off_i.empty()) return true;
   Vec2 i = own_lever(s, slot), j = partner_lever(s, slot);
   if (s.list.j[slot] >= 0 && grain_of(s, s.record[s.list.i[slot]].grain) != c.i[q]) std::swap(i, j);
   const double near = 1e-6 * s.given.radius[c.i[q]];
-  return norm(i - Vec2{c.off_i_x[q], c.off_i_y[q]}) <= near && norm(j - Vec2{c.off_j_x[q], c.off_j_y[q]}) <= near;
+  return norm(i - c.off_i[q]) <= near && norm(j - c.off_j[q]) <= near;
 }
 
 std::size_t moving(const Sample& s, std::int32_t k) {

@@ -70,8 +70,8 @@ bool are_near(const Sample& s, const SweepTask& t, const Body& b) {
 void wrap_part(const Sample& s, const Body& b, Vec2 by, BodyDisk& part) {
   const auto& w = s.domain.wall;
   const Vec2 at = b.place + turned(part.place, by);
-  if (s.domain.periodic_y) part.shift.y = -static_cast<std::int32_t>(std::floor((at.y - w[bottom].position) / s.domain.height()));
-  if (s.domain.periodic_x) part.shift.x = -static_cast<std::int32_t>(std::floor((at.x + part.shift.y * s.domain.tilt - w[left].position) / s.domain.width()));
+  if (s.domain.periodic[1]) part.shift.y = -static_cast<std::int32_t>(std::floor((at.y - w[bottom].position) / s.domain.height()));
+  if (s.domain.periodic[0]) part.shift.x = -static_cast<std::int32_t>(std::floor((at.x + part.shift.y * s.domain.tilt - w[left].position) / s.domain.width()));
 }
 
 /// Torques about the disks of a foot's polygon that take them, by the ways from there to the foot, where the slot's force acts.
@@ -180,21 +180,17 @@ Vec2 between_centres(const Sample& s, std::size_t slot, Vec2 branch) {
 }
 
 void put_grain(Grains& grains, std::size_t g, Vec2 place, double angle, const Motion& motion) {
-  grains.x[g] = place.x;
-  grains.y[g] = place.y;
+  grains.position[g] = place;
   grains.angle[g] = angle;
-  grains.vx[g] = motion.velocity.x;
-  grains.vy[g] = motion.velocity.y;
+  grains.velocity[g] = motion.velocity;
   grains.omega[g] = motion.omega;
 }
 
 void add_levers(const Sample& s, std::size_t slot, bool swapped, Contacts& contacts) {
   Vec2 i = own_lever(s, slot), j = partner_lever(s, slot);
   if (swapped) std::swap(i, j);
-  contacts.off_i_x.push_back(i.x);
-  contacts.off_i_y.push_back(i.y);
-  contacts.off_j_x.push_back(j.x);
-  contacts.off_j_y.push_back(j.y);
+  contacts.off_i.push_back(i);
+  contacts.off_j.push_back(j);
 }
 
 }  // namespace arenite::dem

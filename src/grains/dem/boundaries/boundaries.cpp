@@ -44,7 +44,7 @@ void check_boundaries(Problems& problems, const Domain& domain) {
     for (std::size_t p = 0; p + (boundary.closed ? 0 : 1) < n; ++p) sound = sound && boundary.points[p] != boundary.points[(p + 1) % n];
     problems.unless(sound, "each point of boundary \"{}\" must be a place other than the one before", boundary.name);
   }
-  const double shortest = std::min(domain.periodic_x ? domain.width() : infinity, domain.periodic_y ? domain.height() : infinity);
+  const double shortest = std::min(domain.periodic[0] ? domain.width() : infinity, domain.periodic[1] ? domain.height() : infinity);
   for (const Boundary& boundary : domain.boundaries) {
     bool fits = true;
     for (std::size_t p = 0; p + (boundary.closed ? 0 : 1) < boundary.points.size(); ++p)
@@ -87,12 +87,12 @@ void push_boundaries(Sample& s, double kick, double ahead) {
 }
 
 void wrap_boundaries(Domain& domain) {
-  if (!domain.periodic_x && !domain.periodic_y) return;
+  if (!domain.periodic[0] && !domain.periodic[1]) return;
   for (Boundary& boundary : domain.boundaries) {
     const Vec2 middle = mean_point(boundary.points);
     Vec2 by;
-    if (domain.periodic_x) by.x = -std::floor((middle.x - domain.wall[left].position) / domain.width()) * domain.width();
-    if (domain.periodic_y) by.y = -std::floor((middle.y - domain.wall[bottom].position) / domain.height()) * domain.height();
+    if (domain.periodic[0]) by.x = -std::floor((middle.x - domain.wall[left].position) / domain.width()) * domain.width();
+    if (domain.periodic[1]) by.y = -std::floor((middle.y - domain.wall[bottom].position) / domain.height()) * domain.height();
     if (by == Vec2{}) continue;
     for (Vec2& p : boundary.points) p += by;
     boundary.centre += by;
@@ -174,7 +174,7 @@ void sum_boundary_forces(Sample& s) {
 void check_still_cell(const Sample& s, const WallDrives& drives, bool sheared) {
   if (s.boundary.empty()) return;
   for (int side = 0; side < 4; ++side)
-    if (s.domain.periodic(side) && drives[side].kind != WallDrive::Kind::fixed)
+    if (s.domain.is_periodic(side) && drives[side].kind != WallDrive::Kind::fixed)
       throw InputError(
           fmt::format("the {} side is periodic and cannot move, for boundaries would not fit the cell any more; leave it fixed", side_names[side]));
   if (sheared) throw InputError("a periodic cell with boundaries cannot be sheared; move the boundaries, or a wall");
@@ -182,7 +182,7 @@ void check_still_cell(const Sample& s, const WallDrives& drives, bool sheared) {
 
 void apply_open(Sample& s) {
   for (int side = 0; side < 4; ++side)
-    s.domain.wall[side].present = s.listed_domain.wall[side].present = s.start.domain.wall[side].present && !s.domain.periodic(side) && !s.wall[side].open;
+    s.domain.wall[side].present = s.listed_domain.wall[side].present = s.start.domain.wall[side].present && !s.domain.is_periodic(side) && !s.wall[side].open;
 }
 
 }  // namespace arenite::dem

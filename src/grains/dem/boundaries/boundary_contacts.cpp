@@ -21,10 +21,10 @@ Vec2 nearest_of(const Boundary& boundary, const Element& element, Vec2 place) {
 
 /// A place as the image of an element that is nearest to it sees it; itself where nothing is periodic.
 Vec2 seen_from(const Domain& domain, const Boundary& boundary, const Element& element, Vec2 place) {
-  if (!domain.periodic_x && !domain.periodic_y) return place;
+  if (!domain.periodic[0] && !domain.periodic[1]) return place;
   const auto [a, b] = segment_at(boundary, element.point);
   const Vec2 middle = element.segment ? 0.5 * (a + b) : a, near = middle + domain.nearest_image(place - middle);
-  const int across = domain.periodic_x ? 1 : 0, up = domain.periodic_y ? 1 : 0;
+  const int across = domain.periodic[0] ? 1 : 0, up = domain.periodic[1] ? 1 : 0;
   Vec2 best = near;
   double least = std::numeric_limits<double>::infinity();
   for (int iy = -up; iy <= up; ++iy)
@@ -79,11 +79,11 @@ int side_of(const Ends& segment, Vec2 place) {
 }  // namespace
 
 bool goes_through_sides(const Domain& domain, const Boundary& boundary) {
-  if (boundary.closed || (!domain.periodic_x && !domain.periodic_y)) return false;
+  if (boundary.closed || (!domain.periodic[0] && !domain.periodic[1])) return false;
   const Vec2 way = boundary.points.back() - boundary.points.front();
   const double width = domain.width(), height = domain.height();
   const auto is_side = [](double part, double side) { return std::abs(std::abs(part) - side) <= 1e-9 * side; };
-  const bool x = domain.periodic_x && is_side(way.x, width), y = domain.periodic_y && is_side(way.y, height);
+  const bool x = domain.periodic[0] && is_side(way.x, width), y = domain.periodic[1] && is_side(way.y, height);
   return (x || y) && (x || std::abs(way.x) <= 1e-9 * width) && (y || std::abs(way.y) <= 1e-9 * height);
 }
 
@@ -109,8 +109,8 @@ void NearElements::find(const DiskRecord& d, std::vector<std::int32_t>& near) co
     const Boundary& boundary = domain.boundaries[b];
     const geometry::Rectangle& box = box_[b];
     const std::size_t end = first + 2 * boundary.points.size();
-    const bool far_x = !domain.periodic_x && (d.place.x < box.x_min - reach || d.place.x > box.x_max + reach);
-    const bool far_y = !domain.periodic_y && (d.place.y < box.y_min - reach || d.place.y > box.y_max + reach);
+    const bool far_x = !domain.periodic[0] && (d.place.x < box.x_min - reach || d.place.x > box.x_max + reach);
+    const bool far_y = !domain.periodic[1] && (d.place.y < box.y_min - reach || d.place.y > box.y_max + reach);
     // An open boundary has no segment behind its last point, which is the first one's image where the boundary goes through the sides.
     const std::size_t last = end - (boundary.closed ? 0 : goes_through_sides(domain, boundary) ? 2 : 1);
     for (std::size_t e = first; boundary.present && !far_x && !far_y && e < last; ++e) {

@@ -36,7 +36,7 @@ std::size_t grains_beyond(const Sample& s, int side) {
 }
 
 void check_opening(const Sample& s, int side, bool open) {
-  if (open && s.domain.periodic(side)) throw InputError(fmt::format("the {} side is periodic and has no wall that could be open", side_names[side]));
+  if (open && s.domain.is_periodic(side)) throw InputError(fmt::format("the {} side is periodic and has no wall that could be open", side_names[side]));
   if (const std::size_t beyond = grains_beyond(s, side); !open && beyond > 0)
     throw InputError(fmt::format("the {} wall cannot come back, for {} grains lie beyond it; leave that side open", side_names[side], beyond));
 }

@@ -112,7 +112,7 @@ class Start {
       d.velocity = Vec2{x.rate_at(t), y.rate_at(t)} + cell.at(d.place);
       d.omega = path[3 * k + 2].rate_at(t);
     }
-    if (s.domain.periodic_x) s.domain.tilt *= after.x.length / before.x.length;
+    if (s.domain.periodic[0]) s.domain.tilt *= after.x.length / before.x.length;
     s.domain.tilt += t * s.shear_rate * s.domain.height();
     refresh_ghosts(s);
     compute_forces(s);

@@ -78,7 +78,7 @@ bool DiskSweep::run(Kernel::Sweep loop, const ThreadPool& pool) {
     pool.for_ranges(s.count, [&](std::size_t begin, std::size_t end) {
       if (!loop(task, begin, end)) near = false;
     });
-  if (s.domain.periodic_x) s.domain.tilt *= after.x.length / before_.x.length;
+  if (s.domain.periodic[0]) s.domain.tilt *= after.x.length / before_.x.length;
   s.domain.tilt += s.dt * s.shear_rate * s.domain.height();
   for (WallBody& body : s.wall) body.slid += s.dt * body.drive.slide;
   hold_grains(s);

@@ -51,8 +51,8 @@ double acceleration_on(double slope, double mu) {
   engine.set_gravity({0, -g});
   while (engine.time() < 0.5) engine.advance(100);
   const Packing now = engine.packing();
-  EXPECT_NEAR(dot(now.grains.centre(0) - start, normal), height, 1e-3 * r);
-  return 2 * dot(now.grains.centre(0) - at, along) / (engine.time() * engine.time());
+  EXPECT_NEAR(dot(now.grains.position[0] - start, normal), height, 1e-3 * r);
+  return 2 * dot(now.grains.position[0] - at, along) / (engine.time() * engine.time());
 }
 
 TEST(Boundaries, DiskSlidesAndRollsDownASegmentAsOnAPlane) {
@@ -88,7 +88,7 @@ double energy_change_over_corner(const ContactParameters& contact, IntegratorKin
   Packing p = frame_with(polyline({{0.2, 1}, {1, 1}, {1 + 0.5 * std::cos(0.3), 1 - 0.5 * std::sin(0.3)}}));
   const double overlap = overlap_under(mass_of(r) * g), speed = 0.1;
   testing::add_grain(p, 0.99, 1 + r - overlap, r);
-  p.grains.vx[0] = speed;
+  p.grains.velocity[0].x = speed;
   p.grains.omega[0] = -speed / r;
   IntegrationParameters integration;
   integration.track_energy = true;
@@ -96,10 +96,10 @@ double energy_change_over_corner(const ContactParameters& contact, IntegratorKin
   Engine engine(p, contact, integration);
   engine.set_gravity({0, -g});
   const double before = engine.energies().kinetic, elastic_before = engine.energies().elastic;
-  while (engine.packing().grains.x[0] < 1.03) engine.advance(20);
+  while (engine.packing().grains.position[0].x < 1.03) engine.advance(20);
   const Energies e = engine.energies();
   EXPECT_GT(e.work_gravity, 0);
-  EXPECT_NEAR(engine.packing().grains.vx[0] / std::cos(0.3), -engine.packing().grains.omega[0] * r, 0.02 * speed);
+  EXPECT_NEAR(engine.packing().grains.velocity[0].x / std::cos(0.3), -engine.packing().grains.omega[0] * r, 0.02 * speed);
   return (e.kinetic + e.elastic - elastic_before - e.work_gravity - before) / before;
 }
 
@@ -126,8 +126,8 @@ TEST(Boundaries, TurningPlateCarriesADiskAndItsWorkIsBooked) {
   const double turned = spin * engine.time();
   const Packing now = engine.packing();
   const Vec2 along{std::cos(turned), std::sin(turned)}, at = Vec2{1, 1} + 0.1 * along + r * perpendicular(along);
-  EXPECT_NEAR(now.grains.x[0], at.x, 2e-5);
-  EXPECT_NEAR(now.grains.y[0], at.y, 2e-5);
+  EXPECT_NEAR(now.grains.position[0].x, at.x, 2e-5);
+  EXPECT_NEAR(now.grains.position[0].y, at.y, 2e-5);
   EXPECT_NEAR(now.grains.omega[0], spin, 1e-3 * spin);
   EXPECT_NEAR(norm(now.domain.boundaries[0].points[1] - Vec2{1, 1}), 0.5, 1e-10);
   EXPECT_NEAR(now.domain.boundaries[0].points[1].y, 1 + 0.5 * std::sin(turned), 1e-9);
@@ -152,8 +152,8 @@ TEST(Boundaries, IntruderGivesItsMomentum) {
     impulse += engine.domain().boundaries[0].force.x * (engine.time() - from);
   }
   const Packing now = engine.packing();
-  EXPECT_NEAR(now.grains.vx[0], 1.5, 0.02);
-  EXPECT_NEAR(impulse, -mass_of(r) * now.grains.vx[0], 1e-3 * mass_of(r));
+  EXPECT_NEAR(now.grains.velocity[0].x, 1.5, 0.02);
+  EXPECT_NEAR(impulse, -mass_of(r) * now.grains.velocity[0].x, 1e-3 * mass_of(r));
   EXPECT_NEAR(now.domain.boundaries[0].points[1].x, 0.6 + engine.time(), 1e-12);
 }
 
@@ -166,7 +166,8 @@ Packing crowded_drum() {
   Packing inside = p;
   inside.grains = {};
   for (std::size_t k = 0; k < p.grains.size(); ++k)
-    if (norm(p.grains.centre(k) - middle) < 0.168) testing::add_grain(inside, p.grains.x[k], p.grains.y[k], p.grains.radius[k], p.grains.material[k]);
+    if (norm(p.grains.position[k] - middle) < 0.168)
+      testing::add_grain(inside, p.grains.position[k].x, p.grains.position[k].y, p.grains.radius[k], p.grains.material[k]);
   inside.domain.boundaries.push_back(polyline(points, true));
   return inside;
 }
@@ -212,7 +213,7 @@ TEST(Boundaries, DrumHoldsItsGrainsAndItsEnergyIsAccounted) {
   engine.set_boundaries({{{}, 5, middle, true}});
   while (engine.time() < 0.1) engine.advance(1000);
   const Packing now = engine.packing();
-  for (std::size_t k = 0; k < now.grains.size(); ++k) EXPECT_LT(norm(now.grains.centre(k) - middle) + 0.9 * now.grains.radius[k], 0.18);
+  for (std::size_t k = 0; k < now.grains.size(); ++k) EXPECT_LT(norm(now.grains.position[k] - middle) + 0.9 * now.grains.radius[k], 0.18);
   const Energies e = engine.energies();
   const double open = e.kinetic + e.elastic + e.dissipated_normal + e.dissipated_friction - before - e.work_gravity - e.work_walls;
   EXPECT_GT(e.work_walls, 0);
@@ -225,14 +226,14 @@ TEST(Boundaries, GateThatGoesLetsItsGrainFallAndOpenSideLetsItOut) {
   Engine engine(p, with_friction(0.5), {});
   engine.set_gravity({0, -g});
   while (engine.time() < 0.1) engine.advance(100);
-  EXPECT_NEAR(engine.packing().grains.y[0], 1 + r, 1e-5);
+  EXPECT_NEAR(engine.packing().grains.position[0].y, 1 + r, 1e-5);
   engine.set_boundaries({{{}, 0, {1, 1}, false}});
   engine.set_open({false, false, true, false});
   const double then = engine.time();
   while (engine.time() < then + 0.6) engine.advance(100);
   const double fallen = engine.time() - then;
-  EXPECT_NEAR(engine.packing().grains.y[0], 1 + r - 0.5 * g * fallen * fallen, 1e-4);
-  EXPECT_LT(engine.packing().grains.y[0], 0);
+  EXPECT_NEAR(engine.packing().grains.position[0].y, 1 + r - 0.5 * g * fallen * fallen, 1e-4);
+  EXPECT_LT(engine.packing().grains.position[0].y, 0);
   EXPECT_EQ(engine.below(0).grains, 1u);
   EXPECT_NEAR(engine.below(0).mass, mass_of(r), 1e-12);
   EXPECT_THROW(engine.set_open({}), InputError);
@@ -265,7 +266,7 @@ TEST(Boundaries, StagesMoveThemByName) {
 TEST(Boundaries, AGrainThatIsShotThroughOneEndsInAnError) {
   Packing p = frame_with(polyline({{1, 0.5}, {1, 1.5}}));
   testing::add_grain(p, 0.95, 1, r);
-  p.grains.vx[0] = 500;
+  p.grains.velocity[0].x = 500;
   Engine engine(p, {}, {});
   EXPECT_THROW(engine.advance(1000), CannotGoOn);
 }
@@ -274,10 +275,10 @@ TEST(Boundaries, ThatMakeNoSenseAreRefused) {
   EXPECT_THROW(Engine(frame_with(polyline({{0, 0}})), {}, {}), InputError);
   Packing p = frame_with(polyline({{0, 0}, {2, 1}}));
   testing::add_grain(p, 1, 1, r);
-  p.domain.periodic_x = true;
+  p.domain.periodic[0] = true;
   EXPECT_THROW(Engine(p, {}, {}), InputError);  // longer than the cell
   p.domain.boundaries[0].points[1] = {1, 0};
-  p.domain.periodic_y = true;
+  p.domain.periodic[1] = true;
   Engine engine(p, {}, {});
   EXPECT_THROW(engine.set_shear_rate(1), InputError);
   EXPECT_THROW(engine.set_drives({{{WallDrive::Kind::velocity, 1}, {}, {}, {}}}), InputError);
@@ -289,21 +290,21 @@ TEST(Boundaries, ThatMakeNoSenseAreRefused) {
 TEST(Boundaries, ADiskSlidesThroughAPeriodicSideAsOverAPlane) {
   for (const double begin : {0.0, 0.05}) {
     Packing p = testing::empty_frame(0.2, 2);
-    p.domain.periodic_x = true;
+    p.domain.periodic[0] = true;
     p.domain.boundaries.push_back(polyline({{begin, 1}, {begin + 0.07, 1}, {begin + 0.2, 1}}));
     const double height = 1 + r - overlap_under(mass_of(r) * g);
     testing::add_grain(p, 0.1, height, r);
-    p.grains.vx[0] = 2;
+    p.grains.velocity[0].x = 2;
     Engine engine(p, with_friction(0), {});
     engine.set_gravity({0, -g});
     while (engine.time() < 0.25) {
       engine.advance(20);
       const Packing now = engine.packing();
-      ASSERT_EQ(now.contacts.size(), 1U) << now.grains.x[0];
-      ASSERT_NEAR(now.grains.y[0], height, 1e-9);
-      ASSERT_NEAR(now.grains.vx[0], 2, 1e-9);
+      ASSERT_EQ(now.contacts.size(), 1U) << now.grains.position[0].x;
+      ASSERT_NEAR(now.grains.position[0].y, height, 1e-9);
+      ASSERT_NEAR(now.grains.velocity[0].x, 2, 1e-9);
     }
-    EXPECT_LT(engine.packing().grains.x[0], 0.21);
+    EXPECT_LT(engine.packing().grains.position[0].x, 0.21);
     EXPECT_NEAR(engine.domain().boundaries[0].force.y, -mass_of(r) * g, 1e-6 * mass_of(r) * g);
   }
 }
@@ -312,7 +313,7 @@ TEST(Boundaries, ADiskSlidesThroughAPeriodicSideAsOverAPlane) {
 TEST(Boundaries, AnIntruderGoesOnThroughPeriodicSides) {
   const auto pushed = [](double from) {
     Packing p = testing::empty_frame(0.2, 0.4);
-    p.domain.periodic_x = true;
+    p.domain.periodic[0] = true;
     Boundary intruder = polyline({{from, 0.18}, {from + 0.02, 0.2}, {from, 0.22}}, true);
     p.domain.boundaries.push_back(intruder);
     testing::add_grain(p, std::fmod(from + 0.06, 0.2), 0.205, r);
@@ -324,10 +325,10 @@ TEST(Boundaries, AnIntruderGoesOnThroughPeriodicSides) {
     return engine.packing().grains;
   };
   const Grains a = pushed(0.03), b = pushed(0.15);
-  EXPECT_GT(a.vx[0], 1);
-  EXPECT_NEAR(a.vx[0], b.vx[0], 1e-8);
-  EXPECT_NEAR(a.vy[0], b.vy[0], 1e-8);
-  EXPECT_NEAR(std::remainder(b.x[0] - a.x[0] - 0.12, 0.2), 0, 1e-8);
+  EXPECT_GT(a.velocity[0].x, 1);
+  EXPECT_NEAR(a.velocity[0].x, b.velocity[0].x, 1e-8);
+  EXPECT_NEAR(a.velocity[0].y, b.velocity[0].y, 1e-8);
+  EXPECT_NEAR(std::remainder(b.position[0].x - a.position[0].x - 0.12, 0.2), 0, 1e-8);
 }
 
 TEST(Boundaries, OneWithAMassBouncesOffADiskAndFalls) {
@@ -336,7 +337,7 @@ TEST(Boundaries, OneWithAMassBouncesOffADiskAndFalls) {
   for (const IntegratorKind kind : {IntegratorKind::velocity_verlet, IntegratorKind::leapfrog}) {
     Packing p = frame_with(polyline({{1, 0.5}, {1, 1.5}}));
     testing::add_grain(p, 0.989, 1, r);
-    p.grains.vx[0] = 1;
+    p.grains.velocity[0].x = 1;
     IntegrationParameters integration;
     integration.integrator = kind;
     integration.safety = 0.0005;
@@ -348,7 +349,7 @@ TEST(Boundaries, OneWithAMassBouncesOffADiskAndFalls) {
     EXPECT_NEAR(before.kinetic, 0.5 * m + 0.5 * mass * 0.25, 1e-12);
     while (engine.time() < 0.002) engine.advance(50);
     const double common = (m - 0.5 * mass) / (m + mass);
-    EXPECT_NEAR(engine.packing().grains.vx[0], 2 * common - 1, 1e-6);
+    EXPECT_NEAR(engine.packing().grains.velocity[0].x, 2 * common - 1, 1e-6);
     EXPECT_NEAR(engine.packing().domain.boundaries[0].velocity.x, 2 * common + 0.5, 1e-6);
     engine.set_gravity({0, -g});
     const double then = engine.time(), place = engine.domain().boundaries[0].centre.y;

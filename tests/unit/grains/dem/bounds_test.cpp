@@ -13,7 +13,7 @@ namespace {
 Packing triangular(int columns, int rows) {
   const double d = 0.01, pitch = d * (1 - 1e-4);
   Packing p = testing::empty_frame(columns * pitch, rows * pitch * std::sqrt(0.75));
-  p.domain.periodic_x = p.domain.periodic_y = true;
+  p.domain.periodic[0] = p.domain.periodic[1] = true;
   for (int r = 0; r < rows; ++r)
     for (int c = 0; c < columns; ++c) testing::add_grain(p, (c + 0.25 + 0.5 * (r % 2)) * pitch, (r + 0.5) * pitch * std::sqrt(0.75), 0.5 * d);
   return p;
@@ -32,8 +32,7 @@ TEST_P(Bounds, ALatticeJustBelowTheBoundLosesItsMotionAndDoesNotGainAny) {
   Packing p = triangular(8, 8);
   RandomStream random(3, Purpose::test);
   for (std::size_t k = 0; k < p.grains.size(); ++k) {
-    p.grains.vx[k] = random.uniform(-1e-4, 1e-4);
-    p.grains.vy[k] = random.uniform(-1e-4, 1e-4);
+    p.grains.velocity[k] = {random.uniform(-1e-4, 1e-4), random.uniform(-1e-4, 1e-4)};
     p.grains.omega[k] = random.uniform(-0.02, 0.02);
   }
   ContactParameters contact;

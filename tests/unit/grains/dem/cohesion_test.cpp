@@ -91,7 +91,7 @@ TEST(Cohesion, LiquidJoinsOnlyGrainsThatHaveTouched) {
 
 TEST(Cohesion, OfAStateGoesOnInTheNextEngine) {
   Packing p = two_disks(-1e-9);
-  p.grains.vx = {-2, 2};
+  p.grains.velocity = {{-2, 0}, {2, 0}};
   ContactParameters contact = cohesive(wet());
   Engine first(p, contact, {});
   first.advance(20);
@@ -113,7 +113,7 @@ TEST(Cohesion, NeitherShortensNorMovesASampleWithoutIt) {
   EXPECT_EQ(none.time_step(), almost_none.time_step());
   none.advance(300);
   almost_none.advance(300);
-  EXPECT_NEAR(none.packing().grains.x[0], almost_none.packing().grains.x[0], 1e-12);
+  EXPECT_NEAR(none.packing().grains.position[0].x, almost_none.packing().grains.position[0].x, 1e-12);
 }
 
 TEST(Cohesion, ASteepPullShortensTheStep) {

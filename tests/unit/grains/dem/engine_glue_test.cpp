@@ -45,7 +45,7 @@ class Glue : public ::testing::TestWithParam<bool> {};
 TEST_P(Glue, ThatBreaksForGoodDoesNotActASecondTime) {
   for (const dem::Adhesion& adhesion : std::initializer_list<dem::Adhesion>{dem::GeometricalAdhesion{}, dem::BreakingAdhesion{}}) {
     Pull pull(adhesion, GetParam());
-    pull.start.grains.vx = {-0.5, 0.5, 0};  // torn apart, thrown back by the walls
+    pull.start.grains.velocity = {{-0.5, 0}, {0.5, 0}, {}};  // torn apart, thrown back by the walls
     IntegrationParameters integration;
     integration.safety = 0.01;
     Engine engine(pull.start, pull.contact, integration);
@@ -85,8 +85,8 @@ TEST(Glue, ActsOnlyWhileItIsSwitchedOnAndBetweenThePairsThatAreNamed) {
 TEST(Glue, BondsThatBreakForGoodAreThosePairsThatTouchWhenItIsSwitchedOn) {
   Pull pull(dem::BreakingAdhesion{}, false);
   pull.start.grains.zone = {1, 1, 1};
-  pull.start.grains.y[2] = 0.05 + 2 * 0.0062 + 1e-4;  // near grain 0, not touching
-  pull.start.grains.vy[2] = -0.1;
+  pull.start.grains.position[2].y = 0.05 + 2 * 0.0062 + 1e-4;  // near grain 0, not touching
+  pull.start.grains.velocity[2].y = -0.1;
   Engine engine(pull.start, pull.contact, {});
   bool met = false;
   for (int n = 0; n < 5000 && !met; ++n) {

@@ -31,8 +31,7 @@ TEST(Options, TheOrderOfTheCallersGrainsDoesNotMatter) {
   const std::size_t n = p.grains.size();
   const auto place = [n](std::size_t k) { return (k * 20 + 3) % n; };
   for (std::size_t k = 0; k < n; ++k) {
-    q.grains.x[place(k)] = p.grains.x[k];
-    q.grains.y[place(k)] = p.grains.y[k];
+    q.grains.position[place(k)] = p.grains.position[k];
     q.grains.radius[place(k)] = p.grains.radius[k];
     q.grains.material[place(k)] = p.grains.material[k];
     q.grains.id[place(k)] = p.grains.id[k];
@@ -44,7 +43,7 @@ TEST(Options, TheOrderOfTheCallersGrainsDoesNotMatter) {
   EXPECT_EQ(pa.contacts.size(), pb.contacts.size());
   for (std::size_t k = 0; k < n; ++k) {
     EXPECT_EQ(pa.grains.id[k], pb.grains.id[place(k)]);
-    EXPECT_NEAR(pa.grains.x[k], pb.grains.x[place(k)], 1e-12);
+    EXPECT_NEAR(pa.grains.position[k].x, pb.grains.position[place(k)].x, 1e-12);
     EXPECT_NEAR(pa.grains.omega[k], pb.grains.omega[place(k)], 1e-6);
   }
 }
@@ -71,7 +70,7 @@ TEST(Options, ASampleHandedOnKeepsTheFrictionOfItsSprings) {
 TEST(Options, FrictionOverriddenForAStageComesBack) {
   Packing p = testing::empty_frame(0.1, 0.1);
   testing::add_grain(p, 0.05, 0.005 - 2.3e-9, 0.005);
-  p.grains.vx[0] = 1;
+  p.grains.velocity[0].x = 1;
   Engine engine(p, {}, {});
   engine.set_gravity({0, -9.81});
   engine.set_friction(0.0);

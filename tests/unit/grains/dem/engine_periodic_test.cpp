@@ -11,7 +11,7 @@ namespace {
 
 Packing periodic_crowd(std::uint64_t seed, double pitch) {
   Packing p = testing::crowd(9, 9, seed, pitch);
-  p.domain.periodic_x = p.domain.periodic_y = true;
+  p.domain.periodic[0] = p.domain.periodic[1] = true;
   return p;
 }
 
@@ -22,7 +22,7 @@ double mass_of(const Packing& p, std::size_t k) {
 TEST(PeriodicCell, KeepsItsMomentum) {
   for (const auto kind : {IntegratorKind::velocity_verlet, IntegratorKind::gear5}) {
     Packing p = periodic_crowd(2, 0.0122);
-    for (std::size_t k = 0; k < p.grains.size(); ++k) p.grains.vx[k] = 0.3;
+    for (std::size_t k = 0; k < p.grains.size(); ++k) p.grains.velocity[k].x = 0.3;
     IntegrationParameters integration;
     integration.integrator = kind;
     Engine engine(p, {}, integration);
@@ -31,10 +31,10 @@ TEST(PeriodicCell, KeepsItsMomentum) {
     double px = 0, py = 0, before = 0, scale = 0;
     for (std::size_t k = 0; k < p.grains.size(); ++k) {
       const double m = mass_of(p, k);
-      px += m * now.grains.vx[k];
-      py += m * now.grains.vy[k];
-      before += m * p.grains.vx[k];
-      scale += m * std::hypot(now.grains.vx[k], now.grains.vy[k]);
+      px += m * now.grains.velocity[k].x;
+      py += m * now.grains.velocity[k].y;
+      before += m * p.grains.velocity[k].x;
+      scale += m * std::hypot(now.grains.velocity[k].x, now.grains.velocity[k].y);
     }
     EXPECT_NEAR(px, before, 1e-11 * scale);
     EXPECT_NEAR(py, 0, 1e-11 * scale);
@@ -46,23 +46,22 @@ TEST(PeriodicCell, GivesTheSameMotionWhereverItsEdgesLie) {
   Packing q = p;
   const Vec2 shift{0.4 * p.domain.width(), 0.7 * p.domain.height()};
   for (std::size_t k = 0; k < q.grains.size(); ++k) {
-    q.grains.x[k] = std::fmod(q.grains.x[k] + shift.x, q.domain.width());
-    q.grains.y[k] = std::fmod(q.grains.y[k] + shift.y, q.domain.height());
+    q.grains.position[k] = {std::fmod(q.grains.position[k].x + shift.x, q.domain.width()), std::fmod(q.grains.position[k].y + shift.y, q.domain.height())};
   }
   Engine a(p, {}, {}), b(q, {}, {});
   a.advance(300);
   b.advance(300);
   const Packing pa = a.packing(), pb = b.packing();
   for (std::size_t k = 0; k < p.grains.size(); ++k) {
-    EXPECT_NEAR(pa.grains.vx[k], pb.grains.vx[k], 1e-7);
-    const Vec2 d = pa.domain.nearest_image(pb.grains.centre(k) - shift - pa.grains.centre(k));
+    EXPECT_NEAR(pa.grains.velocity[k].x, pb.grains.velocity[k].x, 1e-7);
+    const Vec2 d = pa.domain.nearest_image(pb.grains.position[k] - shift - pa.grains.position[k]);
     EXPECT_NEAR(norm(d), 0, 1e-10);
   }
 }
 
 TEST(PeriodicCell, ThatIsSqueezedMovesItsGrainsAffinely) {
   Packing p = testing::empty_frame(0.2, 0.2);
-  p.domain.periodic_x = p.domain.periodic_y = true;
+  p.domain.periodic[0] = p.domain.periodic[1] = true;
   testing::add_grain(p, 0.05, 0.1, 0.003);
   testing::add_grain(p, 0.15, 0.03, 0.003);
   Engine engine(p, {}, {});
@@ -75,9 +74,9 @@ TEST(PeriodicCell, ThatIsSqueezedMovesItsGrainsAffinely) {
   const Packing now = engine.packing();
   EXPECT_NEAR(now.domain.wall[right].position, 0.2 - t, 1e-12);
   for (std::size_t k = 0; k < 2; ++k) {
-    EXPECT_NEAR(now.grains.x[k], p.grains.x[k] * (0.2 - t) / 0.2, 1e-12);
-    EXPECT_NEAR(0.2 - now.grains.y[k], (0.2 - p.grains.y[k]) * (0.2 - 0.5 * t) / 0.2, 1e-12);
-    EXPECT_NEAR(now.grains.vx[k], -now.grains.x[k] / now.domain.width(), 1e-9);
+    EXPECT_NEAR(now.grains.position[k].x, p.grains.position[k].x * (0.2 - t) / 0.2, 1e-12);
+    EXPECT_NEAR(0.2 - now.grains.position[k].y, (0.2 - p.grains.position[k].y) * (0.2 - 0.5 * t) / 0.2, 1e-12);
+    EXPECT_NEAR(now.grains.velocity[k].x, -now.grains.position[k].x / now.domain.width(), 1e-9);
   }
 }
 
@@ -96,7 +95,7 @@ TEST(PeriodicCell, IsServedToItsPressureBothWays) {
   EXPECT_NEAR(now.domain.wall[top].force, 3000, 30);
   double xx = 0, yy = 0;
   for (std::size_t c = 0; c < now.contacts.size(); ++c) {
-    const Vec2 f = now.contacts.force_on_i(c), l = (now.contacts.arm_i[c] + now.contacts.arm_j[c]) * now.contacts.normal(c);
+    const Vec2 f = now.contacts.force_on_i(c), l = (now.contacts.arm_i[c] + now.contacts.arm_j[c]) * now.contacts.normal[c];
     xx += f.x * l.x;
     yy += f.y * l.y;
   }

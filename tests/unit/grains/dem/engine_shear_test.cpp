@@ -11,7 +11,7 @@ namespace {
 
 Packing periodic_crowd(std::uint64_t seed) {
   Packing p = testing::crowd(10, 10, seed, 0.0122);
-  p.domain.periodic_x = p.domain.periodic_y = true;
+  p.domain.periodic[0] = p.domain.periodic[1] = true;
   return p;
 }
 
@@ -33,10 +33,10 @@ IntegrationParameters tracked(double safety, IntegratorKind kind = IntegratorKin
 TEST(ShearedCell, MovesFreeGrainsByTheShearAlone) {
   for (const auto kind : {IntegratorKind::velocity_verlet, IntegratorKind::gear5}) {
     Packing p = testing::empty_frame(0.2, 0.2);
-    p.domain.periodic_x = p.domain.periodic_y = true;
+    p.domain.periodic[0] = p.domain.periodic[1] = true;
     testing::add_grain(p, 0.05, 0.19, 0.003);
     testing::add_grain(p, 0.15, 0.03, 0.003);
-    p.grains.vy[0] = 1;  // crosses the upper edge
+    p.grains.velocity[0].y = 1;  // crosses the upper edge
     IntegrationParameters integration;
     integration.integrator = kind;
     Engine engine(p, {}, integration);
@@ -46,9 +46,9 @@ TEST(ShearedCell, MovesFreeGrainsByTheShearAlone) {
     const double t = engine.time();
     // In the plane of all images grain 0 goes on straight with the speed that its first height gave it; one image down, it is slower by rate H.
     const Vec2 straight{0.05 + 2 * 0.09 * t, 0.19 + t};
-    EXPECT_NEAR(norm(now.domain.nearest_image(now.grains.centre(0) - straight)), 0, 1e-10);
-    EXPECT_NEAR(now.grains.vx[0], 2 * 0.09 - 2 * 0.2 * std::floor((0.19 + t) / 0.2), 1e-10);
-    EXPECT_NEAR(norm(now.domain.nearest_image(now.grains.centre(1) - Vec2{0.15 - 2 * 0.07 * t, 0.03})), 0, 1e-10);
+    EXPECT_NEAR(norm(now.domain.nearest_image(now.grains.position[0] - straight)), 0, 1e-10);
+    EXPECT_NEAR(now.grains.velocity[0].x, 2 * 0.09 - 2 * 0.2 * std::floor((0.19 + t) / 0.2), 1e-10);
+    EXPECT_NEAR(norm(now.domain.nearest_image(now.grains.position[1] - Vec2{0.15 - 2 * 0.07 * t, 0.03})), 0, 1e-10);
     EXPECT_NEAR(engine.shear_strain(), 2 * t, 1e-9);
     EXPECT_LE(std::abs(now.domain.tilt), 0.5 * now.domain.width() + 1e-12);
   }
@@ -58,8 +58,7 @@ TEST(ShearedCell, GivesTheSameMotionWhereverItsEdgesLie) {
   Packing p = periodic_crowd(3), q = p;
   const Vec2 shift{0.4 * p.domain.width(), 0.7 * p.domain.height()};
   for (std::size_t k = 0; k < q.grains.size(); ++k) {
-    q.grains.x[k] = std::fmod(q.grains.x[k] + shift.x, q.domain.width());
-    q.grains.y[k] = std::fmod(q.grains.y[k] + shift.y, q.domain.height());
+    q.grains.position[k] = {std::fmod(q.grains.position[k].x + shift.x, q.domain.width()), std::fmod(q.grains.position[k].y + shift.y, q.domain.height())};
   }
   Engine a(p, {}, {}), b(q, {}, {});
   a.set_shear_rate(5);
@@ -70,9 +69,9 @@ TEST(ShearedCell, GivesTheSameMotionWhereverItsEdgesLie) {
   // An image is as much faster as it is higher.
   const double height = p.domain.height();
   for (std::size_t k = 0; k < p.grains.size(); ++k) {
-    const double up = pb.grains.y[k] - pa.grains.y[k] - shift.y;
+    const double up = pb.grains.position[k].y - pa.grains.position[k].y - shift.y;
     EXPECT_NEAR(up - std::round(up / height) * height, 0, 1e-7);
-    const double faster = pb.grains.vx[k] - pa.grains.vx[k] - 5 * (pb.grains.y[k] - pa.grains.y[k]);
+    const double faster = pb.grains.velocity[k].x - pa.grains.velocity[k].x - 5 * (pb.grains.position[k].y - pa.grains.position[k].y);
     EXPECT_NEAR(faster, 0, 1e-5);
   }
 }
@@ -94,7 +93,7 @@ TEST(ShearedCell, ClosesItsEnergy) {
 TEST(ShearedCell, GivesTheSameBitsOnTwoThreadsAndRestored) {
   const Packing p = testing::crowd(50, 50, 7, 0.0122);
   Packing periodic = p;
-  periodic.domain.periodic_x = periodic.domain.periodic_y = true;
+  periodic.domain.periodic[0] = periodic.domain.periodic[1] = true;
   IntegrationParameters one, two;
   two.threads = 2;
   Engine a(periodic, {}, one), b(periodic, {}, two), c(periodic, {}, one);
@@ -122,14 +121,14 @@ TEST(SlidingWall, DragsAGrainUpToItsSpeed) {
   while (engine.time() < 1) engine.advance(100);
   const Packing now = engine.packing();
   // Friction gives m v and, about the centre, I omega = R m v with I = m R^2/2; sliding ends at v + R omega = 3 v = 0.3.
-  EXPECT_NEAR(now.grains.vx[0], 0.1, 2e-4);
-  EXPECT_NEAR(now.grains.vx[0] + now.grains.omega[0] * 0.01, 0.3, 1e-3);
+  EXPECT_NEAR(now.grains.velocity[0].x, 0.1, 2e-4);
+  EXPECT_NEAR(now.grains.velocity[0].x + now.grains.omega[0] * 0.01, 0.3, 1e-3);
 }
 
 TEST(RoughWall, CarriesTheGrainsNearIt) {
   const Packing p = testing::crowd(12, 12, 5, 0.0122);
   Packing cell = p;
-  cell.domain.periodic_x = true;
+  cell.domain.periodic[0] = true;
   Engine engine(cell, {}, tracked(0.01));
   WallDrives drives;
   drives[top] = {WallDrive::Kind::force, 2000};
@@ -153,13 +152,13 @@ TEST(RoughWall, CarriesTheGrainsNearIt) {
   int low = 0, high = 0;
   const double rise = now.domain.wall[top].position - before.domain.wall[top].position;
   for (std::size_t k = 0; k < now.grains.size(); ++k) {
-    const double from_top = before.domain.wall[top].position - before.grains.y[k] - before.grains.radius[k];
-    if (before.grains.y[k] < 1.5 * before.grains.radius[k]) {
+    const double from_top = before.domain.wall[top].position - before.grains.position[k].y - before.grains.radius[k];
+    if (before.grains.position[k].y < 1.5 * before.grains.radius[k]) {
       ++low;
-      EXPECT_NEAR(norm(now.domain.nearest_image(now.grains.centre(k) - before.grains.centre(k))), 0, 1e-12);
+      EXPECT_NEAR(norm(now.domain.nearest_image(now.grains.position[k] - before.grains.position[k])), 0, 1e-12);
     } else if (from_top < 0.5 * before.grains.radius[k]) {
       ++high;
-      EXPECT_NEAR(norm(now.domain.nearest_image(now.grains.centre(k) - before.grains.centre(k) - Vec2{0.5 * t, rise})), 0, 1e-9);
+      EXPECT_NEAR(norm(now.domain.nearest_image(now.grains.position[k] - before.grains.position[k] - Vec2{0.5 * t, rise})), 0, 1e-9);
     }
   }
   EXPECT_GT(low, 3);
@@ -171,7 +170,7 @@ TEST(RoughWall, CarriesTheGrainsNearIt) {
 
 TEST(RoughWall, ThatHoldsNoGrainLeavesTheSpringsOfFrictionAsTheyAre) {
   Packing p = testing::crowd(8, 8, 5, 0.0122);
-  for (auto& y : p.grains.y) y += 0.02;
+  for (Vec2& centre : p.grains.position) centre.y += 0.02;
   p.domain.wall[top].position += 0.02;
   Engine engine(p, {}, {});
   engine.advance(200);

@@ -20,7 +20,7 @@ TEST(Engine, ABinaryCollisionGivesBackTheRestitutionAsked) {
     Packing p = empty_frame(0.2, 0.2);
     add_grain(p, 0.09, 0.1, 0.005);
     add_grain(p, 0.10001, 0.1, 0.005);
-    p.grains.vx[0] = 1.0;
+    p.grains.velocity[0].x = 1.0;
     ContactParameters contact;
     contact.restitution = e;
     contact.friction_law = dem::NoFriction{};
@@ -31,33 +31,33 @@ TEST(Engine, ABinaryCollisionGivesBackTheRestitutionAsked) {
     engine.advance(2000);
     const Packing after = engine.packing();
     // Clipped, the force has an edge, which a step meets to first order.
-    EXPECT_NEAR(after.grains.vx[1] - after.grains.vx[0], e, (pulls ? 1e-3 : 5e-3) * e) << e << " " << pulls;
-    EXPECT_NEAR(after.grains.vx[1] + after.grains.vx[0], 1.0, 1e-12);
+    EXPECT_NEAR(after.grains.velocity[1].x - after.grains.velocity[0].x, e, (pulls ? 1e-3 : 5e-3) * e) << e << " " << pulls;
+    EXPECT_NEAR(after.grains.velocity[1].x + after.grains.velocity[0].x, 1.0, 1e-12);
   }
 }
 
 TEST(Engine, AFallingGrainFollowsItsParabola) {
   Packing p = empty_frame(0.2, 10);
   add_grain(p, 0.1, 9, 0.005);
-  p.grains.vy[0] = 0.3;
+  p.grains.velocity[0].y = 0.3;
   Engine engine(p, {}, {});
   engine.set_gravity({0, -9.81});
   engine.advance(100000);
   const double t = engine.time();
   const Packing after = engine.packing();
-  EXPECT_NEAR(after.grains.y[0], 9 + 0.3 * t - 0.5 * 9.81 * t * t, 1e-10);
-  EXPECT_NEAR(after.grains.vy[0], 0.3 - 9.81 * t, 1e-10);
+  EXPECT_NEAR(after.grains.position[0].y, 9 + 0.3 * t - 0.5 * 9.81 * t * t, 1e-10);
+  EXPECT_NEAR(after.grains.velocity[0].y, 0.3 - 9.81 * t, 1e-10);
 }
 
 TEST(Engine, DragBrakesExponentially) {
   Packing p = empty_frame(2, 2);
   add_grain(p, 1, 1, 0.005);
-  p.grains.vx[0] = 1;
+  p.grains.velocity[0].x = 1;
   IntegrationParameters integration;
   integration.drag = 100;
   Engine engine(p, {}, integration);
   while (engine.time() < 0.02) engine.advance(100);
-  EXPECT_NEAR(engine.packing().grains.vx[0], std::exp(-100 * engine.time()), 1e-8);
+  EXPECT_NEAR(engine.packing().grains.velocity[0].x, std::exp(-100 * engine.time()), 1e-8);
 }
 
 TEST(Engine, AStackUnderGravityPressesTheBottomWithItsWeight) {
@@ -74,9 +74,9 @@ TEST(Engine, AStackUnderGravityPressesTheBottomWithItsWeight) {
   const Packing after = engine.packing();
   ASSERT_EQ(after.contacts.size(), 3u);
   EXPECT_EQ(after.contacts.j[0], wall_partner(bottom));
-  EXPECT_EQ(after.contacts.ny[0], 1);
+  EXPECT_EQ(after.contacts.normal[0].y, 1);
   EXPECT_NEAR(after.contacts.fn[1], weight * 2 / 3, 1e-6 * weight);
-  EXPECT_EQ(after.contacts.ny[1], -1);  // from grain 1 down to grain 0
+  EXPECT_EQ(after.contacts.normal[1].y, -1);  // from grain 1 down to grain 0
   EXPECT_LT(engine.equilibrium().unbalanced_ratio, 1e-6);
   EXPECT_LT(engine.equilibrium().kinetic_ratio, 1e-8);
 }
@@ -129,10 +129,10 @@ TEST(Engine, AStepBeyondTheBoundsIsRefusedWithTheStepThatWouldDo) {
 TEST(Engine, AGrainThatIsShotThroughAWallEndsInAnError) {
   Packing p = empty_frame(0.1, 0.1);
   add_grain(p, 0.05, 0.05, 0.005);
-  p.grains.vx[0] = 3000;
+  p.grains.velocity[0].x = 3000;
   Engine engine(p, {}, {});
   EXPECT_THROW(engine.advance(10000), CannotGoOn);
-  p.grains.x[0] = 0.2;
+  p.grains.position[0].x = 0.2;
   EXPECT_THROW(Engine(p, {}, {}), InputError);
 }
 

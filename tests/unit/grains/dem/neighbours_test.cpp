@@ -16,12 +16,13 @@ namespace {
 std::set<std::uint64_t> near_pairs(const Packing& p, double gap) {
   std::set<std::uint64_t> found;
   const Grains& g = p.grains;
-  const int ax = p.domain.periodic_x ? 1 : 0, ay = p.domain.periodic_y ? 1 : 0;
+  const int ax = p.domain.periodic[0] ? 1 : 0, ay = p.domain.periodic[1] ? 1 : 0;
   for (std::size_t a = 0; a < g.size(); ++a)
     for (std::size_t b = a + 1; b < g.size(); ++b)
       for (int iy = -2 * ay; iy <= 2 * ay; ++iy)
         for (int ix = -2 * ax; ix <= 2 * ax; ++ix) {
-          const Vec2 d{g.x[a] - g.x[b] + ix * p.domain.width() + iy * p.domain.tilt, g.y[a] - g.y[b] + iy * p.domain.height()};
+          const Vec2 d{g.position[a].x - g.position[b].x + ix * p.domain.width() + iy * p.domain.tilt,
+                       g.position[a].y - g.position[b].y + iy * p.domain.height()};
           if (norm(d) < g.radius[a] + g.radius[b] + gap) found.insert(pair_key(static_cast<std::int32_t>(a), static_cast<std::int32_t>(b)));
         }
   return found;
@@ -34,7 +35,7 @@ std::set<std::uint64_t> listed_pairs(const Sample& s) {
 }
 
 struct Cell {
-  bool periodic_x, periodic_y;
+  std::array<bool, 2> periodic;
   double tilt;
 };
 
@@ -44,8 +45,7 @@ TEST_P(Neighbours, AreThoseOfBruteForce) {
   const Cell cell = GetParam();
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     Packing p = testing::crowd(9, 7, seed, 0.012);
-    p.domain.periodic_x = cell.periodic_x;
-    p.domain.periodic_y = cell.periodic_y;
+    p.domain.periodic = cell.periodic;
     p.domain.tilt = cell.tilt * p.domain.width();
     const Sample s = make_sample(p, {}, {});
     EXPECT_EQ(listed_pairs(s), near_pairs(p, s.skin));
@@ -55,14 +55,10 @@ TEST_P(Neighbours, AreThoseOfBruteForce) {
 TEST_P(Neighbours, StayCompleteWhileGrainsAndWallsMove) {
   const Cell cell = GetParam();
   Packing p = testing::crowd(9, 7, 4, 0.0125);
-  p.domain.periodic_x = cell.periodic_x;
-  p.domain.periodic_y = cell.periodic_y;
+  p.domain.periodic = cell.periodic;
   p.domain.tilt = cell.tilt * p.domain.width();
   RandomStream random(8, Purpose::test);
-  for (std::size_t k = 0; k < p.grains.size(); ++k) {
-    p.grains.vx[k] = random.uniform(-3, 3);
-    p.grains.vy[k] = random.uniform(-3, 3);
-  }
+  for (std::size_t k = 0; k < p.grains.size(); ++k) { p.grains.velocity[k] = {random.uniform(-3, 3), random.uniform(-3, 3)}; }
   ContactParameters contact;
   contact.restitution = 0.9;
   Engine engine(p, contact, {});
@@ -82,13 +78,13 @@ TEST_P(Neighbours, StayCompleteWhileGrainsAndWallsMove) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Cells, Neighbours,
-                         ::testing::Values(Cell{false, false, 0}, Cell{true, false, 0}, Cell{false, true, 0}, Cell{true, true, 0}, Cell{true, true, 0.3},
-                                           Cell{true, true, -0.45}));
+                         ::testing::Values(Cell{{false, false}, 0}, Cell{{true, false}, 0}, Cell{{false, true}, 0}, Cell{{true, true}, 0},
+                                           Cell{{true, true}, 0.3}, Cell{{true, true}, -0.45}));
 
 TEST(PeriodicCell, TooNarrowForItsGrainsIsRefused) {
   Packing p = testing::empty_frame(0.02, 0.2);
   testing::add_grain(p, 0.01, 0.1, 0.006);
-  p.domain.periodic_x = true;
+  p.domain.periodic[0] = true;
   EXPECT_ANY_THROW(Engine(p, {}, {}));
 }
 

@@ -74,10 +74,10 @@ TEST(Programme, TurnsAndScalesTheWeightOfAFreeGrain) {
   StageRun run = begin_stage(engine, stage);
   while (!run.finished) continue_stage(engine, stage, run);
   const Packing end = engine.packing();
-  const double dt = engine.time_step();         // what the last step lies beyond the end of the table
-  EXPECT_NEAR(end.grains.vx[0], 0.5, 10 * dt);  // 100 m/s^3 t^2/2
-  EXPECT_NEAR(end.grains.x[0] - 5, 100 * 1e-3 / 6, dt);
-  EXPECT_NEAR(end.grains.vy[0], 0, 1e-12);
+  const double dt = engine.time_step();                 // what the last step lies beyond the end of the table
+  EXPECT_NEAR(end.grains.velocity[0].x, 0.5, 10 * dt);  // 100 m/s^3 t^2/2
+  EXPECT_NEAR(end.grains.position[0].x - 5, 100 * 1e-3 / 6, dt);
+  EXPECT_NEAR(end.grains.velocity[0].y, 0, 1e-12);
   const Energies e = engine.energies();
   EXPECT_NEAR(e.work_gravity, e.kinetic, 1e-6 * e.kinetic);
 }
@@ -86,7 +86,7 @@ TEST(Programme, TurnsAndScalesTheWeightOfAFreeGrain) {
 Packing crystal() {
   const double d = 0.012, columns = 6, rows = 6;
   Packing p = empty_frame(columns * d, rows * d * std::sqrt(0.75));
-  p.domain.periodic_x = p.domain.periodic_y = true;
+  p.domain.periodic[0] = p.domain.periodic[1] = true;
   for (Wall& wall : p.domain.wall) wall.present = false;
   for (int r = 0; r < rows; ++r)
     for (int c = 0; c < columns; ++c) add_grain(p, d * (0.25 + c + 0.5 * (r % 2)), d * std::sqrt(0.75) * (r + 0.5), d / 2);
@@ -122,7 +122,7 @@ TEST(Programme, HoldsACrystalOnAPathOfStressAtAGivenRatio) {
 TEST(Programme, DoesTheWorkThatTheSampleTakes) {
   Packing start = crystal();
   for (Wall& wall : start.domain.wall) wall.present = true;
-  start.domain.periodic_x = start.domain.periodic_y = false;
+  start.domain.periodic[0] = start.domain.periodic[1] = false;
   for (int side = 0; side < 4; ++side) {  // rows that stand off stay inside, all but touching
     const Vec2 inward = inward_normal(side);
     start.domain.wall[static_cast<std::size_t>(side)].position -= (inward.x + inward.y) * (side < bottom ? 0.003 : 0.0009);
@@ -152,7 +152,7 @@ TEST(Programme, DoesTheWorkThatTheSampleTakes) {
 
 TEST(Programme, ResumesToTheSameBits) {
   Packing start = crowd(10, 10, 3, 0.0125);
-  start.domain.periodic_x = start.domain.periodic_y = true;
+  start.domain.periodic[0] = start.domain.periodic[1] = true;
   for (Wall& wall : start.domain.wall) wall.present = false;
   Stage stage = stage_with({{pressure_on(top), {{0, 1e5}, {0.002, 1e6}, {0.003, 5e5}}, true},
                             {velocity_of(right), {{0, 0}, {0.002, 0.5}}},

@@ -22,7 +22,7 @@ double acceleration_on_slope(const RollingLaw& rolling, double angle) {
   Engine engine(p, with(rolling), {});
   engine.set_gravity({9.81 * std::sin(angle), -9.81 * std::cos(angle)});
   while (engine.time() < 1) engine.advance(1000);
-  return 2 * (engine.packing().grains.x[0] - 1) / (engine.time() * engine.time());
+  return 2 * (engine.packing().grains.position[0].x - 1) / (engine.time() * engine.time());
 }
 
 TEST(Rolling, FreeDiskRunsDownASlopeWithTwoThirdsOfTheAcceleration) {

@@ -52,21 +52,21 @@ TEST(EvenMasses, KeepTheRestitutionOfUnlikeDisks) {
   Packing p = empty_frame(0.2, 0.2);
   add_grain(p, 0.08, 0.1, 0.016);
   add_grain(p, 0.10001, 0.1, 0.004);
-  p.grains.vx[0] = 1.0;
+  p.grains.velocity[0].x = 1.0;
   IntegrationParameters integration;
   integration.safety = 1.0 / 500;
   Engine engine(p, springy(0.5), integration);
   engine.set_mass_scaling(MassScaling::uniform);
   engine.advance(2000);
   const Packing after = engine.packing();
-  EXPECT_NEAR(after.grains.vx[1] - after.grains.vx[0], 0.5, 1e-3);
-  EXPECT_NEAR(after.grains.vx[1] + after.grains.vx[0], 1.0, 1e-9) << "equal masses share the momentum";
+  EXPECT_NEAR(after.grains.velocity[1].x - after.grains.velocity[0].x, 0.5, 1e-3);
+  EXPECT_NEAR(after.grains.velocity[1].x + after.grains.velocity[0].x, 1.0, 1e-9) << "equal masses share the momentum";
 }
 
 TEST(EvenMasses, AreThoseOfTheGrainWithTheFastestContacts) {
   Packing p = empty_frame(1, 1);
   const auto light = add_grain(p, 0.2, 0.2, 0.004), heavy = add_grain(p, 0.8, 0.8, 0.016), soft = add_grain(p, 0.5, 0.5, 0.012, 1);
-  for (const auto k : {light, heavy, soft}) p.grains.vx[k] = 1;
+  for (const auto k : {light, heavy, soft}) p.grains.velocity[k].x = 1;
   Engine engine(p, springy(0.5), {});
   const double own = engine.energies().kinetic;
   engine.set_mass_scaling(MassScaling::uniform);
@@ -81,7 +81,7 @@ TEST(EvenMasses, AreHeavyEnoughForTheStepThatTheOwnOnesAllow) {
   // a whole lattice of its mass is faster.
   const double d = 0.01, pitch = d * (1 - 1e-4), rise = pitch * std::sqrt(0.75);
   Packing p = empty_frame(12 * pitch, 12 * rise);
-  p.domain.periodic_x = p.domain.periodic_y = true;
+  p.domain.periodic[0] = p.domain.periodic[1] = true;
   for (int r = 0; r < 12; ++r)
     for (int c = 0; c < 12; ++c) add_grain(p, (c + 0.25 + 0.5 * (r % 2)) * pitch, (r + 0.5) * rise, (r == 6 && c == 6 ? 0.45 : 0.5) * d);
   IntegrationParameters integration;
@@ -99,7 +99,7 @@ TEST(EvenMasses, AreHeavyEnoughForTheStepThatTheOwnOnesAllow) {
 Packing lattice_about_to_touch() {
   const double d = 0.01, pitch = d * (1 + 1e-4), rise = pitch * std::sqrt(0.75);
   Packing p = empty_frame(12 * pitch, 12 * rise);
-  p.domain.periodic_x = p.domain.periodic_y = true;
+  p.domain.periodic[0] = p.domain.periodic[1] = true;
   for (int r = 0; r < 12; ++r)
     for (int c = 0; c < 12; ++c) add_grain(p, (c + 0.25 + 0.5 * (r % 2)) * pitch, (r + 0.5) * rise, 0.5 * d);
   return p;
@@ -212,7 +212,7 @@ TEST(CriticalDrag, IsPiOverThePassageOfAWave) {
   Packing p = empty_frame(2, 1);
   add_grain(p, 0.5, 0.5, 0.005);
   add_grain(p, 1.5, 0.5, 0.005);
-  p.grains.vx[0] = 1;
+  p.grains.velocity[0].x = 1;
   IntegrationParameters integration;
   integration.drag = 30;
   Engine engine(p, springy(0.5), integration);
@@ -225,7 +225,7 @@ TEST(CriticalDrag, IsPiOverThePassageOfAWave) {
   stage.duration = 0.01;
   run(engine, stage);
   const double rate = 50 + 0.01 * std::numbers::pi / passage;
-  EXPECT_NEAR(engine.packing().grains.vx[0], std::exp(-rate * engine.time()), 1e-6);
+  EXPECT_NEAR(engine.packing().grains.velocity[0].x, std::exp(-rate * engine.time()), 1e-6);
 }
 
 }  // namespace

@@ -53,7 +53,7 @@ TEST(StrainCycles, GoToAndFroBetweenTwoStrainsAndBackToTheForce) {
 
 TEST(StrainCycles, ShearACellToAndFro) {
   Packing start = crowd(8, 8, 3, 0.0125);
-  start.domain.periodic_x = start.domain.periodic_y = true;
+  start.domain.periodic[0] = start.domain.periodic[1] = true;
   for (Wall& wall : start.domain.wall) wall.present = false;
   Engine engine(start, {}, {});
   Stage stage;

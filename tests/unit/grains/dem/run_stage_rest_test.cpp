@@ -46,7 +46,7 @@ TEST(Rest, IsNotReachedWhileADiskFallsHoweverSmallItsWeight) {
   ASSERT_TRUE(run.result.converged) << run.result.outcome;
   const Frame& end = run.result.frames.back();
   EXPECT_EQ(end.equilibrium.falling, 0);
-  EXPECT_NEAR(end.packing.grains.y.back(), radius, 0.01 * radius);
+  EXPECT_NEAR(end.packing.grains.position.back().y, radius, 0.01 * radius);
 
   // Where the forces of the pressed disk alone are asked, the other is still on its way.
   stage.equilibrium.falling = 1;
@@ -59,13 +59,13 @@ TEST(Rest, IsNotReachedWhileADiskFallsHoweverSmallItsWeight) {
 
 TEST(Rest, IsNotReachedWhileALooseDiskFliesFast) {
   Packing start = pressed_and_loose();
-  start.grains.vx.back() = 100;
+  start.grains.velocity.back().x = 100;
   Engine engine(start, contact(0.9), {});
   Stage stage = pressed(false);
   const StageRun run = to_its_end(engine, stage);
   EXPECT_LT(run.result.frames.back().equilibrium.loose_kinetic, 0.1);
   Packing slow = pressed_and_loose();
-  slow.grains.vx.back() = 1e-3;
+  slow.grains.velocity.back().x = 1e-3;
   Engine calm(slow, contact(0.9), {});
   to_its_end(calm, stage);
   EXPECT_LT(calm.step(), engine.step());

@@ -20,8 +20,7 @@ inline Packing empty_frame(double width, double height) {
 inline std::size_t add_grain(Packing& p, double x, double y, double radius, int material = 0) {
   const std::size_t k = p.grains.size();
   p.grains.resize(k + 1);
-  p.grains.x[k] = x;
-  p.grains.y[k] = y;
+  p.grains.position[k] = {x, y};
   p.grains.radius[k] = radius;
   p.grains.material[k] = material;
   return k;

@@ -18,7 +18,7 @@ struct Set {
 
 Engine make(const Set& set) {
   Packing p = crowd(12, 12, 5, 0.0118);
-  p.domain.periodic_x = p.domain.periodic_y = set.periodic;
+  p.domain.periodic[0] = p.domain.periodic[1] = set.periodic;
   for (std::size_t k = 0; k < p.grains.size(); k += 2) p.grains.zone[k] = 1;
   ContactParameters contact;
   contact.friction_law = set.friction;

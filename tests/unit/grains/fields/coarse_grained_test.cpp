@@ -19,16 +19,15 @@ using std::numbers::pi;
 Packing gas(std::uint64_t seed, double tilt = 0, int grains = 60) {
   RandomStream random(seed, Purpose::test);
   Packing p = test::empty_box(10, 8, 0.06);
-  p.domain.periodic_x = p.domain.periodic_y = true;
+  p.domain.periodic[0] = p.domain.periodic[1] = true;
   p.domain.tilt = tilt;
   for (int g = 0; g < grains; ++g) {
     test::add_grain(p, {random.uniform(0, 10), random.uniform(0, 8)}, random.uniform(0.3, 0.6), static_cast<int>(random.below(2)));
-    p.grains.vx.back() = 3 + random.normal();
-    p.grains.vy.back() = random.normal();
+    p.grains.velocity.back() = {3 + random.normal(), random.normal()};
   }
   for (std::size_t i = 0; i < p.grains.size(); ++i)
     for (std::size_t j = i + 1; j < p.grains.size(); ++j)
-      if (norm(p.domain.nearest_image(p.grains.centre(i) - p.grains.centre(j))) < p.grains.radius[i] + p.grains.radius[j])
+      if (norm(p.domain.nearest_image(p.grains.position[i] - p.grains.position[j])) < p.grains.radius[i] + p.grains.radius[j])
         test::add_contact(p, i, j, -400 * std::log(1 - random.uniform()), random.uniform(-120, 120));
   return p;
 }
@@ -52,7 +51,7 @@ Sums sums_of(const Packing& p) {
   Sums s;
   for (std::size_t g = 0; g < p.grains.size(); ++g) {
     const double m = texture::mass_of(p, g);
-    const Vec2 v{p.grains.vx[g], p.grains.vy[g]};
+    const Vec2 v = p.grains.velocity[g];
     s.mass += m;
     s.area += pi * p.grains.radius[g] * p.grains.radius[g];
     s.momentum += m * v;
@@ -134,7 +133,7 @@ Rates rates_at(const Packing& p, Vec2 point, double width) {
   for (std::size_t g = 0; g < p.grains.size(); ++g)
     for (int row = -1; row <= 1; ++row)
       for (int column = -1; column <= 1; ++column) {
-        const Vec2 d = point - p.grains.centre(g) - Vec2{10.0 * column, 8.0 * row}, v{p.grains.vx[g], p.grains.vy[g]};
+        const Vec2 d = point - p.grains.position[g] - Vec2{10.0 * column, 8.0 * row}, v = p.grains.velocity[g];
         const double phi = std::exp(-dot(d, d) / (2 * width * width)) / (2 * pi * width * width) / p.domain.thickness;
         const double dphi = dot(v, d) / (width * width) * phi;  // of a kernel that moves at v
         rates.density += texture::mass_of(p, g) * dphi;
@@ -171,7 +170,7 @@ TEST(CoarseGrained, ConservesMassAndMomentumAtEveryPoint) {
 TEST(CoarseGrained, BalancesForcesByTheContactStressAlone) {
   // div of the contact stress = sum f_i phi(r - r_i)/L; grains at rest have no other terms.
   Packing p = gas(8);
-  for (std::size_t g = 0; g < p.grains.size(); ++g) p.grains.vx[g] = p.grains.vy[g] = 0;
+  for (std::size_t g = 0; g < p.grains.size(); ++g) p.grains.velocity[g].x = p.grains.velocity[g].y = 0;
   const Grid grid = grid_over(p.domain, 0.25);
   const CoarseFields f = coarse_grain(p, grid, {KernelShape::gaussian, 0.8, {}});
   const std::vector<double> push = divergence(grid, part(f.contact_stress, &Tensor2::xx), part(f.contact_stress, &Tensor2::xy));
@@ -206,8 +205,7 @@ TEST(CoarseGrained, KineticStressIsThatOfTheFluctuationAboutTheLocalVelocity) {
   Packing p = test::empty_box(10, 8, 0.06);
   test::add_grain(p, {4, 4}, 0.5);
   test::add_grain(p, {6, 4}, 0.5);
-  p.grains.vx = {101, 99};
-  p.grains.vy = {2, -2};
+  p.grains.velocity = {{101, 2}, {99, -2}};
   const Grid middle{{4.5, 5.5, 3.5, 4.5}, 1, 1};
   const CoarseFields f = coarse_grain(p, middle, {KernelShape::lucy, 0.8, {}});
   const double rho = 2 * 1000 * pi * 0.25 * Kernel(KernelShape::lucy, 0.8).value({1, 0});
@@ -222,10 +220,10 @@ TEST(CoarseGrained, ImagesMoveWithTheSidesOfTheCell) {
   // A lattice under simple shear v_x = 0.3 y in a Lees-Edwards cell 6 m high: at a grain, by symmetry, V is its own velocity, in every row
   // alike.
   Packing p = test::square_lattice(6);
-  for (std::size_t g = 0; g < p.grains.size(); ++g) p.grains.vx[g] = 0.3 * p.grains.y[g];
+  for (std::size_t g = 0; g < p.grains.size(); ++g) p.grains.velocity[g].x = 0.3 * p.grains.position[g].y;
   const CoarseFields f = coarse_grain(p, grid_over(p.domain, 1), {KernelShape::lucy, 0.9, 0.3 * 6});
   for (std::size_t g = 0; g < p.grains.size(); ++g) {
-    EXPECT_NEAR(f.velocity[g].x, p.grains.vx[g], 1e-14);
+    EXPECT_NEAR(f.velocity[g].x, p.grains.velocity[g].x, 1e-14);
     EXPECT_NEAR(f.density[g], f.density[0], 1e-11);  // of 1000 kg/m^3: the sums differ in their order only
     EXPECT_NEAR(f.kinetic_stress[g].xx, f.kinetic_stress[0].xx, 1e-11);
   }
@@ -234,9 +232,9 @@ TEST(CoarseGrained, ImagesMoveWithTheSidesOfTheCell) {
   p.domain.tilt = 2;
   p.domain.wall[right].velocity = 0.3;
   p.domain.wall[left].velocity = -0.3;
-  for (std::size_t g = 0; g < p.grains.size(); ++g) p.grains.vx[g] = 0.1 * (p.grains.x[g] - 3);
+  for (std::size_t g = 0; g < p.grains.size(); ++g) p.grains.velocity[g].x = 0.1 * (p.grains.position[g].x - 3);
   const CoarseFields wide = coarse_grain(p, grid_over(p.domain, 1), {KernelShape::lucy, 0.9, {}});
-  for (std::size_t g = 0; g < p.grains.size(); ++g) EXPECT_NEAR(wide.velocity[g].x, p.grains.vx[g], 1e-14);
+  for (std::size_t g = 0; g < p.grains.size(); ++g) EXPECT_NEAR(wide.velocity[g].x, p.grains.velocity[g].x, 1e-14);
 }
 
 TEST(CoarseGrained, KnowsWallsByTheirForceOnTheGrains) {

@@ -15,8 +15,7 @@ Packing column(bool fallen) {
   for (int c = 0; c < (fallen ? 60 : 20); ++c)
     for (int r = 0; r < (fallen ? 30 - c / 2 : 40); ++r) {
       p.grains.resize(p.grains.size() + 1);
-      p.grains.x.back() = 0.01 * (c + 0.5);
-      p.grains.y.back() = 0.01 * (r + 0.5);
+      p.grains.position.back() = {0.01 * (c + 0.5), 0.01 * (r + 0.5)};
       p.grains.radius.back() = 0.005;
     }
   return p;

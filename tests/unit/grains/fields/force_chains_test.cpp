@@ -80,7 +80,7 @@ TEST(ForceChains, FindsTheLoadedColumnOfALattice) {
 
 TEST(ForceChains, CloseAroundAPeriodicCell) {
   Packing p = test::square_lattice(6);
-  for (std::size_t c = 0; c < p.contacts.size(); ++c) p.contacts.fn[c] = std::abs(p.contacts.ny[c]) < 0.5 ? 0.5 : p.contacts.i[c] % 2 == 0 ? 3 : 1;
+  for (std::size_t c = 0; c < p.contacts.size(); ++c) p.contacts.fn[c] = std::abs(p.contacts.normal[c].y) < 0.5 ? 0.5 : p.contacts.i[c] % 2 == 0 ? 3 : 1;
   const ForceChains f = find_force_chains(p);
   EXPECT_EQ(f.chains.size(), 3u);
   EXPECT_EQ(f.ring, (std::vector<std::uint8_t>{1, 1, 1}));
@@ -99,7 +99,7 @@ TEST(ForceChains, GoStraightOnAtAFork) {
   // A chain along x that forks at 35 degrees. The direction of greatest compression at the fork, from 1 N on either side along x and 0.8 N
   // at 35 degrees, is 9 degrees off x: within the angle of both branches, but nearer to the straight one.
   Packing p = bent_chain({0, 0, 0, 0, 0, 0});
-  Vec2 at = p.grains.centre(3);
+  Vec2 at = p.grains.position[3];
   std::size_t last = 3;
   for (int k = 0; k < 3; ++k) {
     at += Vec2{std::cos(35 * degree), std::sin(35 * degree)};
@@ -120,8 +120,8 @@ Packing told_otherwise(const Packing& p) {
   q.contacts = {};
   for (std::size_t k = p.contacts.size(); k-- > 0;) {
     const Contacts& c = p.contacts;
-    if (k % 2 || c.is_wall(k)) q.contacts.add(c.i[k], c.j[k], c.normal(k), c.fn[k], c.ft[k], c.arm_i[k], c.arm_j[k]);
-    else q.contacts.add(c.j[k], c.i[k], -c.normal(k), c.fn[k], c.ft[k], c.arm_j[k], c.arm_i[k]);
+    if (k % 2 || c.is_wall(k)) q.contacts.add(c.i[k], c.j[k], c.normal[k], c.fn[k], c.ft[k], c.arm_i[k], c.arm_j[k]);
+    else q.contacts.add(c.j[k], c.i[k], -c.normal[k], c.fn[k], c.ft[k], c.arm_j[k], c.arm_i[k]);
   }
   return q;
 }
@@ -141,7 +141,7 @@ TEST(ForceChains, OfAnyNetworkShareNoGrainAndKeepTheirRule) {
       seen.insert(chain.begin(), chain.end());
       for (std::size_t k = 0; k + 1 < chain.size(); ++k) {
         const auto a = static_cast<std::size_t>(chain[k]), b = static_cast<std::size_t>(chain[k + 1]);
-        const Vec2 branch = p.grains.centre(b) - p.grains.centre(a);
+        const Vec2 branch = p.grains.position[b] - p.grains.position[a];
         EXPECT_LT(norm(branch), p.grains.radius[a] + p.grains.radius[b]);
         for (const std::size_t g : {a, b}) {
           EXPECT_GT(grains[g].major, f.mean_stress);
@@ -163,7 +163,7 @@ TEST(ForceChains, RefusesAnAngleThatIsNone) {
 
 TEST(StrongClusters, OfALatticeAreItsLoadedColumns) {
   Packing p = test::square_lattice(6);
-  for (std::size_t c = 0; c < p.contacts.size(); ++c) p.contacts.fn[c] = std::abs(p.contacts.ny[c]) > 0.5 && p.contacts.i[c] % 6 == 1 ? 3 : 0.5;
+  for (std::size_t c = 0; c < p.contacts.size(); ++c) p.contacts.fn[c] = std::abs(p.contacts.normal[c].y) > 0.5 && p.contacts.i[c] % 6 == 1 ? 3 : 0.5;
   const StrongClusters s = strong_clusters(p);
   EXPECT_EQ(s.grains, std::vector<std::size_t>{6});
   EXPECT_EQ(s.contacts_of, std::vector<std::size_t>{6});

@@ -24,8 +24,7 @@ Packing heap(double ridge, double height, double left_angle, double right_angle,
       const double roof = height - (x < ridge ? (ridge - x) * std::tan(left_angle) : (x - ridge) * std::tan(right_angle));
       if (y > roof || x < 0) continue;
       g.resize(g.size() + 1);
-      g.x.back() = x * std::cos(turned) - y * std::sin(turned);
-      g.y.back() = x * std::sin(turned) + y * std::cos(turned);
+      g.position.back() = {x * std::cos(turned) - y * std::sin(turned), x * std::sin(turned) + y * std::cos(turned)};
       g.radius.back() = radius;
     }
   return p;
@@ -62,7 +61,7 @@ TEST(FreeSurface, LeavesOutGrainsThatRolledAhead) {
   const FreeSurface before = find_free_surface(p, down());
   Grains& g = p.grains;
   g.resize(g.size() + 1);
-  g.x.back() = before.right + 0.05;
+  g.position.back().x = before.right + 0.05;
   g.radius.back() = radius;
   const FreeSurface after = find_free_surface(p, down());
   EXPECT_EQ(after.right, before.right);

@@ -19,16 +19,16 @@ template <class Keep> Packing with_contacts(Packing p, Keep keep) {
   const Contacts old = std::move(p.contacts);
   p.contacts = {};
   for (std::size_t c = 0; c < old.size(); ++c)
-    if (keep(old, c)) p.contacts.add(old.i[c], old.j[c], old.normal(c), old.fn[c], old.ft[c], old.arm_i[c], old.arm_j[c]);
+    if (keep(old, c)) p.contacts.add(old.i[c], old.j[c], old.normal[c], old.fn[c], old.ft[c], old.arm_i[c], old.arm_j[c]);
   return p;
 }
 
 /// The lattice cut along its cell: only contacts inside it are left.
 Packing cut_open(Packing p) {
-  p.domain.periodic_x = p.domain.periodic_y = false;
+  p.domain.periodic[0] = p.domain.periodic[1] = false;
   const Grains grains = p.grains;
   return with_contacts(std::move(p), [&](const Contacts& c, std::size_t k) {
-    return norm(grains.centre(static_cast<std::size_t>(c.i[k])) - grains.centre(static_cast<std::size_t>(c.j[k]))) < 1.5;
+    return norm(grains.position[static_cast<std::size_t>(c.i[k])] - grains.position[static_cast<std::size_t>(c.j[k])]) < 1.5;
   });
 }
 
@@ -76,7 +76,7 @@ TEST(Loops, OfAStripAroundTheCellHaveTwoOutlines) {
     Packing p = test::square_lattice(6);
     if (seed % 2) {  // walks then begin at the high places of an outline
       for (auto* a : {&p.contacts.i, &p.contacts.j}) std::reverse(a->begin(), a->end());
-      for (auto* a : {&p.contacts.nx, &p.contacts.ny}) std::reverse(a->begin(), a->end());
+      std::ranges::reverse(p.contacts.normal);
     }
     const Loops loops = find_loops(with_contacts(
         std::move(p), [&](const Contacts& c, std::size_t k) { return there[static_cast<std::size_t>(c.i[k])] && there[static_cast<std::size_t>(c.j[k])]; }));

@@ -16,8 +16,8 @@ namespace {
 Packing scattered(std::uint64_t seed, bool periodic_x, bool periodic_y, double tilt = 0) {
   RandomStream random(seed, Purpose::test);
   Packing p = test::empty_box(10, 8);
-  p.domain.periodic_x = periodic_x;
-  p.domain.periodic_y = periodic_y;
+  p.domain.periodic[0] = periodic_x;
+  p.domain.periodic[1] = periodic_y;
   p.domain.tilt = tilt;
   for (int g = 0; g < 120; ++g) test::add_grain(p, {random.uniform(0, 10), random.uniform(0, 8)}, 0.3);
   return p;
@@ -28,17 +28,15 @@ Vec2 times(const Tensor2& a, Vec2 b) { return {a.xx * b.x + a.xy * b.y, a.yx * b
 /// Every grain moved by x' = F x + c, the cell with them, and grains put back into it.
 Packing moved(Packing p, const Tensor2& f, Vec2 shift) {
   for (std::size_t g = 0; g < p.grains.size(); ++g) {
-    const Vec2 to = times(f, p.grains.centre(g)) + shift;
-    p.grains.x[g] = to.x;
-    p.grains.y[g] = to.y;
+    const Vec2 to = times(f, p.grains.position[g]) + shift;
+    p.grains.position[g] = to;
   }
-  if (p.domain.periodic_y) p.domain.tilt = f.xx * p.domain.tilt + f.xy * p.domain.height();
+  if (p.domain.periodic[1]) p.domain.tilt = f.xx * p.domain.tilt + f.xy * p.domain.height();
   p.domain.wall[right].position *= f.xx;
   p.domain.wall[top].position *= f.yy;
   for (std::size_t g = 0; g < p.grains.size(); ++g) {
-    const Vec2 in = wrapped(p.domain, p.grains.centre(g));
-    p.grains.x[g] = in.x;
-    p.grains.y[g] = in.y;
+    const Vec2 in = wrapped(p.domain, p.grains.position[g]);
+    p.grains.position[g] = in;
   }
   return p;
 }
@@ -47,14 +45,14 @@ TEST(NonAffine, AnAffineMotionLeavesNothing) {
   // Coordinates of 10 m are rounded by 2e-15 m and sums of twenty of them, through a matrix inverse, by some 1e-14; a squared length by
   // 1e-28 and less.
   struct Case {
-    bool periodic_x, periodic_y;
+    std::array<bool, 2> periodic;
     double tilt;
     Tensor2 f;
   };
-  for (const Case& c : {Case{false, false, 0, {1.1, 0.3, -0.4, 0.9}},                                      // with a rotation
-                        Case{true, true, 0, {1.02, 0.1, 0, 0.97}}, Case{true, true, 3.3, {1, 4.7, 0, 1}},  // sheared by 470 %
-                        Case{true, true, -40, {0.5, -0.6, 0, 1.3}}, Case{true, false, 0, {1.2, 0, 0, 0.7}}, Case{false, true, 0, {1.2, 0, 0, 0.7}}}) {
-    const Packing before = scattered(4, c.periodic_x, c.periodic_y, c.tilt), after = moved(before, c.f, {1.7, c.periodic_y ? -0.9 : 0.0});
+  for (const Case& c : {Case{{false, false}, 0, {1.1, 0.3, -0.4, 0.9}},                                        // with a rotation
+                        Case{{true, true}, 0, {1.02, 0.1, 0, 0.97}}, Case{{true, true}, 3.3, {1, 4.7, 0, 1}},  // sheared by 470 %
+                        Case{{true, true}, -40, {0.5, -0.6, 0, 1.3}}, Case{{true, false}, 0, {1.2, 0, 0, 0.7}}, Case{{false, true}, 0, {1.2, 0, 0, 0.7}}}) {
+    const Packing before = scattered(4, c.periodic[0], c.periodic[1], c.tilt), after = moved(before, c.f, {1.7, c.periodic[1] ? -0.9 : 0.0});
     const LocalDeformation local = local_deformation(before, after, 3);
     for (std::size_t g = 0; g < before.grains.size(); ++g) {
       ASSERT_GE(local.neighbours[g], 3);
@@ -81,7 +79,7 @@ TEST(NonAffine, NeighboursAreThoseThatComparingAllImagesGives) {
       for (std::size_t h = 0; h < p.grains.size(); ++h)
         for (int row = -1; row <= 1; ++row)
           for (int column = -4; column <= 4; ++column)
-            count += h != g && norm(p.grains.centre(h) + Vec2{10 * column + tilt * row, 8.0 * row} - p.grains.centre(g)) <= range;
+            count += h != g && norm(p.grains.position[h] + Vec2{10 * column + tilt * row, 8.0 * row} - p.grains.position[g]) <= range;
       EXPECT_EQ(local.neighbours[g], count) << tilt;
     }
   }
@@ -93,7 +91,7 @@ TEST(NonAffine, KnowsTheGrainThatLeftTheRest) {
   // -0.1/2: |r' - F r| is 0.05 at two of four neighbours.
   const Packing before = test::square_lattice(8);
   Packing after = before;
-  after.grains.x[27] += 0.1;
+  after.grains.position[27].x += 0.1;
   const LocalDeformation local = local_deformation(before, after, 1.1);
   EXPECT_NEAR(local.d2min[27], 0.01, 1e-15);
   EXPECT_NEAR(local.strain[27].xx, 0, 1e-14);
@@ -116,8 +114,8 @@ TEST(NonAffine, MeasuresTheNoiseOnTopOfAShear) {
   const Packing before = scattered(8, true, true, 1.5);
   Packing after = moved(before, {1, 0.2, 0, 1}, {});
   for (std::size_t g = 0; g < after.grains.size(); ++g) {
-    after.grains.x[g] += s * random.normal();
-    after.grains.y[g] += s * random.normal();
+    after.grains.position[g].x += s * random.normal();
+    after.grains.position[g].y += s * random.normal();
   }
   const LocalDeformation local = local_deformation(before, after, 2);
   double mean = 0;
@@ -140,7 +138,7 @@ TEST(NonAffine, LeavesOpenWhatTooFewNeighboursDoNotTell) {
   EXPECT_THROW(local_deformation(p, p, 0), InputError);
   EXPECT_THROW(local_deformation(p, test::empty_box(10, 10), 1), InputError);
   Packing other = p;
-  other.domain.periodic_x = true;
+  other.domain.periodic[0] = true;
   EXPECT_THROW(affine_fit(p, other), InputError);
 }
 

@@ -28,8 +28,8 @@ BidisperseParameters parameters(double gamma, double theta, double box_area = 15
 
 Packing box_with_sides(bool periodic_x, bool periodic_y) {
   Packing packing;
-  packing.domain.periodic_x = periodic_x;
-  packing.domain.periodic_y = periodic_y;
+  packing.domain.periodic[0] = periodic_x;
+  packing.domain.periodic[1] = periodic_y;
   return packing;
 }
 
@@ -38,9 +38,9 @@ double smallest_gap(const Packing& p, std::size_t from, std::size_t to) {
   double least = INFINITY;
   const Grains& g = p.grains;
   for (std::size_t i = from; i < to; ++i) {
-    for (std::size_t j = from; j < i; ++j) least = std::min(least, norm(p.domain.nearest_image(g.centre(i) - g.centre(j))) - g.radius[i] - g.radius[j]);
-    if (p.domain.wall[left].present) least = std::min({least, g.x[i] - g.radius[i], p.domain.width() - g.x[i] - g.radius[i]});
-    if (p.domain.wall[bottom].present) least = std::min({least, g.y[i] - g.radius[i], p.domain.height() - g.y[i] - g.radius[i]});
+    for (std::size_t j = from; j < i; ++j) least = std::min(least, norm(p.domain.nearest_image(g.position[i] - g.position[j])) - g.radius[i] - g.radius[j]);
+    if (p.domain.wall[left].present) least = std::min({least, g.position[i].x - g.radius[i], p.domain.width() - g.position[i].x - g.radius[i]});
+    if (p.domain.wall[bottom].present) least = std::min({least, g.position[i].y - g.radius[i], p.domain.height() - g.position[i].y - g.radius[i]});
   }
   return least;
 }
@@ -53,7 +53,7 @@ std::size_t open_corners(const Packing& p, std::size_t grains, double radius, do
   const auto is_open = [&](Vec2 q) {
     if (q.x < radius - slack || q.x > side - radius + slack || q.y < radius - slack || q.y > side - radius + slack) return false;
     for (std::size_t k = 0; k < grains; ++k) {
-      const Vec2 d = q - g.centre(k);
+      const Vec2 d = q - g.position[k];
       const double reach = g.radius[k] + radius + gap - slack;
       if (dot(d, d) < reach * reach) return false;
     }
@@ -61,7 +61,7 @@ std::size_t open_corners(const Packing& p, std::size_t grains, double radius, do
   };
   std::size_t open = 0;
   for (std::size_t i = 0; i < grains; ++i) {
-    const Vec2 c = g.centre(i);
+    const Vec2 c = g.position[i];
     const double r = g.radius[i] + radius + gap;
     for (const double wall : {radius, side - radius})
       for (const double sign : {-1.0, 1.0}) {
@@ -69,7 +69,7 @@ std::size_t open_corners(const Packing& p, std::size_t grains, double radius, do
         if (std::abs(wall - c.y) < r) open += is_open({c.x + sign * std::sqrt(r * r - (wall - c.y) * (wall - c.y)), wall});
       }
     for (std::size_t j = 0; j < i; ++j) {
-      const Vec2 d = g.centre(j) - c;
+      const Vec2 d = g.position[j] - c;
       const double s = g.radius[j] + radius + gap, apart = norm(d);
       if (apart >= r + s || apart <= std::abs(r - s)) continue;
       const double along = (apart * apart + r * r - s * s) / (2 * apart), across = std::sqrt(std::max(0.0, r * r - along * along));
@@ -169,7 +169,7 @@ TEST(Bidisperse, EndsWithTheTrialsAsThePaperDoes) {
 TEST(Bidisperse, HeldRadiiEndWithOneThatFitsNowhere) {
   const double side = 14;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
-    FreeSpace space({0, 0, side, side, false, false}, 0.3);
+    FreeSpace space({{}, {side, side}}, 0.3);
     space.open_store(2);
     std::vector<Disk> disks;
     RandomStream random(seed, Purpose::test);
@@ -178,8 +178,7 @@ TEST(Bidisperse, HeldRadiiEndWithOneThatFitsNowhere) {
     packing.domain.wall[right].position = packing.domain.wall[top].position = side;
     packing.grains.resize(disks.size());
     for (std::size_t i = 0; i < disks.size(); ++i) {
-      packing.grains.x[i] = disks[i].centre.x;
-      packing.grains.y[i] = disks[i].centre.y;
+      packing.grains.position[i] = disks[i].centre;
       packing.grains.radius[i] = disks[i].radius;
     }
     EXPECT_GT(disks.size(), 10u);
@@ -219,10 +218,9 @@ TEST(Bidisperse, SameSeedSameBytesAndAnotherSeedAnotherSample) {
   sample_bidisperse(a, p, 4);
   sample_bidisperse(b, p, 4);
   sample_bidisperse(c, p, 5);
-  EXPECT_EQ(a.grains.x, b.grains.x);
-  EXPECT_EQ(a.grains.y, b.grains.y);
+  EXPECT_EQ(a.grains.position, b.grains.position);
   EXPECT_EQ(a.grains.radius, b.grains.radius);
-  EXPECT_NE(a.grains.x, c.grains.x);
+  EXPECT_NE(a.grains.position, c.grains.position);
 }
 
 TEST(Bidisperse, ReachesTheVolumeRatioAskedForAndReportsWhatItIs) {

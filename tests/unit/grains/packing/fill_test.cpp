@@ -22,7 +22,7 @@ Grains disks(std::int64_t n, double min_diameter, double max_diameter) {
 
 Domain box_for(const Grains& grains, double width, double solid_fraction, bool periodic) {
   Domain domain;
-  domain.periodic_x = domain.periodic_y = periodic;
+  domain.periodic[0] = domain.periodic[1] = periodic;
   domain.wall[right].position = width;
   domain.wall[top].position = height_for(grains, width, solid_fraction);
   return domain;
@@ -34,10 +34,12 @@ double largest_overlap(const Grains& g, const Domain& d) {
   for (std::size_t i = 0; i < g.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       const double reach = g.radius[i] + g.radius[j];
-      worst = std::max(worst, 2 * (reach - norm(d.nearest_image(g.centre(i) - g.centre(j)))) / reach);
+      worst = std::max(worst, 2 * (reach - norm(d.nearest_image(g.position[i] - g.position[j]))) / reach);
     }
-    if (!d.periodic_x) worst = std::max({worst, 1 - (g.x[i] - d.wall[left].position) / g.radius[i], 1 - (d.wall[right].position - g.x[i]) / g.radius[i]});
-    if (!d.periodic_y) worst = std::max({worst, 1 - (g.y[i] - d.wall[bottom].position) / g.radius[i], 1 - (d.wall[top].position - g.y[i]) / g.radius[i]});
+    if (!d.periodic[0])
+      worst = std::max({worst, 1 - (g.position[i].x - d.wall[left].position) / g.radius[i], 1 - (d.wall[right].position - g.position[i].x) / g.radius[i]});
+    if (!d.periodic[1])
+      worst = std::max({worst, 1 - (g.position[i].y - d.wall[bottom].position) / g.radius[i], 1 - (d.wall[top].position - g.position[i].y) / g.radius[i]});
   }
   return worst;
 }
@@ -62,9 +64,8 @@ TEST(Fill, SameSeedSameBytes) {
   fill_at_random(a, box, 9);
   fill_at_random(b, box, 9);
   fill_at_random(c, box, 10);
-  EXPECT_EQ(a.x, b.x);
-  EXPECT_EQ(a.y, b.y);
-  EXPECT_NE(a.x, c.x);
+  EXPECT_EQ(a.position, b.position);
+  EXPECT_NE(a.position, c.position);
 }
 
 TEST(Fill, AnImpossibleSolidFractionIsRefusedWithTheMend) {
@@ -80,8 +81,7 @@ TEST(Fill, SmallOverlapsOfMeasuredCentresAreRelaxedAndReported) {
   Grains g;
   g.resize(2);
   g.radius = {0.01, 0.01};
-  g.x = {0.03, 0.0490};
-  g.y = {0.05, 0.05};
+  g.position = {{0.03, 0.05}, {0.0490, 0.05}};
   Domain box;
   box.wall[right].position = box.wall[top].position = 0.1;
   const auto report = relax(g, box, 1e-6);
@@ -90,7 +90,7 @@ TEST(Fill, SmallOverlapsOfMeasuredCentresAreRelaxedAndReported) {
   // Each centre must give way by half the overlap, 0.5 mm; inertia may carry it a fifth further.
   EXPECT_GE(report.largest_move, 0.0005 - 1e-8);
   EXPECT_LE(report.largest_move, 0.0006);
-  EXPECT_NEAR(g.x[0] + g.x[1], 0.079, 1e-12);
+  EXPECT_NEAR(g.position[0].x + g.position[1].x, 0.079, 1e-12);
 }
 
 TEST(Fill, LatticeRowsTouchAndStayInside) {
@@ -101,7 +101,7 @@ TEST(Fill, LatticeRowsTouchAndStayInside) {
   EXPECT_LE(largest_overlap(g, box), 1e-9);
   int touching = 0;
   for (std::size_t i = 0; i < g.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j) touching += norm(g.centre(i) - g.centre(j)) < 0.0105 * (1 + 1e-9);
+    for (std::size_t j = 0; j < i; ++j) touching += norm(g.position[i] - g.position[j]) < 0.0105 * (1 + 1e-9);
   EXPECT_GT(touching, 100);
 }
 

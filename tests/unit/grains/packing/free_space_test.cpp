@@ -13,7 +13,7 @@ using std::numbers::pi;
 
 TEST(FreeSpace, PlacesBesideADiskLeaveOutWhatItsNeighbourForbids) {
   // Equal disks that touch: a third keeps off the neighbour on 120 degrees, so it is at 60 degrees or more from it.
-  FreeSpace space({0, 0, 20, 20, false, false}, 0);
+  FreeSpace space({{}, {20, 20}}, 0);
   space.open_store(2);
   const Disk disk{{10, 10}, 1};
   space.add(disk);
@@ -33,7 +33,7 @@ TEST(FreeSpace, PlacesBesideADiskLeaveOutWhatItsNeighbourForbids) {
 TEST(FreeSpace, SevenDisksLeaveNoPlaceRoundTheOneInTheirMiddleAndOneFewerDoes) {
   RandomStream random(1, Purpose::test);
   for (const int around : {5, 6}) {
-    FreeSpace space({0, 0, 20, 20, false, false}, 0);
+    FreeSpace space({{}, {20, 20}}, 0);
     space.open_store(2);
     const Disk disk{{10, 10}, 1};
     space.add(disk);
@@ -43,7 +43,7 @@ TEST(FreeSpace, SevenDisksLeaveNoPlaceRoundTheOneInTheirMiddleAndOneFewerDoes) {
 }
 
 TEST(FreeSpace, AGapAndWallsTakeRoomAndAPeriodicSideGivesIt) {
-  FreeSpace walls({0, 0, 10, 10, false, false}, 0), periodic({0, 0, 10, 10, true, true}, 0);
+  FreeSpace walls({{}, {10, 10}}, 0), periodic({{}, {10, 10}, {true, true}}, 0);
   EXPECT_FALSE(walls.fits({{0.9, 5}, 1}));
   EXPECT_TRUE(walls.fits({{1.0, 5}, 1}));
   EXPECT_TRUE(periodic.fits({{0.1, 5}, 1}));
@@ -53,20 +53,20 @@ TEST(FreeSpace, AGapAndWallsTakeRoomAndAPeriodicSideGivesIt) {
   EXPECT_TRUE(periodic.fits({{1.6, 5}, 1}));
   periodic.set_gap(0.2);
   EXPECT_FALSE(periodic.fits({{1.6, 5}, 1}));
-  FreeSpace narrow({0, 0, 3, 3, true, true}, 0);
+  FreeSpace narrow({{}, {3, 3}, {true, true}}, 0);
   EXPECT_FALSE(narrow.fits({{1, 1}, 1.6}));  // it would overlap its own image
 }
 
 RC_GTEST_PROP(FreeSpace, HasAPlaceBesideADiskExactlyWhereSomeAngleFits, ()) {
   RandomStream random(*rc::gen::arbitrary<std::uint64_t>(), Purpose::test);
-  const geometry::Box box{-1, 2, *rc::gen::element(3.0, 8.0), *rc::gen::element(3.0, 8.0), *rc::gen::arbitrary<bool>(), *rc::gen::arbitrary<bool>()};
+  const geometry::Box<2> box{{-1, 2}, {*rc::gen::element(3.0, 8.0), *rc::gen::element(3.0, 8.0)}, {*rc::gen::arbitrary<bool>(), *rc::gen::arbitrary<bool>()}};
   FreeSpace space(box, *rc::gen::element(0.0, 0.3));
   std::vector<Disk> disks;
   for (const double size : {1.0, 0.3}) {
     space.open_store(size);
     for (int k = 0; k < 60; ++k) {
       const double r = random.uniform(0.3, 0.6) * size;
-      const Disk disk{{random.uniform(box.x0, box.x0 + box.width), random.uniform(box.y0, box.y0 + box.height)}, r};
+      const Disk disk{{random.uniform(box.corner.x, box.end().x), random.uniform(box.corner.y, box.end().y)}, r};
       if (!space.fits(disk)) continue;
       space.add(disk);
       disks.push_back(disk);
@@ -82,7 +82,7 @@ RC_GTEST_PROP(FreeSpace, HasAPlaceBesideADiskExactlyWhereSomeAngleFits, ()) {
   if (fitting > 0) RC_ASSERT(place.has_value());
   if (place) {
     RC_ASSERT(space.fits({*place, radius}));
-    RC_ASSERT(place->x >= box.x0 - 1e-12 && place->x <= box.x0 + box.width + 1e-12);
+    RC_ASSERT(place->x >= box.corner.x - 1e-12 && place->x <= box.end().x + 1e-12);
   }
 }
 

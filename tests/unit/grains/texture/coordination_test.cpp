@@ -37,7 +37,7 @@ TEST(Coordination, OfAStripedLatticeHasItsPartsByBothDefinitions) {
 
 TEST(Coordination, WithoutRattlersForgetsGrainsThatLeanOnRattlersOnly) {
   Packing p = test::square_lattice(6);
-  p.domain.periodic_y = false;  // a finger of two grains above the top row: the outer one has one contact, then so has the inner
+  p.domain.periodic[1] = false;  // a finger of two grains above the top row: the outer one has one contact, then so has the inner
   p.domain.wall[top].position = 9;
   p.contacts = {};
   for (std::size_t y = 0; y < 6; ++y)
@@ -61,7 +61,7 @@ TEST(Coordination, WithoutRattlersForgetsGrainsThatLeanOnRattlersOnly) {
 
 TEST(Coordination, CountsOnlyGrainsBeyondTwoAndAHalfDiametersFromWalls) {
   Packing p = test::square_lattice(12);
-  p.domain.periodic_x = p.domain.periodic_y = false;
+  p.domain.periodic[0] = p.domain.periodic[1] = false;
   p.contacts = {};
   for (std::size_t y = 0; y < 12; ++y)
     for (std::size_t x = 0; x < 12; ++x) {
@@ -94,7 +94,7 @@ TEST(SolidFraction, OfGrainsWiderThanTheirPeriodicCellIsRefused) {
   EXPECT_GT(measure(p).solid_fraction.value, 1);
   p.grains.radius[7] = 80;
   EXPECT_THROW(measure(p), InputError);
-  p.domain.periodic_x = p.domain.periodic_y = false;
+  p.domain.periodic[0] = p.domain.periodic[1] = false;
   EXPECT_NO_THROW(measure(p));
 }
 
@@ -111,7 +111,7 @@ Packing scattered(std::uint64_t seed) {
     const double r = random.uniform() < 0.3 ? 0.9 : 0.4;
     const Vec2 centre{random.uniform(r, 30 - r), random.uniform(r, 30 - r)};
     bool fits = true;
-    for (std::size_t g = 0; g < p.grains.size() && fits; ++g) fits = norm(centre - p.grains.centre(g)) > r + p.grains.radius[g];
+    for (std::size_t g = 0; g < p.grains.size() && fits; ++g) fits = norm(centre - p.grains.position[g]) > r + p.grains.radius[g];
     if (fits) test::add_grain(p, centre, r);
   }
   return p;

@@ -67,7 +67,7 @@ TEST(Forces, BetweenGluedAndDryGrainsAreToldApart) {
 
 TEST(Threshold, SeparatesStrongFromWeakDirections) {
   Packing p = test::square_lattice(8);
-  for (std::size_t c = 0; c < p.contacts.size(); ++c) p.contacts.fn[c] = std::abs(p.contacts.ny[c]) > 0.5 ? 3 : 1;
+  for (std::size_t c = 0; c < p.contacts.size(); ++c) p.contacts.fn[c] = std::abs(p.contacts.normal[c].y) > 0.5 ? 3 : 1;
   const ThresholdCurve curve = measure(p).threshold;  // mean 2, load along y
   for (std::size_t k = 0; k < curve.threshold.size(); ++k) {
     const double x = curve.threshold[k];

@@ -157,14 +157,13 @@ RC_GTEST_PROP(Fabric, TurnsWithTheSampleAndMirrorsWithIt, ()) {
     return Vec2{std::cos(turn) * v.x - std::sin(turn) * v.y, std::sin(turn) * v.x + std::cos(turn) * v.y};
   };
   for (std::size_t g = 0; g < q.grains.size(); ++g) {
-    const Vec2 c = move(p.grains.centre(g));
-    q.grains.x[g] = c.x;
-    q.grains.y[g] = c.y;
+    const Vec2 c = move(p.grains.position[g]);
+    q.grains.position[g] = c;
   }
   for (std::size_t c = 0; c < q.contacts.size(); ++c) {
-    const Vec2 n = move(p.contacts.normal(c));
-    q.contacts.nx[c] = n.x;
-    q.contacts.ny[c] = n.y;
+    const Vec2 n = move(p.contacts.normal[c]);
+    q.contacts.normal[c].x = n.x;
+    q.contacts.normal[c].y = n.y;
     if (mirror) q.contacts.ft[c] = -p.contacts.ft[c];
   }
   const Texture a = measure(p), b = measure(q);

@@ -80,14 +80,14 @@ TEST(GapCoordination, RefusesANegativeGapAndOneClassOnly) {
 
 /// Neighbours by comparing every grain with every image of every other.
 int neighbours_by_brute_force(const Packing& p, std::size_t g, int of_material, double gap) {
-  const int nx = p.domain.periodic_x ? 4 : 0, ny = p.domain.periodic_y ? 3 : 0;
+  const int nx = p.domain.periodic[0] ? 4 : 0, ny = p.domain.periodic[1] ? 3 : 0;
   int count = 0;
   for (std::size_t h = 0; h < p.grains.size(); ++h)
     for (int ix = -nx; ix <= nx; ++ix)
       for (int iy = -ny; iy <= ny; ++iy) {
         if ((h == g && ix == 0 && iy == 0) || p.grains.material[h] != of_material) continue;
-        const Vec2 image = p.grains.centre(h) + Vec2{ix * p.domain.width() + iy * p.domain.tilt, iy * p.domain.height()};
-        count += norm(image - p.grains.centre(g)) <= p.grains.radius[g] + p.grains.radius[h] + gap;
+        const Vec2 image = p.grains.position[h] + Vec2{ix * p.domain.width() + iy * p.domain.tilt, iy * p.domain.height()};
+        count += norm(image - p.grains.position[g]) <= p.grains.radius[g] + p.grains.radius[h] + gap;
       }
   return count;
 }
@@ -95,9 +95,9 @@ int neighbours_by_brute_force(const Packing& p, std::size_t g, int of_material, 
 RC_GTEST_PROP(GapCoordination, IsWhatComparingAllWithAllGives, ()) {
   RandomStream random(*rc::gen::arbitrary<std::uint64_t>(), Purpose::test);
   Packing p = test::empty_box(*rc::gen::element(2.5, 6.0), *rc::gen::element(2.5, 5.0));
-  p.domain.periodic_x = *rc::gen::arbitrary<bool>();
-  p.domain.periodic_y = *rc::gen::arbitrary<bool>();
-  if (p.domain.periodic_x && p.domain.periodic_y) p.domain.tilt = *rc::gen::element(0.0, 0.7, -1.9);
+  p.domain.periodic[0] = *rc::gen::arbitrary<bool>();
+  p.domain.periodic[1] = *rc::gen::arbitrary<bool>();
+  if (p.domain.periodic[0] && p.domain.periodic[1]) p.domain.tilt = *rc::gen::element(0.0, 0.7, -1.9);
   const int n = *rc::gen::inRange(1, 40);
   for (int g = 0; g < n; ++g)
     test::add_grain(p, {random.uniform(0, p.domain.width()), random.uniform(0, p.domain.height())}, random.uniform(0.02, 0.5),
@@ -107,7 +107,7 @@ RC_GTEST_PROP(GapCoordination, IsWhatComparingAllWithAllGives, ()) {
   double count[2] = {0, 0}, sum[2][2] = {{0, 0}, {0, 0}};
   for (std::size_t g = 0; g < p.grains.size(); ++g) {
     const int m = p.grains.material[g];
-    const Vec2 c = p.grains.centre(g);
+    const Vec2 c = p.grains.position[g];
     if (m > 1 || (cut && (c.x < 0.4 || c.x > 2.0 || c.y < 0.3 || c.y > 2.2))) continue;
     ++count[m];
     for (int k = 0; k < 2; ++k) sum[m][k] += neighbours_by_brute_force(p, g, k, 0.1);

@@ -113,7 +113,7 @@ TEST(Stress, SharesOfStrongAndWeakContactsAddUp) {
   // Vertical contacts carry 3 N, horizontal ones 1 N: strong are the vertical ones, three quarters of the mean stress;
   // the deviator is theirs less what the weak ones take back.
   Packing p = test::square_lattice(6);
-  for (std::size_t c = 0; c < p.contacts.size(); ++c) p.contacts.fn[c] = std::abs(p.contacts.ny[c]) > 0.5 ? 3 : 1;
+  for (std::size_t c = 0; c < p.contacts.size(); ++c) p.contacts.fn[c] = std::abs(p.contacts.normal[c].y) > 0.5 ? 3 : 1;
   const Texture t = measure(p);
   EXPECT_NEAR(t.stress.strong_pressure_share.value, 0.75, 1e-14);
   EXPECT_NEAR(t.stress.strong_deviator_share.value, 3.0 / 2.0, 1e-13);

@@ -45,8 +45,8 @@ RC_GTEST_PROP(Grid, OfAMirroredOrTransposedSampleIsTheMirroredOrTransposedMap, (
   const Packing packing = random_packing(random, n);
   const Cement cement = random_cement(random, n);
   Packing mirrored = packing, turned = packing;
-  for (auto& x : mirrored.grains.x) x = -x;
-  std::swap(turned.grains.x, turned.grains.y);
+  for (Vec2& p : mirrored.grains.position) p.x = -p.x;
+  for (Vec2& p : turned.grains.position) std::swap(p.x, p.y);
   GridReport report;
   const PhaseMap map = map_of(packing, cement, nodes, report), flat = transposed(map_of(turned, cement, nodes, report)),
                  mirror = map_of(mirrored, cement, nodes, report);

@@ -18,7 +18,7 @@ Packing pressed_disk(double force, double x = 0) {
   const double far[4] = {-0.2, 0.2, -0.2, 0.2};
   for (int side = 0; side < 4; ++side) packing.domain.wall[side].position = far[side];
   packing.grains.resize(1);
-  packing.grains.x[0] = x;
+  packing.grains.position[0].x = x;
   packing.grains.radius[0] = 0.0155;
   packing.contacts.add(0, wall_partner(bottom), {0, 1}, force, 0, 0.0155, 0);
   packing.contacts.add(0, wall_partner(top), {0, -1}, force, 0, 0.0155, 0);

@@ -22,8 +22,7 @@ FieldResult two_disks() {
   r.packing.materials = {{"POM", 1410, 27.35e6, 0.0150e-6}};
   r.packing.domain.thickness = 0.06;
   r.packing.grains.resize(2);
-  r.packing.grains.x = {0.018, 0.042};
-  r.packing.grains.y = {0.030, 0.031};
+  r.packing.grains.position = {{0.018, 0.030}, {0.042, 0.031}};
   r.packing.grains.radius = {0.011, 0.0115};
   r.map.grain_class = {GrainClass::none, GrainClass::none};
   r.field.width = r.field.height = nodes;
@@ -34,7 +33,7 @@ FieldResult two_disks() {
       const Vec2 at{(x + 0.5) * dx, (y + 0.5) * dx};
       const std::size_t k = r.map.index(x, y);
       for (std::size_t g = 0; g < 2; ++g)
-        if (norm(at - r.packing.grains.centre(g)) < r.packing.grains.radius[g]) {
+        if (norm(at - r.packing.grains.position[g]) < r.packing.grains.radius[g]) {
           r.map.phase[k] = Phase::particle;
           r.map.grain[k] = static_cast<std::int32_t>(g);
           r.field.xx[k] = sigma_xx(at.x, at.y);
@@ -54,7 +53,7 @@ TEST(FieldScene, ReadsALinearFieldAsItIs) {
   ASSERT_EQ(scene.stress.size(), 2u);
   for (std::size_t g = 0; g < 2; ++g)
     for (const Vec2 off : {Vec2{0, 0}, Vec2{4e-3, -2e-3}, Vec2{-6e-3, 5e-3}, Vec2{1e-3, 7e-3}}) {
-      const Vec2 at = scene.grains.centre(g) + off;
+      const Vec2 at = scene.grains.position[g] + off;
       EXPECT_NEAR(static_cast<double>(scene.stress[g].at(off.x, off.y)), sigma_xx(at.x, at.y) + sigma_yy(at.x, at.y), 2e3) << g;
     }
   EXPECT_NEAR(scene.travel[0].x, 1e-5, 1e-12);

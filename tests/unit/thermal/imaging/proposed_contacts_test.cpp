@@ -20,8 +20,7 @@ Grains grains_at(const std::vector<Vec2>& centres, const std::vector<double>& ra
   Grains grains;
   grains.resize(centres.size());
   for (std::size_t g = 0; g < centres.size(); ++g) {
-    grains.x[g] = centres[g].x;
-    grains.y[g] = centres[g].y;
+    grains.position[g] = centres[g];
     grains.radius[g] = radii[g];
   }
   return grains;
@@ -49,8 +48,8 @@ std::set<std::pair<int, int>> pairs_of(const Contacts& contacts) {
 TEST(ProposedContacts, PointFromTheSecondGrainToTheFirstWithTheContactInTheMiddleOfTheOverlap) {
   const Contacts c = propose_contacts(grains_at({{1, 1}, {3.9, 1}}, {1, 2}), no_walls(9, 9));
   ASSERT_EQ(c.size(), 1u);
-  EXPECT_EQ(c.nx[0], -1);
-  EXPECT_EQ(c.ny[0], 0);
+  EXPECT_EQ(c.normal[0].x, -1);
+  EXPECT_EQ(c.normal[0].y, 0);
   EXPECT_NEAR(c.overlap[0], 0.1, 1e-12);
   EXPECT_NEAR(c.arm_i[0], 0.95, 1e-12);
   EXPECT_NEAR(c.arm_j[0], 1.95, 1e-12);
@@ -80,7 +79,7 @@ TEST(ProposedContacts, WithWallsPointInwardAndLieInTheirPlane) {
   const Contacts one = propose_contacts(grains, domain, {}, tolerance(0));
   ASSERT_EQ(one.size(), 1u);
   EXPECT_EQ(one.wall_side(0), right);
-  EXPECT_EQ(one.nx[0], -1);
+  EXPECT_EQ(one.normal[0].x, -1);
   EXPECT_NEAR(one.arm_i[0], 0.95, 1e-12);
   EXPECT_EQ(one.arm_j[0], 0);
   EXPECT_NEAR(one.overlap[0], 0.05, 1e-12);
@@ -100,9 +99,9 @@ TEST(ProposedContacts, AreAllPairsWithinReachInShearedPeriodicCells) {
       radii.push_back(0.5 + random.uniform());
     }
     Domain domain = no_walls(20, 15);
-    domain.periodic_x = round % 2 == 0;
-    domain.periodic_y = round % 4 < 2;
-    domain.tilt = domain.periodic_x ? 30 * random.uniform() - 15 : 0;
+    domain.periodic[0] = round % 2 == 0;
+    domain.periodic[1] = round % 4 < 2;
+    domain.tilt = domain.periodic[0] ? 30 * random.uniform() - 15 : 0;
     const Grains grains = grains_at(centres, radii);
     std::set<std::pair<int, int>> near;
     for (int i = 0; i < 60; ++i)
@@ -145,7 +144,7 @@ TEST(ProposedContacts, HoldAllOfAnotherCodesInAShearedCell) {
   io::SampleOptions options;
   options.box = Vec2{62.7755, 62.7755};
   options.tilt = 31.38775;
-  options.periodic_x = options.periodic_y = true;
+  options.periodic[0] = options.periodic[1] = true;
   options.thickness = 1;
   const io::Sample sample = io::read_sample(folder + "grains-5000.csv", folder + "contacts-5000.csv", options);
   const Packing& packing = sample.packing;

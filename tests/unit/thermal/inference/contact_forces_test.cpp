@@ -33,7 +33,7 @@ ThermoelasticPicture sampled(const Packing& p, double pixels = 8) {
   for (std::size_t g = 0; g < disks.size(); ++g)
     for (std::size_t k = 0; k < picture.value.size(); ++k) {
       const auto w = static_cast<std::size_t>(picture.width);
-      const Vec2 x = picture.first + picture.pixel * Vec2{static_cast<double>(k % w), -static_cast<double>(k / w)} - p.grains.centre(g);
+      const Vec2 x = picture.first + picture.pixel * Vec2{static_cast<double>(k % w), -static_cast<double>(k / w)} - p.grains.position[g];
       if (norm(x) < 0.95 * radius)
         picture.value[k] = static_cast<float>(-factors(p)[static_cast<std::size_t>(p.grains.material[g])] * elasticity::sigma_kk(disks[g], x));
     }
@@ -72,8 +72,8 @@ RC_GTEST_PROP(ContactForces, MirrorAndTurnWithTheSample, ()) {
     }
   const int to_left_right[4] = {right, left, bottom, top}, to_quarter[4] = {bottom, top, right, left};
   for (std::size_t g = 0; g < truth.grains.size(); ++g) {
-    mirrored.grains.x[g] *= -1;
-    turned.grains.x[g] = -truth.grains.y[g], turned.grains.y[g] = truth.grains.x[g];
+    mirrored.grains.position[g].x *= -1;
+    turned.grains.position[g].x = -truth.grains.position[g].y, turned.grains.position[g].y = truth.grains.position[g].x;
   }
   for (std::size_t c = 0; c < truth.contacts.size(); ++c)
     if (truth.contacts.is_wall(c)) {
@@ -115,8 +115,8 @@ struct Film {
     picture = test::draw_thermoelastic(truth, factors(truth), drawing);
     RandomStream random(9, Purpose::test);
     for (std::size_t g = 0; g < found.grains.size(); ++g) {
-      found.grains.x[g] += off * drawing.pixel * random.normal();
-      found.grains.y[g] += off * drawing.pixel * random.normal();
+      found.grains.position[g].x += off * drawing.pixel * random.normal();
+      found.grains.position[g].y += off * drawing.pixel * random.normal();
     }
   }
   InferredForces infer(const ForceOptions& options = {}) const { return infer_from_pixels({found, factors(found), {}}, picture, options); }
@@ -167,7 +167,7 @@ TEST(ContactForces, SpuriousContactsAreFound) {
   Contacts kept;
   for (std::size_t c = 0; c < real; ++c)
     if (std::find(offered.begin(), offered.end(), c) == offered.end())
-      kept.add(pressed.contacts.i[c], pressed.contacts.j[c], pressed.contacts.normal(c), 0, 0, radius, radius);
+      kept.add(pressed.contacts.i[c], pressed.contacts.j[c], pressed.contacts.normal[c], 0, 0, radius, radius);
   pressed.contacts = kept;
   test::put_balanced_forces(pressed, 500, 3);
   film.picture = test::draw_thermoelastic(pressed, factors(pressed), film.drawing);
@@ -218,7 +218,7 @@ TEST(ContactForces, BadInputIsToldInASentence) {
   const Film film;
   expect_problem("material HDPE has no thermoelastic factor", film.found, {0.015e-6}, film.picture);
   Packing overlapping = film.found;
-  overlapping.grains.x[1] = overlapping.grains.x[0] + 1e-3;
+  overlapping.grains.position[1].x = overlapping.grains.position[0].x + 1e-3;
   expect_problem("overlap by", overlapping, factors(film.found), film.picture);
   ThermoelasticPicture blind = film.picture;
   blind.error.assign(blind.error.size(), 0.0f);

@@ -31,7 +31,7 @@ std::vector<double> mean_stresses(const Packing& p) {
 /// Columns of fn and ft; rows: means, balance.
 int dense_null_space(const Packing& p) {
   std::vector<Vec2> centre;
-  for (std::size_t g = 0; g < p.grains.size(); ++g) centre.push_back(p.grains.centre(g));
+  for (std::size_t g = 0; g < p.grains.size(); ++g) centre.push_back(p.grains.position[g]);
   const auto touches = touches_of_grains(p, centre);
   const auto columns = static_cast<Eigen::Index>(2 * p.contacts.size());
   Eigen::MatrixXd m = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(4 * centre.size()), columns);
