@@ -104,7 +104,7 @@ Errors compare(const Truth& truth, const FilmResult& film) {
   std::vector<double> change;
   double square = 0;
   for (std::size_t i = 0; i < grains; ++i) {
-    const Vec2 at = film.origin + Vec2{film.grains.x[i] * film.pixel, -film.grains.y[i] * film.pixel} + truth.corner;
+    const Vec2 at = film.origin + Vec2{film.grains.centre[i].x * film.pixel, -film.grains.centre[i].y * film.pixel} + truth.corner;
     for (std::size_t k = 1; k < seen.size(); ++k)
       if (norm(truth.low.grains.position[k] - at) < norm(truth.low.grains.position[match[i]] - at)) match[i] = k;
     const std::size_t k = match[i];

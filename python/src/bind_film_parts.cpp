@@ -46,10 +46,10 @@ void bind_lockin_maps(py::module_& m) {
 void bind_grains(py::module_& m) {
   py::class_<PictureGrains> g(m, "PictureGrains", "Grains found in a picture, in pixels; the pixel in column c and row r has its centre at (c, r).");
   g.def("__len__", &PictureGrains::size, "Number of grains.");
-  array_property(
-      g, "x", [](const PictureGrains& p) -> auto& { return p.x; }, "Centres, pixels.");
-  array_property(
-      g, "y", [](const PictureGrains& p) -> auto& { return p.y; }, "Centres, pixels, downwards.");
+  coordinate_property(
+      g, "x", [](const PictureGrains& p) -> auto& { return p.centre; }, &Vec2::x, "Centres, pixels.");
+  coordinate_property(
+      g, "y", [](const PictureGrains& p) -> auto& { return p.centre; }, &Vec2::y, "Centres, pixels, downwards.");
   array_property(
       g, "radius", [](const PictureGrains& p) -> auto& { return p.radius; }, "Pixels.");
   array_property(

@@ -27,7 +27,7 @@ std::vector<std::size_t> simulated_grains(const FilmResult& film, const Packing&
   const Vec2 corner = start.domain.corner();
   std::vector<std::size_t> nearest;
   for (std::size_t i = 0; i < film.packing.grains.size(); ++i) {
-    const Vec2 found = film.origin + Vec2{film.grains.x[i] * film.pixel, -film.grains.y[i] * film.pixel};
+    const Vec2 found = film.origin + Vec2{film.grains.centre[i].x * film.pixel, -film.grains.centre[i].y * film.pixel};
     std::size_t best = 0;
     for (std::size_t j = 1; j < start.grains.size(); ++j)
       if (norm(start.grains.position[j] - corner - found) < norm(start.grains.position[best] - corner - found)) best = j;

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/vec.hpp"
+
 namespace arenite {
 
 /// A picture: one value a pixel, row by row from the top left, as pictures are stored.
@@ -18,12 +20,12 @@ template <class T> struct Picture {
 using Image = Picture<std::int32_t>;  ///< grey, or of labels
 using FloatImage = Picture<float>;    ///< with fractions: a frame's mean, a map of amplitudes
 
-/// Calls visit(column, row, index) for the pixels of a picture whose centres are no farther from (x, y) than `reach` along each axis, row by row.
-template <class Visit> void each_pixel_near(double x, double y, double reach, int width, int height, Visit&& visit) {
+/// Calls visit(column, row, index) for the pixels of a picture whose centres are no farther from `place` than `reach` along each axis, row by row.
+template <class Visit> void each_pixel_near(Vec2 place, double reach, int width, int height, Visit&& visit) {
   const auto first = [](double v, int n) { return static_cast<int>(std::ceil(std::clamp<double>(v, 0, n))); };
   const auto last = [](double v, int n) { return static_cast<int>(std::floor(std::clamp<double>(v, -1, n - 1))); };
-  for (int row = first(y - reach, height); row <= last(y + reach, height); ++row)
-    for (int column = first(x - reach, width); column <= last(x + reach, width); ++column)
+  for (int row = first(place.y - reach, height); row <= last(place.y + reach, height); ++row)
+    for (int column = first(place.x - reach, width); column <= last(place.x + reach, width); ++column)
       visit(column, row, static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column));
 }
 
@@ -32,14 +34,23 @@ inline FloatImage to_float(const Image& image) { return {image.width, image.heig
 
 /// Grains found in a picture, in pixels: the centre of the pixel in column c and row r (from the top) is at x = c, y = r.
 struct PictureGrains {
-  std::vector<double> x, y, radius;      ///< pixels
+  std::vector<Vec2> centre;              ///< pixels
+  std::vector<double> radius;            ///< pixels
   std::vector<double> position_error;    ///< standard error of the centre along one axis, pixels
   std::vector<double> radius_error;      ///< pixels
   std::vector<double> brightness;        ///< mean over the inner half of the disk
   std::vector<double> score;             ///< share of the rim that shows an edge, 0 to 1
   std::vector<std::int32_t> material;    ///< index into the classes by brightness, darkest first; -1 unknown
   std::vector<std::int32_t> size_class;  ///< index into the classes of radius, smallest first
-  std::size_t size() const { return x.size(); }
+  std::size_t size() const { return centre.size(); }
+};
+
+/// The one place where rows that point down become heights: pixels of a film as metres from the container's lower left inner corner at the smallest load.
+struct FilmPlace {
+  Vec2 origin;       ///< centre of the upper left pixel, m
+  double pixel = 1;  ///< m
+  Vec2 metres(Vec2 pixels) const { return {origin.x + pixels.x * pixel, origin.y - pixels.y * pixel}; }
+  Vec2 pixels(Vec2 metres) const { return {(metres.x - origin.x) / pixel, (origin.y - metres.y) / pixel}; }
 };
 
 }  // namespace arenite

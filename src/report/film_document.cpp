@@ -1,6 +1,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/mapped.hpp"
 #include "report/page_document.hpp"
 #include "workflow/run_film.hpp"
 
@@ -72,10 +73,10 @@ PictureGrains circles_of(const FilmResult& r) {
   const Grains& grains = r.packing.grains;
   if (!(r.pixel > 0)) return r.grains;
   PictureGrains out = r.grains.size() == grains.size() ? r.grains : PictureGrains{};
-  out.x.clear(), out.y.clear(), out.radius.clear();
+  out.centre.clear(), out.radius.clear();
+  const FilmPlace place{r.origin, r.pixel};
   for (std::size_t g = 0; g < grains.size(); ++g) {
-    out.x.push_back((grains.position[g].x - r.origin.x) / r.pixel);
-    out.y.push_back((r.origin.y - grains.position[g].y) / r.pixel);
+    out.centre.push_back(place.pixels(grains.position[g]));
     out.radius.push_back(grains.radius[g] / r.pixel);
   }
   return out;
@@ -97,8 +98,8 @@ Numbers grains_of(const FilmResult& r, const workflow::FilmStresses& stresses, N
   };
   out["id"] = block.add_integers(std::vector<std::int32_t>(grains.id.begin(), grains.id.end()));
   out["material"] = block.add_indices(unsigned_copy(grains.material));
-  reals("x", circles.x);
-  reals("y", circles.y);
+  reals("x", mapped(circles.centre, &Vec2::x));
+  reals("y", mapped(circles.centre, &Vec2::y));
   reals("radius", circles.radius);
   reals("position_error", circles.position_error);
   reals("radius_error", circles.radius_error);
@@ -133,9 +134,9 @@ Numbers contacts_of(const FilmResult& r, NumberBlock& block) {
 Numbers frame_of(const FilmResult& r) {
   const Domain& domain = r.packing.domain;
   if (!(r.pixel > 0) || !(domain.area() > 0)) return nullptr;
-  const auto column = [&](double x) { return (x - r.origin.x) / r.pixel; };
-  const auto row = [&](double y) { return (r.origin.y - y) / r.pixel; };
-  return {column(domain.wall[left].position), column(domain.wall[right].position), row(domain.wall[bottom].position), row(domain.wall[top].position)};
+  const FilmPlace place{r.origin, r.pixel};
+  const Vec2 low = place.pixels(domain.corner()), high = place.pixels(domain.corner() + domain.size());
+  return {low.x, high.x, low.y, high.y};
 }
 
 Numbers stresses_of(const workflow::FilmStresses& stresses, NumberBlock& block) {

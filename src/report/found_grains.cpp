@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/mapped.hpp"
 #include "core/median.hpp"
 #include "statistics/numbers.hpp"
 
@@ -55,9 +56,9 @@ std::string grains_csv(const FoundGrains& g) {
   std::string out = fmt::format("id,x,y,radius{},position_error,radius_error,brightness,score\n-,{u},{u},{u}{},{u},{u},-,-\n", named ? ",material" : "",
                                 named ? ",-" : "", fmt::arg("u", unit));
   for (std::size_t k = 0; k < p.size(); ++k)
-    out += fmt::format("{},{:.4f},{:.4f},{:.4f}{},{:.4f},{:.4f},{:.6g},{:.3f}\n", k, length(g, p.x[k] - g.corner.x), length(g, g.corner.y - p.y[k]),
-                       length(g, p.radius[k]), named ? "," + material_name(g, p.material[k]) : "", length(g, p.position_error[k]), length(g, p.radius_error[k]),
-                       p.brightness[k], p.score[k]);
+    out += fmt::format("{},{:.4f},{:.4f},{:.4f}{},{:.4f},{:.4f},{:.6g},{:.3f}\n", k, length(g, p.centre[k].x - g.corner.x),
+                       length(g, g.corner.y - p.centre[k].y), length(g, p.radius[k]), named ? "," + material_name(g, p.material[k]) : "",
+                       length(g, p.position_error[k]), length(g, p.radius_error[k]), p.brightness[k], p.score[k]);
   return out;
 }
 
@@ -114,8 +115,8 @@ std::string grains_json(const FoundGrains& g) {
                               {"brightness", r.materials.mean[m]},
                               {"spread", r.materials.spread[m]},
                               {"grains", r.materials.members[m]}});
-  j["by_grain"] = {{"column_px", p.x},
-                   {"row_px", p.y},
+  j["by_grain"] = {{"column_px", mapped(p.centre, &Vec2::x)},
+                   {"row_px", mapped(p.centre, &Vec2::y)},
                    {"radius_px", p.radius},
                    {"position_error_px", p.position_error},
                    {"radius_error_px", p.radius_error},
@@ -140,7 +141,7 @@ io::ColourPicture grains_overlay(const FoundGrains& g) {
     }
   for (std::size_t k = 0; k < grains.size(); ++k) {
     const auto colour = static_cast<std::size_t>(std::max(0, grains.material[k])) % colours.size();
-    draw_circle(out, {(grains.x[k] + 0.5) * times - 0.5, (grains.y[k] + 0.5) * times - 0.5}, grains.radius[k] * times, colours[colour]);
+    draw_circle(out, {(grains.centre[k].x + 0.5) * times - 0.5, (grains.centre[k].y + 0.5) * times - 0.5}, grains.radius[k] * times, colours[colour]);
   }
   return out;
 }

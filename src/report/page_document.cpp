@@ -7,6 +7,7 @@
 #include <deque>
 #include <utility>
 
+#include "core/mapped.hpp"
 #include "grains/fields/coarse_grained.hpp"
 #include "report/test_curves.hpp"
 #include "workflow/run.hpp"

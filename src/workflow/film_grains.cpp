@@ -39,7 +39,7 @@ Grains in_metres(const PictureGrains& found, const FilmPlace& place) {
   grains.resize(found.size());
   for (std::size_t i = 0; i < found.size(); ++i) {
     grains.id[i] = static_cast<std::int64_t>(i) + 1;
-    grains.position[i] = place.metres(found.x[i], found.y[i]);
+    grains.position[i] = place.metres(found.centre[i]);
     grains.radius[i] = found.radius[i] * place.pixel;
     grains.material[i] = found.material[i];
   }
@@ -58,7 +58,8 @@ template <class Stays> void keep(PictureGrains& grains, const Stays& stays) {
       if (kept[i]) values[n++] = values[i];
     values.resize(n);
   };
-  for (auto* values : {&grains.x, &grains.y, &grains.radius, &grains.position_error, &grains.radius_error, &grains.brightness, &grains.score})
+  filter(grains.centre);
+  for (auto* values : {&grains.radius, &grains.position_error, &grains.radius_error, &grains.brightness, &grains.score})
     if (!values->empty()) filter(*values);
   for (auto* values : {&grains.material, &grains.size_class})
     if (!values->empty()) filter(*values);
@@ -67,7 +68,7 @@ template <class Stays> void keep(PictureGrains& grains, const Stays& stays) {
 /// Screws and edges of the container look round, too.
 void keep_inside(const recipe::FilmRecipe& recipe, const FilmPlace& place, PictureGrains& grains) {
   keep(grains, [&](std::size_t i) {
-    const Vec2 c = place.metres(grains.x[i], grains.y[i]);
+    const Vec2 c = place.metres(grains.centre[i]);
     const double deep = 0.5 * grains.radius[i] * place.pixel;
     return c.x > deep && c.x < recipe.container.width - deep && c.y > deep && c.y < recipe.container.height - deep;
   });
@@ -81,7 +82,7 @@ void drop_overlapping(PictureGrains& grains) {
   std::vector<std::uint8_t> kept(grains.size(), 1);
   for (std::size_t i = 0; i < grains.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      const double overlap = grains.radius[i] + grains.radius[j] - std::hypot(grains.x[i] - grains.x[j], grains.y[i] - grains.y[j]);
+      const double overlap = grains.radius[i] + grains.radius[j] - std::hypot(grains.centre[i].x - grains.centre[j].x, grains.centre[i].y - grains.centre[j].y);
       if (overlap > most_overlap * std::min(grains.radius[i], grains.radius[j])) kept[grains.score[i] < grains.score[j] ? i : j] = 0;
     }
   }
@@ -122,8 +123,7 @@ PictureGrains read_list(const recipe::FilmRecipe& recipe, const FilmPlace& place
   refuse_overlapping(file.string(), read);
   PictureGrains grains;
   for (std::size_t i = 0; i < read.size(); ++i) {
-    grains.x.push_back(place.column(read.position[i].x));
-    grains.y.push_back(place.row(read.position[i].y));
+    grains.centre.push_back(place.pixels(read.position[i]));
     grains.radius.push_back(read.radius[i] / place.pixel);
     grains.position_error.push_back(0.3);
     grains.material.push_back(read.material[i]);

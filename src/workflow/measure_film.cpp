@@ -93,9 +93,9 @@ class Measurement {
     for (int round = 0; round < 3; ++round) {
       r.motion = thermography::grain_motion(pictures, middle, {.threads = options_.threads});
       for (std::size_t i = 0; i < r.grains.size(); ++i) {
-        const auto [x, y] = r.motion.at(i, std::cos(largest), std::sin(largest));
-        middle.x[i] = r.grains.x[i] + x, middle.y[i] = r.grains.y[i] + y;
-        loaded_.x[i] = r.grains.x[i] + 2 * x, loaded_.y[i] = r.grains.y[i] + 2 * y;
+        const Vec2 way = r.motion.at(i, std::cos(largest), std::sin(largest));
+        middle.centre[i] = r.grains.centre[i] + way;
+        loaded_.centre[i] = r.grains.centre[i] + 2 * way;
       }
     }
     const auto followed = [&](double blur) {

@@ -59,15 +59,6 @@ void add_fit_error(FilmResult& result, const PictureGrains& shown, double share)
 /// False if it was stopped. Throws InputError, without the film's name, for what the recipe and the film do not allow.
 bool measure_film(const recipe::FilmRecipe& recipe, const FilmRunOptions& options, FilmSource& film, FilmResult& result);
 
-/// The one place where rows that point down become heights: pixels of a film as metres from the container's lower left inner corner at the smallest load.
-struct FilmPlace {
-  Vec2 origin;       ///< centre of the upper left pixel, m
-  double pixel = 1;  ///< m
-  Vec2 metres(double column, double row) const { return {origin.x + column * pixel, origin.y - row * pixel}; }
-  double column(double x) const { return (x - origin.x) / pixel; }
-  double row(double y) const { return (origin.y - y) / pixel; }
-};
-
 /// Where the recipe says the container is in the picture, or in its middle.
 FilmPlace place_of(const recipe::FilmRecipe& recipe, const FilmInfo& film);
 

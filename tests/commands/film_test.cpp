@@ -43,7 +43,7 @@ TEST(FilmCommand, GivesBackTheStressesOfTheSimulationThatWasFilmed) {
     change.push_back(loaded[match[i]] - released[match[i]]);
     EXPECT_EQ(film.packing.materials[static_cast<std::size_t>(film.packing.grains.material[i])].name,
               high.materials[static_cast<std::size_t>(high.grains.material[match[i]])].name);
-    const Vec2 found = film.origin + Vec2{film.grains.x[i] * film.pixel, -film.grains.y[i] * film.pixel}, moved = film.packing.grains.position[i];
+    const Vec2 found = film.origin + Vec2{film.grains.centre[i].x * film.pixel, -film.grains.centre[i].y * film.pixel}, moved = film.packing.grains.position[i];
     off_at_low += std::pow(norm(low.grains.position[match[i]] - corner - found) / film.pixel, 2) / 42;
     const double border = 0.010;
     if (moved.x < border || moved.x > 0.095 - border || moved.y < high.domain.wall[bottom].position - corner.y + border ||

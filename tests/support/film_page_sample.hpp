@@ -137,8 +137,7 @@ struct FilmPageSample {
     const Grains& grains = truth_.grains;
     const auto all = disks();
     for (std::size_t g = 0; g < grains.size(); ++g) {
-      film.grains.x.push_back((grains.position[g].x - film.origin.x) / film.pixel);
-      film.grains.y.push_back((film.origin.y - grains.position[g].y) / film.pixel);
+      film.grains.centre.push_back({(grains.position[g].x - film.origin.x) / film.pixel, (film.origin.y - grains.position[g].y) / film.pixel});
       film.grains.radius.push_back(grains.radius[g] / film.pixel);
       film.grains.position_error.push_back(0.06);
       film.grains.radius_error.push_back(0.05);

@@ -17,7 +17,7 @@ inline Score compare(const std::vector<DrawnDisk>& disks, const PictureGrains& g
   for (const DrawnDisk& d : disks) {
     bool found = false;
     for (std::size_t k = 0; k < grains.size() && !found; ++k) {
-      const double away = std::hypot(grains.x[k] - d.x, grains.y[k] - d.y);
+      const double away = std::hypot(grains.centre[k].x - d.x, grains.centre[k].y - d.y);
       if (away > 0.3 * d.radius || std::abs(grains.radius[k] - d.radius) > 0.1 * d.radius) continue;
       found = true;
       ++matched;

@@ -33,8 +33,7 @@ struct MovingDisks {
     const double step = 2 * radius + gap;
     for (int row = 0; row < static_cast<int>((height - 12) / (step * 0.87)); ++row)
       for (int k = 0; k < static_cast<int>((width - 12 - step / 2) / step); ++k) {
-        g.x.push_back(8 + radius + step * (k + 0.5 * (row % 2)) + 0.05 * random.normal());
-        g.y.push_back(6 + radius + step * 0.87 * row + 0.05 * random.normal());
+        g.centre.push_back({8 + radius + step * (k + 0.5 * (row % 2)) + 0.05 * random.normal(), 6 + radius + step * 0.87 * row + 0.05 * random.normal()});
         g.radius.push_back(radius);
         g.material.push_back(static_cast<std::int32_t>(random.below(2)));
         g.position_error.push_back(0.02);
@@ -43,9 +42,11 @@ struct MovingDisks {
   }
 
   double amplitude_x(std::size_t i) const { return -0.5 * apart * std::sin(2.0 * static_cast<double>(i)); }
-  double amplitude_y(const PictureGrains& g, std::size_t i) const { return 0.5 * (travel * g.y[i] / height + apart * std::sin(1.3 * static_cast<double>(i))); }
+  double amplitude_y(const PictureGrains& g, std::size_t i) const {
+    return 0.5 * (travel * g.centre[i].y / height + apart * std::sin(1.3 * static_cast<double>(i)));
+  }
   double warming(const PictureGrains& g, std::size_t i, double x) const {
-    return thermal * (1 + 0.5 * std::sin(static_cast<double>(i))) * (1 + tilt * (x - g.x[i]) / radius);
+    return thermal * (1 + 0.5 * std::sin(static_cast<double>(i))) * (1 + tilt * (x - g.centre[i].x) / radius);
   }
 
   /// u(t) = amplitude s, warming s/2 with s = -cos(2 pi f t): the load is largest when cos is -1.
@@ -64,9 +65,9 @@ struct MovingDisks {
       std::vector<double> frame(film.about.pixels(), 294);
       for (std::size_t i = 0; i < g.size(); ++i) {
         const double dx = amplitude_x(i) * s, dy = amplitude_y(g, i) * s, reach = radius + 3;
-        for (int row = std::max(0, static_cast<int>(g.y[i] + dy - reach)); row < std::min<double>(height, g.y[i] + dy + reach); ++row)
-          for (int column = std::max(0, static_cast<int>(g.x[i] + dx - reach)); column < std::min<double>(width, g.x[i] + dx + reach); ++column) {
-            const double x = column - dx, y = row - dy, out = std::hypot(x - g.x[i], y - g.y[i]) - radius;
+        for (int row = std::max(0, static_cast<int>(g.centre[i].y + dy - reach)); row < std::min<double>(height, g.centre[i].y + dy + reach); ++row)
+          for (int column = std::max(0, static_cast<int>(g.centre[i].x + dx - reach)); column < std::min<double>(width, g.centre[i].x + dx + reach); ++column) {
+            const double x = column - dx, y = row - dy, out = std::hypot(x - g.centre[i].x, y - g.centre[i].y) - radius;
             const double inside = 0.5 * std::erfc(out / 0.8);
             frame[static_cast<std::size_t>(row * width + column)] += inside * (contrast * (g.material[i] ? 1 : 0.6) + 0.5 * s * warming(g, i, x));
           }

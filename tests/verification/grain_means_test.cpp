@@ -13,8 +13,7 @@ namespace {
 
 PictureGrains one_grain(double x, double y, double radius) {
   PictureGrains g;
-  g.x = {x};
-  g.y = {y};
+  g.centre = {{x, y}};
   g.radius = {radius};
   g.position_error = {0};
   g.material = {0};
@@ -104,8 +103,7 @@ TEST(GrainMeans, ErrorIsThatOfRepeatedDraws) {
     LockinMaps maps = harmonic(0.05, x0, y0, 6, 0.03, -0.01, 0, 0);
     for (auto& v : maps.in_phase) v += static_cast<float>(noise * random.normal());
     maps.standard_error.assign(maps.in_phase.size(), static_cast<float>(noise));
-    grain.x = {x0 + off * random.normal()};
-    grain.y = {y0 + off * random.normal()};
+    grain.centre = {{x0 + off * random.normal(), y0 + off * random.normal()}};
     const PeakToPeak found = grain_means(maps, grain, share(0.5));
     sum += std::pow(found.temperature[0] - 0.1, 2);
     reported += std::pow(found.error[0] * 2 * 0.015e-6, 2);

@@ -42,7 +42,7 @@ double error_of_means(const test::MovingDisks& disks, const Seen& seen, const Lo
   o.factor = {1e-8, 1e-8};
   const PeakToPeak found = grain_means(maps, seen.grains, o);
   double sum = 0;
-  for (std::size_t i = 0; i < found.size(); ++i) sum += std::pow(found.temperature[i] - disks.warming(seen.grains, i, seen.grains.x[i]), 2);
+  for (std::size_t i = 0; i < found.size(); ++i) sum += std::pow(found.temperature[i] - disks.warming(seen.grains, i, seen.grains.centre[i].x), 2);
   return std::sqrt(sum / static_cast<double>(found.size()));
 }
 
@@ -77,7 +77,7 @@ double error_below_rims(const test::MovingDisks& disks, const PictureGrains& gra
   for (std::size_t i = 0; i < grains.size(); ++i)
     for (int row = 0; row < disks.height; ++row)
       for (int column = 0; column < disks.width; ++column) {
-        const double below = disks.radius - std::hypot(column - grains.x[i], row - grains.y[i]);
+        const double below = disks.radius - std::hypot(column - grains.centre[i].x, row - grains.centre[i].y);
         if (below < 1 || below > 2) continue;
         const std::size_t p = static_cast<std::size_t>(row * disks.width + column);
         sum += std::pow(static_cast<double>(maps.in_phase[p]) - disks.warming(grains, i, column), 2);

@@ -4,8 +4,8 @@
 namespace arenite::io {
 namespace {
 
-constexpr Column<PictureGrains> grain_columns[] = {{"column", "1", &PictureGrains::x},
-                                                   {"row", "1", &PictureGrains::y},
+constexpr Column<PictureGrains> grain_columns[] = {{"column", "1", &PictureGrains::centre, &Vec2::x},
+                                                   {"row", "1", &PictureGrains::centre, &Vec2::y},
                                                    {"radius", "1", &PictureGrains::radius},
                                                    {"position_error", "1", &PictureGrains::position_error},
                                                    {"radius_error", "1", &PictureGrains::radius_error},

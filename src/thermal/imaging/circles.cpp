@@ -23,7 +23,7 @@ void check(const FloatImage& image) {
 double brightness_of(const FloatImage& image, const DiskModel::Disk& disk) {
   const double reach = std::max(1.0, disk.radius * std::sqrt(0.5));
   double sum = 0, count = 0;
-  each_pixel_near(disk.x, disk.y, reach, image.width, image.height, [&](int x, int y, std::size_t at) {
+  each_pixel_near({disk.x, disk.y}, reach, image.width, image.height, [&](int x, int y, std::size_t at) {
     if (std::hypot(x - disk.x, y - disk.y) <= reach) sum += static_cast<double>(image.value[at]), ++count;
   });
   return count > 0 ? sum / count : disk.level;
@@ -57,7 +57,7 @@ void count_overlaps(FoundCircles& found) {
   const PictureGrains& g = found.grains;
   for (std::size_t a = 0; a < g.size(); ++a)
     for (std::size_t b = a + 1; b < g.size(); ++b) {
-      const double overlap = g.radius[a] + g.radius[b] - std::hypot(g.x[a] - g.x[b], g.y[a] - g.y[b]);
+      const double overlap = g.radius[a] + g.radius[b] - std::hypot(g.centre[a].x - g.centre[b].x, g.centre[a].y - g.centre[b].y);
       found.report.largest_overlap = std::max(found.report.largest_overlap, overlap);
       const double error = std::hypot(std::hypot(g.position_error[a], g.position_error[b]), std::hypot(g.radius_error[a], g.radius_error[b]));
       if (overlap > 3 * error && overlap > 0.02 * std::min(g.radius[a], g.radius[b])) ++found.report.overlapping;
@@ -82,8 +82,7 @@ FoundCircles find_circles(const FloatImage& image, const CircleOptions& options)
   FoundCircles found;
   for (const std::size_t k : order) {
     if (out[k] != 0) continue;
-    found.grains.x.push_back(disks[k].x);
-    found.grains.y.push_back(disks[k].y);
+    found.grains.centre.push_back({disks[k].x, disks[k].y});
     found.grains.radius.push_back(disks[k].radius);
     found.grains.position_error.push_back(errors[k].position);
     found.grains.radius_error.push_back(errors[k].radius);

@@ -25,8 +25,8 @@ struct Cover {
 Cover cover_of(const PictureGrains& g) {
   double left = 1e300, right = -1e300, top = 1e300, bottom = -1e300;
   for (std::size_t i = 0; i < g.size(); ++i) {
-    left = std::min(left, g.x[i] - g.radius[i]), right = std::max(right, g.x[i] + g.radius[i]);
-    top = std::min(top, g.y[i] - g.radius[i]), bottom = std::max(bottom, g.y[i] + g.radius[i]);
+    left = std::min(left, g.centre[i].x - g.radius[i]), right = std::max(right, g.centre[i].x + g.radius[i]);
+    top = std::min(top, g.centre[i].y - g.radius[i]), bottom = std::max(bottom, g.centre[i].y + g.radius[i]);
   }
   Cover c{static_cast<int>(std::floor(left - beyond)), static_cast<int>(std::floor(top - beyond)), 0, 0, {}};
   c.width = static_cast<int>(std::ceil(right + beyond)) - c.x0 + 1;
@@ -34,9 +34,11 @@ Cover cover_of(const PictureGrains& g) {
   c.value.assign(static_cast<std::size_t>(c.width) * static_cast<std::size_t>(c.height), 0.0f);
   for (std::size_t i = 0; i < g.size(); ++i) {
     const double reach = g.radius[i] + 2;
-    for (int y = std::max(0, static_cast<int>(g.y[i] - reach) - c.y0); y <= std::min(c.height - 1, static_cast<int>(g.y[i] + reach) - c.y0 + 1); ++y)
-      for (int x = std::max(0, static_cast<int>(g.x[i] - reach) - c.x0); x <= std::min(c.width - 1, static_cast<int>(g.x[i] + reach) - c.x0 + 1); ++x) {
-        const double deep = g.radius[i] - std::hypot(x + c.x0 - g.x[i], y + c.y0 - g.y[i]);
+    for (int y = std::max(0, static_cast<int>(g.centre[i].y - reach) - c.y0); y <= std::min(c.height - 1, static_cast<int>(g.centre[i].y + reach) - c.y0 + 1);
+         ++y)
+      for (int x = std::max(0, static_cast<int>(g.centre[i].x - reach) - c.x0); x <= std::min(c.width - 1, static_cast<int>(g.centre[i].x + reach) - c.x0 + 1);
+           ++x) {
+        const double deep = g.radius[i] - std::hypot(x + c.x0 - g.centre[i].x, y + c.y0 - g.centre[i].y);
         float& v = c.value[static_cast<std::size_t>(y) * static_cast<std::size_t>(c.width) + static_cast<std::size_t>(x)];
         v = std::min(1.0f, v + static_cast<float>(0.5 * std::erfc(-deep / (rim * std::sqrt(2.0)))));
       }
@@ -65,13 +67,13 @@ double correlation(const Cover& c, const FloatImage& picture, int dx, int dy) {
 
 Vec2 middle_of(const PictureGrains& g) {
   Vec2 sum;
-  for (std::size_t i = 0; i < g.size(); ++i) sum = sum + Vec2{g.x[i], g.y[i]};
+  for (std::size_t i = 0; i < g.size(); ++i) sum += g.centre[i];
   return (1 / static_cast<double>(g.size())) * sum;
 }
 
 double farthest(const PictureGrains& g, Vec2 from) {
   double most = 1;
-  for (std::size_t i = 0; i < g.size(); ++i) most = std::max(most, norm(Vec2{g.x[i], g.y[i]} - from));
+  for (std::size_t i = 0; i < g.size(); ++i) most = std::max(most, norm(g.centre[i] - from));
   return most;
 }
 
@@ -109,7 +111,7 @@ double robust_rms(const std::vector<double>& distance) { return median(distance)
 void refine(const PictureGrains& circles, const FloatImage& picture, Overlay& found) {
   const PictureGrains at = apply(found.transform, circles);
   DiskModel model(picture, usual_blur, found.correlation > 0);
-  for (std::size_t i = 0; i < at.size(); ++i) model.add({at.x[i], at.y[i], at.radius[i], 1});
+  for (std::size_t i = 0; i < at.size(); ++i) model.add({at.centre[i].x, at.centre[i].y, at.radius[i], 1});
   for (std::size_t i = 0; i < at.size(); ++i) {
     model.disks()[i].prior_radius = at.radius[i];
     model.disks()[i].prior_error = radius_known * at.radius[i];
@@ -117,19 +119,18 @@ void refine(const PictureGrains& circles, const FloatImage& picture, Overlay& fo
   model.refresh();
   model.fit(10);
   std::vector<double> away;
-  for (std::size_t i = 0; i < at.size(); ++i) away.push_back(norm(Vec2{model.disks()[i].x - at.x[i], model.disks()[i].y - at.y[i]}));
+  for (std::size_t i = 0; i < at.size(); ++i) away.push_back(norm(Vec2{model.disks()[i].x - at.centre[i].x, model.disks()[i].y - at.centre[i].y}));
   for (int pass = 0; pass < rounds; ++pass) {
     found.rms = robust_rms(away);
     std::vector<Vec2> from, to;
     for (std::size_t i = 0; i < at.size(); ++i) {
       if (away[i] > overlay_outlier * found.rms * 1.2 + 1e-9) continue;
-      from.push_back({circles.x[i], circles.y[i]});
+      from.push_back(circles.centre[i]);
       to.push_back({model.disks()[i].x, model.disks()[i].y});
     }
     if (from.size() < 3) return;
     found.transform = fit_similarity(from, to, false);
-    for (std::size_t i = 0; i < at.size(); ++i)
-      away[i] = norm(found.transform(Vec2{circles.x[i], circles.y[i]}) - Vec2{model.disks()[i].x, model.disks()[i].y});
+    for (std::size_t i = 0; i < at.size(); ++i) away[i] = norm(found.transform(circles.centre[i]) - Vec2{model.disks()[i].x, model.disks()[i].y});
   }
   found.rms = robust_rms(away);
 }
@@ -144,7 +145,7 @@ Overlay lay_over(const PictureGrains& circles, const Similarity& first, const Fl
   const PictureGrains at = apply(found.transform, circles);
   const Vec2 middle = middle_of(at);
   double spread = 0;
-  for (std::size_t i = 0; i < at.size(); ++i) spread += std::pow(norm(Vec2{at.x[i], at.y[i]} - middle), 2);
+  for (std::size_t i = 0; i < at.size(); ++i) spread += std::pow(norm(at.centre[i] - middle), 2);
   found.shift_error = found.rms / std::sqrt(static_cast<double>(at.size()));
   found.rotation_error = found.rms / std::sqrt(spread);
   return found;

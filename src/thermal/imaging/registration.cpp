@@ -20,7 +20,7 @@ constexpr double outlier = 4;  // standard deviations
 void check(const PictureGrains& grains, const char* which) {
   if (grains.size() < 3) throw refusal("the {} picture shows {} grains; three are needed to lay one picture on another", which, grains.size());
   for (std::size_t k = 0; k < grains.size(); ++k)
-    if (!std::isfinite(grains.x[k]) || !std::isfinite(grains.y[k]) || !(grains.radius[k] > 0))
+    if (!std::isfinite(grains.centre[k].x) || !std::isfinite(grains.centre[k].y) || !(grains.radius[k] > 0))
       throw refusal("grain {} of the {} picture has no place or no positive radius", k, which);
 }
 
@@ -90,11 +90,7 @@ Similarity fit_similarity(std::span<const Vec2> from, std::span<const Vec2> to, 
 }
 
 PictureGrains apply(const Similarity& transform, PictureGrains grains) {
-  for (std::size_t g = 0; g < grains.size(); ++g) {
-    const Vec2 at = transform({grains.x[g], grains.y[g]});
-    grains.x[g] = at.x;
-    grains.y[g] = at.y;
-  }
+  for (std::size_t g = 0; g < grains.size(); ++g) { grains.centre[g] = transform(grains.centre[g]); }
   for (auto* lengths : {&grains.radius, &grains.position_error, &grains.radius_error})
     for (double& v : *lengths) v *= transform.scale;
   return grains;

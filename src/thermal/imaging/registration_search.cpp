@@ -91,9 +91,8 @@ double RegistrationSearch::score(const Similarity& t, const Pairs& pairs) const 
 /// Whether two transforms bring the outermost grains to the same places.
 bool RegistrationSearch::same(const Similarity& s, const Similarity& t) const {
   const double within = reach_of_match * mean_radius(to_);
-  const auto [x0, x1] = std::minmax_element(from_.x.begin(), from_.x.end());
-  const auto [y0, y1] = std::minmax_element(from_.y.begin(), from_.y.end());
-  for (const Vec2 corner : {Vec2{*x0, *y0}, Vec2{*x1, *y0}, Vec2{*x0, *y1}, Vec2{*x1, *y1}})
+  const geometry::Rectangle box = geometry::bounds(from_.centre);
+  for (const Vec2 corner : {Vec2{box.x_min, box.y_min}, Vec2{box.x_max, box.y_min}, Vec2{box.x_min, box.y_max}, Vec2{box.x_max, box.y_max}})
     if (norm(s(corner) - t(corner)) > within) return false;
   return true;
 }

@@ -13,7 +13,7 @@
 
 namespace arenite::imaging {
 
-inline Vec2 place(const PictureGrains& grains, std::size_t k) { return {grains.x[k], grains.y[k]}; }
+inline Vec2 place(const PictureGrains& grains, std::size_t k) { return grains.centre[k]; }
 inline Vec2 place(const PictureGrains& grains, std::int32_t k) { return place(grains, static_cast<std::size_t>(k)); }
 inline double mean_radius(const PictureGrains& grains) {
   return std::accumulate(grains.radius.begin(), grains.radius.end(), 0.0) / static_cast<double>(grains.size());
@@ -53,10 +53,9 @@ class CentreGrid {
  private:
   /// Cells as wide as a grain, but never many more than places, however far apart these lie.
   static geometry::CellGrid<2> grid_over(const PictureGrains& g) {
-    const auto [x0, x1] = std::minmax_element(g.x.begin(), g.x.end());
-    const auto [y0, y1] = std::minmax_element(g.y.begin(), g.y.end());
-    const double width = *x1 - *x0, height = *y1 - *y0, n = static_cast<double>(g.size());
-    return {{{*x0, *y0}, {width, height}}, std::max({2 * mean_radius(g), std::sqrt(width * height / (4 * n)), std::max(width, height) / (4 * n)})};
+    const geometry::Rectangle box = geometry::bounds(g.centre);
+    const double width = box.width(), height = box.height(), n = static_cast<double>(g.size());
+    return {{{box.x_min, box.y_min}, {width, height}}, std::max({2 * mean_radius(g), std::sqrt(width * height / (4 * n)), std::max(width, height) / (4 * n)})};
   }
 
   const PictureGrains& grains_;

@@ -186,7 +186,7 @@ bool is_plain(const Slope& slope, double noise, const Circle& circle) {
   double inside = 0, rim = 0, inside_pixels = 1e-9, rim_pixels = 1e-9;
   const auto squared = [](double r) { return r * r; };
   const double core = squared(0.75 * circle.radius), inner = squared(circle.radius - 1.5), outer = squared(circle.radius + 1.5);
-  each_pixel_near(circle.x, circle.y, circle.radius + 1.5, slope.x.width, slope.x.height, [&](int x, int y, std::size_t at) {
+  each_pixel_near({circle.x, circle.y}, circle.radius + 1.5, slope.x.width, slope.x.height, [&](int x, int y, std::size_t at) {
     const double away = squared(x - circle.x) + squared(y - circle.y), square = static_cast<double>(slope.square.value[at]);
     if (away < core) inside += square, ++inside_pixels;
     else if (away > inner && away < outer) rim += square, ++rim_pixels;

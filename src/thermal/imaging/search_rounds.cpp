@@ -115,7 +115,7 @@ std::vector<char> SearchRounds::open_pixels(double smallest) const {
   const double radius = classes_.size() > 0 ? classes_.mean.front() : smallest;
   for (const auto& disk : model_.disks()) {
     const double away = least_distance(radius, disk.radius);
-    each_pixel_near(disk.x, disk.y, away, image_.width, image_.height, [&](int x, int y, std::size_t at) {
+    each_pixel_near({disk.x, disk.y}, away, image_.width, image_.height, [&](int x, int y, std::size_t at) {
       if (square(x - disk.x) + square(y - disk.y) < square(away)) open[at] = 0;
     });
   }

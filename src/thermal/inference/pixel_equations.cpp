@@ -66,7 +66,7 @@ Pixels pixels_of_grains(const ThermoelasticPicture& picture, const Packing& pack
     for (const Vec2 shift : shifts) {
       const Vec2 centre = packing.grains.position[g] + shift;
       const double column = (centre.x - picture.first.x) / side, row = (picture.first.y - centre.y) / side, reach = inner / side;
-      each_pixel_near(column, row, reach, picture.width, picture.height, [&](int c, int r, std::size_t p) {
+      each_pixel_near({column, row}, reach, picture.width, picture.height, [&](int c, int r, std::size_t p) {
         const Vec2 x = Vec2{picture.first.x + c * side, picture.first.y - r * side} - centre;
         const float value = picture.value[p], error = picture.error[p];
         if (norm(x) > inner || !std::isfinite(value) || !std::isfinite(error) || !(error > 0)) return;

@@ -67,8 +67,8 @@ std::vector<std::int32_t> material_map(const LockinMaps& maps, const PictureGrai
   std::vector<std::int32_t> material(maps.size(), -1);
   std::vector<float> away(maps.size(), std::numeric_limits<float>::infinity());
   for (std::size_t g = 0; g < grains.size(); ++g)
-    each_pixel_near(grains.x[g], grains.y[g], grains.radius[g] + beyond, maps.width, maps.height, [&](int x, int y, std::size_t at) {
-      const auto distance = static_cast<float>(std::hypot(x - grains.x[g], y - grains.y[g]) - grains.radius[g]);
+    each_pixel_near(grains.centre[g], grains.radius[g] + beyond, maps.width, maps.height, [&](int x, int y, std::size_t at) {
+      const auto distance = static_cast<float>(std::hypot(x - grains.centre[g].x, y - grains.centre[g].y) - grains.radius[g]);
       if (distance > beyond || distance >= away[at]) return;
       away[at] = distance;
       material[at] = grains.material[g];
@@ -86,7 +86,7 @@ std::vector<Replacement> replacements(const std::vector<std::uint8_t>& bad, int 
       if (bad[pixel] == 0) continue;
       Replacement& replacement = list.emplace_back(Replacement{pixel, {}});
       for (int reach = 1; reach <= std::max(width, height) && replacement.from.empty(); ++reach)
-        each_pixel_near(column, row, reach, width, height, [&](int, int, std::size_t near) {
+        each_pixel_near({static_cast<double>(column), static_cast<double>(row)}, reach, width, height, [&](int, int, std::size_t near) {
           if (bad[near] == 0) replacement.from.push_back(static_cast<std::uint32_t>(near));
         });
     }

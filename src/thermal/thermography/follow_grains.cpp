@@ -48,7 +48,7 @@ void paint(Canvas& canvas, double x, double y, double r, double step, const std:
 std::vector<Chord> chords_of(const PictureGrains& g, std::size_t i) {
   std::vector<Chord> chords;
   for (std::size_t j = 0; j < g.size(); ++j) {
-    const double dx = g.x[j] - g.x[i], dy = g.y[j] - g.y[i], d2 = dx * dx + dy * dy, both = g.radius[i] + g.radius[j];
+    const double dx = g.centre[j].x - g.centre[i].x, dy = g.centre[j].y - g.centre[i].y, d2 = dx * dx + dy * dy, both = g.radius[i] + g.radius[j];
     if (j == i || d2 >= both * both || d2 <= 0) continue;
     const double d = std::sqrt(d2);
     chords.push_back({dx / d, dy / d, (d2 + g.radius[i] * g.radius[i] - g.radius[j] * g.radius[j]) / (2 * d)});
@@ -65,7 +65,7 @@ double inner_level(const PhasePictures& pictures, const PictureGrains& g, const 
   for (int dy = -reach; dy <= reach; ++dy)
     for (int dx = -reach; dx <= reach; ++dx) {
       if (dx * dx + dy * dy > inner * inner) continue;
-      sum += fit.follow(pictures, g.x[i] + dx, g.y[i] + dy).harmonics[0];
+      sum += fit.follow(pictures, g.centre[i].x + dx, g.centre[i].y + dy).harmonics[0];
       n += 1;
     }
   return sum / n;
@@ -76,7 +76,7 @@ PictureGrains grains_in(const PhasePictures& p, std::size_t k, const PictureGrai
   PictureGrains there = grains;
   for (std::size_t i = 0; i < grains.size(); ++i) {
     const Vec2 moved = p.moved(m, i, k);
-    there.x[i] += moved.x, there.y[i] += moved.y;
+    there.centre[i] += moved;
   }
   return there;
 }
@@ -87,7 +87,7 @@ std::vector<float> draw_disks(const PictureGrains& g, const std::vector<double>&
   const imaging::Lens lens = imaging::make_lens(blur, fine, 4);
   Canvas canvas{width * fine + 2 * lens.margin, height * fine + 2 * lens.margin, lens.margin, {}};
   canvas.light.assign(static_cast<std::size_t>(canvas.width) * static_cast<std::size_t>(canvas.height), 0.0f);
-  for (std::size_t i = 0; i < g.size(); ++i) paint(canvas, g.x[i], g.y[i], g.radius[i], level[i] - background, chords_of(g, i));
+  for (std::size_t i = 0; i < g.size(); ++i) paint(canvas, g.centre[i].x, g.centre[i].y, g.radius[i], level[i] - background, chords_of(g, i));
   std::vector<float> picture = imaging::through_lens(lens, canvas.light, width, height);
   for (float& v : picture) v += static_cast<float>(background);
   return picture;
@@ -180,8 +180,8 @@ std::vector<std::int32_t> owners(const PictureGrains& grains, int width, int hei
   std::vector<std::int32_t> owner(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), -1);
   std::vector<double> depth(owner.size(), 0);
   for (std::size_t i = 0; i < grains.size(); ++i) {
-    const double x = grains.x[i], y = grains.y[i], r = grains.radius[i];
-    each_pixel_near(x, y, r, width, height, [&](int column, int row, std::size_t p) {
+    const double x = grains.centre[i].x, y = grains.centre[i].y, r = grains.radius[i];
+    each_pixel_near({x, y}, r, width, height, [&](int column, int row, std::size_t p) {
       const double inside = r - std::hypot(column - x, row - y);
       if (inside < 0 || (owner[p] >= 0 && inside <= depth[p])) return;
       owner[p] = static_cast<std::int32_t>(i);
@@ -209,11 +209,11 @@ LockinMaps follow_grains(const PhasePictures& pictures, const LockinMaps& maps, 
   std::vector<std::vector<double>> cosine(grains.size()), sine(grains.size());
   const auto follow = [&](std::size_t i) {
     const PixelHarmonics fit(rest, motion, i);
-    const double x = shown.x[i], y = shown.y[i], r = shown.radius[i];
-    each_pixel_near(x, y, r, maps.width, maps.height, [&](int column, int row, std::size_t p) {
+    const double x = shown.centre[i].x, y = shown.centre[i].y, r = shown.radius[i];
+    each_pixel_near({x, y}, r, maps.width, maps.height, [&](int column, int row, std::size_t p) {
       const double out = std::hypot(column - x, row - y);
       if (out > r || owner[p] != static_cast<std::int32_t>(i)) return;
-      Followed f = fit.follow(rest, column + grains.x[i] - x, row + grains.y[i] - y);
+      Followed f = fit.follow(rest, column + grains.centre[i].x - x, row + grains.centre[i].y - y);
       f.harmonics[0] += scene.grain[i];
       put(result, p, f, factor, spread);
       if (out > 0.7 * r) return;

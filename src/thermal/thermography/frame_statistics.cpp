@@ -49,7 +49,7 @@ struct Neighbours {
 
 Neighbours neighbours(const std::vector<float>& picture, int width, int height, int column, int row) {
   Neighbours n;
-  each_pixel_near(column, row, 1, width, height, [&](int c, int r, std::size_t at) {
+  each_pixel_near({static_cast<double>(column), static_cast<double>(row)}, 1, width, height, [&](int c, int r, std::size_t at) {
     if (r != row || c != column) n.value[static_cast<std::size_t>(n.count++)] = static_cast<double>(picture[at]);
   });
   return n;

@@ -25,21 +25,21 @@ void check(const PictureGrains& grains, const GrainMeanOptions& o) {
 }
 
 /// Length of the slope of a disk's mean when its centre is shifted, a pixel.
-double slope(const LockinMaps& maps, double x, double y, double radius) {
+double slope(const LockinMaps& maps, Vec2 centre, double radius) {
   constexpr double step = 0.5;
-  const auto mean = [&](double dx, double dy) { return disk_mean(maps.in_phase, maps.standard_error, maps.width, maps.height, x + dx, y + dy, radius).mean; };
-  return std::hypot(mean(step, 0) - mean(-step, 0), mean(0, step) - mean(0, -step)) / (2 * step);
+  const auto mean = [&](Vec2 shift) { return disk_mean(maps.in_phase, maps.standard_error, maps.width, maps.height, centre + shift, radius).mean; };
+  return std::hypot(mean({step, 0}) - mean({-step, 0}), mean({0, step}) - mean({0, -step})) / (2 * step);
 }
 
 }  // namespace
 
-DiskMean disk_mean(const std::vector<float>& map, const std::vector<float>& error, int width, int height, double x, double y, double radius) {
+DiskMean disk_mean(const std::vector<float>& map, const std::vector<float>& error, int width, int height, Vec2 centre, double radius) {
   DiskMean result;
   double sum = 0, squares = 0;
-  each_pixel_near(x, y, radius + 0.5, width, height, [&](int column, int row, std::size_t p) {
+  each_pixel_near(centre, radius + 0.5, width, height, [&](int column, int row, std::size_t p) {
     const auto value = static_cast<double>(map[p]), e = static_cast<double>(error[p]);
     if (!std::isfinite(value) || !std::isfinite(e)) return;
-    const double covered = geometry::disk_window_area({x, y}, radius, {column - 0.5, column + 0.5, row - 0.5, row + 0.5});
+    const double covered = geometry::disk_window_area(centre, radius, {column - 0.5, column + 0.5, row - 0.5, row + 0.5});
     sum += covered * value;
     squares += covered * covered * e * e;
     result.area += covered;
@@ -60,10 +60,10 @@ PeakToPeak grain_means(const LockinMaps& maps, const PictureGrains& grains, cons
   PeakToPeak found;
   for (std::size_t i = 0; i < grains.size(); ++i) {
     const double radius = grains.radius[i] * std::sqrt(options.share), factor = options.factor[static_cast<std::size_t>(grains.material[i])];
-    const DiskMean mean = disk_mean(maps.in_phase, maps.standard_error, maps.width, maps.height, grains.x[i], grains.y[i], radius);
+    const DiskMean mean = disk_mean(maps.in_phase, maps.standard_error, maps.width, maps.height, grains.centre[i], radius);
     double error = mean.error;
     if (const double shift = grains.position_error.empty() ? 0 : grains.position_error[i]; shift > 0 && mean.area > 0)
-      error = std::hypot(error, shift * slope(maps, grains.x[i], grains.y[i], radius));
+      error = std::hypot(error, shift * slope(maps, grains.centre[i], radius));
     found.temperature.push_back(to_full * mean.mean);
     found.sigma_hyd.push_back(-to_full * mean.mean / (2 * factor));
     found.error.push_back(std::isfinite(error) ? to_full * error / (2 * factor) : std::numeric_limits<double>::infinity());

@@ -42,15 +42,15 @@ double share_inside(double out) { return 0.5 * std::erfc(out / blur); }
 double slope_of_share(double out) { return -std::exp(-out * out / (blur * blur)) / (blur * std::sqrt(std::numbers::pi)); }
 
 void add(const PictureGrains& g, std::size_t i, const std::vector<std::size_t>& neighbours, double rim, double x, double y, Rim& own) {
-  const double dx = x - g.x[i], dy = y - g.y[i], out = std::hypot(dx, dy) - g.radius[i];
+  const double dx = x - g.centre[i].x, dy = y - g.centre[i].y, out = std::hypot(dx, dy) - g.radius[i];
   if (std::abs(out) > rim) return;
   std::vector<OtherRim> others;
   for (const std::size_t j : neighbours) {
-    const double r = std::hypot(x - g.x[j], y - g.y[j]), away = r - g.radius[j];
+    const double r = std::hypot(x - g.centre[j].x, y - g.centre[j].y), away = r - g.radius[j];
     if (away < margin) return;
     if (away > reach_of_others) continue;
     const double slope = slope_of_share(away) / r;
-    others.push_back({own.pixels.size(), j, share_inside(away), slope * (x - g.x[j]), slope * (y - g.y[j])});
+    others.push_back({own.pixels.size(), j, share_inside(away), slope * (x - g.centre[j].x), slope * (y - g.centre[j].y)});
   }
   own.others.insert(own.others.end(), others.begin(), others.end());
   own.pixels.push_back({x, y, dx / g.radius[i], dy / g.radius[i], share_inside(out), 1 - std::pow(out / (rim + 0.5), 2)});
@@ -62,8 +62,8 @@ std::vector<Rim> rims_of(const PictureGrains& g, int width, int height, double r
     const double reach = g.radius[i] + rim;
     std::vector<std::size_t> neighbours;
     for (std::size_t j = 0; j < g.size(); ++j)
-      if (j != i && std::hypot(g.x[j] - g.x[i], g.y[j] - g.y[i]) < reach + g.radius[j] + reach_of_others) neighbours.push_back(j);
-    each_pixel_near(g.x[i], g.y[i], reach, width, height, [&](int column, int row, std::size_t) { add(g, i, neighbours, rim, column, row, rims[i]); });
+      if (j != i && std::hypot(g.centre[j].x - g.centre[i].x, g.centre[j].y - g.centre[i].y) < reach + g.radius[j] + reach_of_others) neighbours.push_back(j);
+    each_pixel_near(g.centre[i], reach, width, height, [&](int column, int row, std::size_t) { add(g, i, neighbours, rim, column, row, rims[i]); });
   }
   return rims;
 }
@@ -165,11 +165,11 @@ Together assemble(const std::vector<Left>& left) {
 /// Steps of all grains that are linear in the place.
 Matrix affine_step(const PictureGrains& grains, const Together& all) {
   double span = 1;
-  for (std::size_t i = 0; i < grains.size(); ++i) span = std::max({span, std::abs(grains.x[i]), std::abs(grains.y[i])});
+  for (std::size_t i = 0; i < grains.size(); ++i) span = std::max({span, std::abs(grains.centre[i].x), std::abs(grains.centre[i].y)});
   Matrix shape(all.side.rows(), 6), sums = shape;
   for (std::size_t i = 0; i < grains.size(); ++i)
     for (std::size_t k = 0; k < 2; ++k)
-      shape(2 * i + k, 3 * k) = 1, shape(2 * i + k, 3 * k + 1) = grains.x[i] / span - 0.5, shape(2 * i + k, 3 * k + 2) = grains.y[i] / span - 0.5;
+      shape(2 * i + k, 3 * k) = 1, shape(2 * i + k, 3 * k + 1) = grains.centre[i].x / span - 0.5, shape(2 * i + k, 3 * k + 2) = grains.centre[i].y / span - 0.5;
   for (const auto& e : all.normal)
     for (std::size_t k = 0; k < 6; ++k) sums(e.row, k) += e.value * shape(e.column, k);
   Matrix normal = transposed_times(shape, sums);

@@ -19,16 +19,16 @@ TEST(FilmPlace, FrameIsInTheMiddleUnlessItIsGiven) {
   film.height = 41;  // row 20
   recipe::FilmRecipe recipe = framed();
   const FilmPlace place = place_of(recipe, film);
-  EXPECT_NEAR(place.metres(35, 20).x, 0.050, 1e-15);
-  EXPECT_NEAR(place.metres(35, 20).y, 0.030, 1e-15);
+  EXPECT_NEAR(place.metres({35, 20}).x, 0.050, 1e-15);
+  EXPECT_NEAR(place.metres({35, 20}).y, 0.030, 1e-15);
   // Down in the picture is down in the frame: its lower left corner is 25 columns left of the middle and 15 rows below it.
-  EXPECT_NEAR(place.metres(10, 35).x, 0, 1e-15);
-  EXPECT_NEAR(place.metres(10, 35).y, 0, 1e-15);
+  EXPECT_NEAR(place.metres({10, 35}).x, 0, 1e-15);
+  EXPECT_NEAR(place.metres({10, 35}).y, 0, 1e-15);
   recipe.container.left = 3;
   recipe.container.top = 4;
   const FilmPlace given = place_of(recipe, film);
-  EXPECT_NEAR(given.metres(3, 4).x, 0, 1e-15);
-  EXPECT_NEAR(given.metres(3, 4).y, 0.060, 1e-15);
+  EXPECT_NEAR(given.metres({3, 4}).x, 0, 1e-15);
+  EXPECT_NEAR(given.metres({3, 4}).y, 0.060, 1e-15);
 }
 
 TEST(FilmPlace, MetresAndPixelsAreEachOthersInverse) {
@@ -36,9 +36,9 @@ TEST(FilmPlace, MetresAndPixelsAreEachOthersInverse) {
   film.width = 320;
   film.height = 240;
   const FilmPlace place = place_of(framed(), film);
-  const Vec2 at = place.metres(17.25, 203.5);
-  EXPECT_NEAR(place.column(at.x), 17.25, 1e-11);
-  EXPECT_NEAR(place.row(at.y), 203.5, 1e-11);
+  const Vec2 at = place.metres({17.25, 203.5});
+  EXPECT_NEAR(place.pixels(at).x, 17.25, 1e-11);
+  EXPECT_NEAR(place.pixels(at).y, 203.5, 1e-11);
 }
 
 TEST(FilmPlace, LowerWallTravelsWithTheLoad) {
@@ -51,8 +51,7 @@ TEST(FilmPlace, LowerWallTravelsWithTheLoad) {
 
 TEST(FilmPlace, GrainsKeepOrderMaterialAndSize) {
   PictureGrains found;
-  found.x = {10, 20};
-  found.y = {35, 30};
+  found.centre = {{10, 35}, {20, 30}};
   found.radius = {4, 2.5};
   found.material = {1, 0};
   FilmInfo film;

@@ -17,8 +17,7 @@ PictureGrains crystal(double radius, double left, double top) {
   for (int row = 0; row < 9; ++row)
     for (int column = 0; column < 10; ++column) {
       if (row == 8 && column == 3) continue;
-      grains.x.push_back(left + radius * (2 * column + row % 2));
-      grains.y.push_back(top + radius * std::sqrt(3.0) * row);
+      grains.centre.push_back({left + radius * (2 * column + row % 2), top + radius * std::sqrt(3.0) * row});
       grains.radius.push_back(radius);
       grains.position_error.push_back(0.01);
     }
@@ -27,7 +26,7 @@ PictureGrains crystal(double radius, double left, double top) {
 
 std::vector<DrawnDisk> disks_of(const PictureGrains& grains) {
   std::vector<DrawnDisk> disks;
-  for (std::size_t i = 0; i < grains.size(); ++i) disks.push_back({grains.x[i], grains.y[i], grains.radius[i], 1, 0});
+  for (std::size_t i = 0; i < grains.size(); ++i) disks.push_back({grains.centre[i].x, grains.centre[i].y, grains.radius[i], 1, 0});
   return disks;
 }
 
@@ -44,7 +43,8 @@ TEST(Overlay, FindsWhereACrystalLiesThatOnlyItsPoresShow) {
     const PictureGrains there = imaging::apply(found.transform, fine), right = imaging::apply(truth, fine);
     double square = 0;
     for (std::size_t i = 0; i < there.size(); ++i)
-      square += (std::pow(there.x[i] - right.x[i], 2) + std::pow(there.y[i] - right.y[i], 2)) / 2 / static_cast<double>(there.size());
+      square +=
+          (std::pow(there.centre[i].x - right.centre[i].x, 2) + std::pow(there.centre[i].y - right.centre[i].y, 2)) / 2 / static_cast<double>(there.size());
     EXPECT_LT(std::sqrt(square), 0.03);
   }
 }

@@ -21,8 +21,7 @@ using imaging::Similarity;
 PictureGrains found(const char* sample) {
   PictureGrains grains;
   for (const auto& d : test::packing_in_pixels(sample, 1.6e-3, 50, 228)) {
-    grains.x.push_back(d.x);
-    grains.y.push_back(d.y);
+    grains.centre.push_back({d.x, d.y});
     grains.radius.push_back(d.radius);
   }
   return grains;
@@ -38,14 +37,13 @@ PictureGrains spoiled(const PictureGrains& grains, const Flaws& how, std::vector
   RandomStream random(how.seed, Purpose::test);
   PictureGrains out;
   const auto add = [&](double x, double y, double r, int of) {
-    out.x.push_back(x + how.error * random.normal());
-    out.y.push_back(y + how.error * random.normal());
+    out.centre.push_back({x + how.error * random.normal(), y + how.error * random.normal()});
     out.radius.push_back(r * (1 + how.radius_error * random.normal()));
     truth.push_back(of);
   };
   for (std::size_t k = grains.size(); k-- > 0;) {
     if (random.uniform() < how.invented) add(320 * random.uniform(), 240 * random.uniform(), grains.radius[k], -1);
-    if (random.uniform() >= how.missing) add(grains.x[k], grains.y[k], grains.radius[k], static_cast<int>(k));
+    if (random.uniform() >= how.missing) add(grains.centre[k].x, grains.centre[k].y, grains.radius[k], static_cast<int>(k));
   }
   return out;
 }
@@ -73,13 +71,12 @@ TEST(Similarity, InverseAndFitGiveItBack) {
 
 TEST(Similarity, ScalesRadiiAndErrorsOfGrainsAndKeepsTheRest) {
   PictureGrains grains;
-  grains.x = {3};
-  grains.y = {0};
+  grains.centre = {{3, 0}};
   grains.radius = {5};
   grains.radius_error = {0.1};
   grains.material = {1};
   const PictureGrains moved = imaging::apply({2, std::numbers::pi / 2, {1, 0}, false}, grains);
-  EXPECT_NEAR(moved.y[0], 6, 1e-12);
+  EXPECT_NEAR(moved.centre[0].y, 6, 1e-12);
   EXPECT_EQ(moved.radius[0], 10);
   EXPECT_EQ(moved.radius_error[0], 0.2);
   EXPECT_EQ(moved.material, grains.material);
@@ -127,9 +124,8 @@ TEST(Registration, FindsAPartInTheWhole) {
   const Similarity truth{2.5, -1.2, {100, 40}, false};
   PictureGrains part;
   for (std::size_t k = 0; k < whole.size(); ++k)
-    if (whole.x[k] < 150 && whole.y[k] < 130) {
-      part.x.push_back(whole.x[k]);
-      part.y.push_back(whole.y[k]);
+    if (whole.centre[k].x < 150 && whole.centre[k].y < 130) {
+      part.centre.push_back(whole.centre[k]);
       part.radius.push_back(whole.radius[k]);
     }
   ASSERT_LT(part.size(), whole.size() / 3);
@@ -139,8 +135,7 @@ TEST(Registration, FindsAPartInTheWhole) {
 
 TEST(Registration, OfFourGrains) {
   PictureGrains four;
-  four.x = {10, 31, 22, 47};
-  four.y = {10, 12, 33, 40};
+  four.centre = {{10, 10}, {31, 12}, {22, 33}, {47, 40}};
   four.radius = {6, 6, 8, 9};
   const Similarity truth{1.3, 0.4, {7, 9}, false};
   const imaging::Registration r = register_circles(four, imaging::apply(truth, four));
@@ -152,7 +147,8 @@ TEST(Registration, RefusesPicturesOfDifferentSamples) {
   const std::string text = test::complaint([] { register_circles(found("sample-02"), found("sample-12")); });
   EXPECT_NE(text.find("do not fit on each other"), std::string::npos) << text;
   PictureGrains two;
-  two.x = two.y = two.radius = {1, 2};
+  two.centre = {{1, 1}, {2, 2}};
+  two.radius = {1, 2};
   EXPECT_NE(test::complaint([&] { register_circles(found("sample-12"), two); }).find("the second picture shows 2 grains; three are needed"), std::string::npos);
   EXPECT_NE(test::complaint([&] { register_circles(found("sample-12"), found("sample-12"), {.scale = -1.0}); }).find("must be positive"), std::string::npos);
 }

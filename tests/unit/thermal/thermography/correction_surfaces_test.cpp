@@ -31,8 +31,7 @@ double temperature_of(const radiometry::Band& band, const radiometry::Surface& s
 /// Two grains side by side in a picture of 24 x 12 pixels, one a material.
 PictureGrains two_grains() {
   PictureGrains g;
-  g.x = {6, 18};
-  g.y = {6, 6};
+  g.centre = {{6, 6}, {18, 6}};
   g.radius = {4, 4};
   g.material = {0, 1};
   return g;
