@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "io/results/results.hpp"
 #include "workflow/runner.hpp"
 
@@ -45,6 +47,16 @@ void restore_from(const io::Checkpoint& checkpoint, dem::Engine& engine, dem::St
   run.result = checkpoint.partial;
 }
 
+peridynamics::Watch watch_of(Progress& progress, const RunOptions& options) {
+  return [&](const peridynamics::Progress& p) {
+    progress.share = std::min(p.share, 0.999);
+    progress.step = p.iterations;
+    progress.unbalanced_ratio = p.residual;
+    options.progress(progress);
+    return !options.asked_to_stop();
+  };
+}
+
 FailureCheckpoint failure_checkpoint(const std::filesystem::path& file, const std::string& key, const RunOptions& options) {
   FailureCheckpoint checkpoint;
   const auto stored = unless_damaged(file, options, "the test begins anew", [&] { return io::read_checkpoint(file, key); });
@@ -54,6 +66,7 @@ FailureCheckpoint failure_checkpoint(const std::filesystem::path& file, const st
     io::Checkpoint c;
     c.key = key;
     c.blobs["pull"] = to_bytes(state());
+    make_folder(file.parent_path());
     io::write_checkpoint(file, c);
   };
   return checkpoint;

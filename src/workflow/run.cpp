@@ -179,13 +179,7 @@ class Run {
     const std::size_t first = recipe_.stages.size() + 1;
     const Packing& packing = outcome_.stages.back().frames.back().packing;
     if (!add_field(first, [&](const fs::path&) { return std::optional(make_cemented_sample(recipe_, packing)); })) return;
-    const auto watch = [&](const peridynamics::Progress& p) {
-      progress_.share = std::min(p.share, 0.999);
-      progress_.step = p.iterations;
-      progress_.unbalanced_ratio = p.residual;
-      options_.progress(progress_);
-      return !options_.asked_to_stop();
-    };
+    const auto watch = watch_of(progress_, options_);
     std::size_t s = first;
     for (const recipe::Load& load : recipe_.loads) {
       ++s;
