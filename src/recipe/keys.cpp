@@ -9,6 +9,7 @@
 #include "core/mapped.hpp"
 #include "core/problems.hpp"
 #include "core/units.hpp"
+#include "grains/dem/integrators/integrators.hpp"
 
 namespace arenite::recipe {
 namespace {
@@ -136,8 +137,8 @@ void require_movable_shapes(Visitor& v, const Recipe& recipe) {
   const bool rough = std::any_of(recipe.stages.begin(), recipe.stages.end(), [](const Stage& stage) { return stage.rough != std::array<bool, 4>{}; });
   v.require(disks || !recipe.has_field(), {"populations", "cement"},
             "grains that are no disks cannot be cemented and loaded as a field; leave out [cement], [grid] and [[loads]]");
-  v.require(disks || recipe.integration.integrator != dem::IntegratorKind::gear5, {"populations", "integration"},
-            "grains that are no disks need integration.integrator = \"velocity_verlet\" or \"leapfrog\"");
+  v.require(disks || dem::integrator_of(recipe.integration.integrator).moves_bodies, {"populations", "integration"},
+            "grains that are no disks need integration.integrator = " + dem::integrators_of_bodies());
   v.require(disks || !recipe.contact.has_bonds(), {"populations", "contact"}, "bonds join disks only; leave contact.bonds at \"none\"");
   v.require(disks || !recipe.contact.is_cohesive(), {"populations", "contact"},
             "grains that are no disks neither stick nor hold liquid yet; leave contact.cohesion at \"none\"");
