@@ -145,8 +145,6 @@ void require_movable_shapes(Visitor& v, const Recipe& recipe) {
   v.require(disks || !rough, {"populations", "stages"}, "rough walls hold disks only; take smooth walls with friction for clumps and polygons");
 }
 
-}  // namespace
-
 void declare_materials(Visitor& v, Materials& materials) {
   v.sections({"materials", "Constitutive materials of the grains, by name.", true},
              {[&] { return materials.size(); }, [&](std::size_t n) { materials.resize(n); },
@@ -169,6 +167,8 @@ void require_constants(Visitor& v, const Recipe& recipe) {
     }
   }
 }
+
+}  // namespace
 
 void declare(Visitor& v, Population& population, const Recipe& recipe) {
   v.text({"material", "Name of a section of [materials].", true}, population.material);

@@ -49,9 +49,6 @@ std::optional<ClassMaterials> class_materials(const recipe::Recipe& recipe, cons
 /// The class of every grain by its material; empty without classes.
 std::vector<GrainClass> classes(const Packing& packing, const std::optional<ClassMaterials>& materials);
 
-/// The radius that gaps and crops are measured by: large_radius of [bidisperse], or the mean radius of the large grains, or of all, m.
-double reference_radius(const recipe::Recipe& recipe, const Packing& packing);
-
 /// Cements and rasterises a packing, with its phases, pores, voids and coordination as numbers. Throws InputError for a
 /// saturation out of reach and a crop wider than the sample.
 FieldResult make_cemented_sample(const recipe::Recipe& recipe, const Packing& packing);

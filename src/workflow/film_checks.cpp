@@ -101,12 +101,12 @@ void add_scales(const recipe::FilmRecipe& recipe, const FilmResult& r, std::vect
 }  // namespace
 
 void refuse_temperatures(const recipe::FilmRecipe& recipe, const std::filesystem::path& path, const FilmInfo& film) {
-  if (!has_references(recipe)) throw refusal_at(recipe.source_file, 0, "temperature: {}", recipe::needs_references);
+  if (!has_references(recipe)) refuse(recipe.source_file, "temperature: {}", recipe::needs_references);
   if (recipe.temperature.from == recipe::TemperatureSection::From::film && film.quantity == FilmQuantity::digital_level)
-    throw refusal_at(path.string(), 0,
-                     "says that it holds digital levels, and temperature.from = \"film\" of {} takes them for kelvin; "
-                     "choose \"references\", \"curve\" or \"radiometry\" there",
-                     recipe.source_file);
+    refuse(path.string(),
+           "says that it holds digital levels, and temperature.from = \"film\" of {} takes them for kelvin; "
+           "choose \"references\", \"curve\" or \"radiometry\" there",
+           recipe.source_file);
 }
 
 std::string no_load_sentence(const LockinMaps& maps, double frequency, std::string_view given_by) {

@@ -8,8 +8,6 @@
 #include "core/version.hpp"
 #include "io/disk/file.hpp"
 #include "io/results/results.hpp"
-#include "workflow/checkpoints.hpp"
-#include "workflow/field_stages.hpp"
 #include "workflow/runner.hpp"
 
 namespace arenite::workflow {

@@ -1,5 +1,7 @@
 #include "workflow/run.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <type_traits>
 #include <utility>
@@ -9,9 +11,6 @@
 #include "grains/fields/flow_numbers.hpp"
 #include "io/disk/file.hpp"
 #include "io/results/results.hpp"
-#include "workflow/checkpoints.hpp"
-#include "workflow/field_stages.hpp"
-#include "workflow/result_folder.hpp"
 #include "workflow/runner.hpp"
 
 namespace arenite::workflow {
@@ -30,6 +29,30 @@ void look_at(const dem::Engine& engine, const dem::Stage& stage, const dem::Stag
   progress.step = engine.step();
   progress.time = engine.time();
   progress.wall = engine.domain().wall;
+}
+
+std::string force_at_start(int side) { return fmt::format("force_at_start {}", side_names[side]); }
+
+constexpr std::pair<const char*, std::int64_t dem::StageRun::*> counts[] = {{"increment", &dem::StageRun::increment},
+                                                                            {"steps_in_increment", &dem::StageRun::steps_in_increment},
+                                                                            {"sample_every", &dem::StageRun::sample_every},
+                                                                            {"checks", &dem::StageRun::checks}};
+
+io::Checkpoint to_checkpoint(const dem::Engine& engine, const dem::StageRun& run, const std::string& key) {
+  io::Checkpoint checkpoint;
+  checkpoint.key = key;
+  checkpoint.blobs["engine"] = engine.save();
+  for (int side = 0; side < 4; ++side) checkpoint.numbers[force_at_start(side)] = run.force_at_start[side];
+  for (const auto& [name, count] : counts) checkpoint.integers[name] = run.*count;
+  checkpoint.partial = run.result;
+  return checkpoint;
+}
+
+void restore_from(const io::Checkpoint& checkpoint, dem::Engine& engine, dem::StageRun& run) {
+  engine.restore(checkpoint.blobs.at("engine"));
+  for (int side = 0; side < 4; ++side) run.force_at_start[side] = checkpoint.numbers.at(force_at_start(side));
+  for (const auto& [name, count] : counts) run.*count = checkpoint.integers.at(name);
+  run.result = checkpoint.partial;
 }
 
 /// Runs one stage to its end, or until asked to stop (then nothing is returned, and the checkpoint is on disk).
