@@ -44,6 +44,10 @@ inline const Integrator& integrator_of(const Sample& s) { return integrator_of(s
 /// Those that move bodies, for sentences: a, b or c, each in `quotes`.
 std::string integrators_of_bodies(std::string_view quotes = "\"");
 
+/// A step that kicks the integrated velocities on by the accelerations, and then drifts with them. They are then behind the places by `lag`, and the
+/// velocities that forces see are `ahead` of them, s. False if the contact list has become stale.
+bool kick_and_drift(Sample& sample, const ThreadPool& pool, double lag, double ahead);
+
 /// A step of all disks in one sweep of the kernel. To be made before the walls move, run after.
 class DiskSweep {
  public:

@@ -23,18 +23,20 @@ void move_walls(Sample& s, double kick, double ahead) {
 /// (dt/2) a_n. Forces depend on velocities, so they are given u_{n+1} = w_{n+1/2} + c (dt/2) a_n, where c is `extrapolation`: with 1
 /// (velocity_verlet) that is v_{n+1} to second order; with 0 (leapfrog) it is the mid-step velocity, as LAMMPS's velocity Verlet has it: of first order
 /// in the damping, stable up to twice the step.
-template <int extrapolation> bool verlet(Sample& s, const ThreadPool& pool) {
-  const double kick = s.lag + 0.5 * s.dt, ahead = extrapolation * 0.5 * s.dt;
+template <int extrapolation> bool verlet(Sample& s, const ThreadPool& pool) { return kick_and_drift(s, pool, 0.5 * s.dt, extrapolation * 0.5 * s.dt); }
+
+}  // namespace
+
+bool kick_and_drift(Sample& s, const ThreadPool& pool, double lag, double ahead) {
+  const double kick = s.dt - lag + s.lag;
   DiskSweep sweep(s);
   sweep.task.kick = kick;
   sweep.task.ahead = ahead;
   move_walls(s, kick, ahead);
   push_boundaries(s, kick, ahead);
-  s.lag = 0.5 * s.dt;
+  s.lag = lag;
   return sweep.run(s.kernel->verlet, pool);
 }
-
-}  // namespace
 
 const Integrator velocity_verlet{{"velocity_verlet", "second order, the most robust"}, verlet<1>, nullptr, 0, 0, 0.5, 0.25, 1, 2, true};
 const Integrator leapfrog{{"leapfrog", "second order, velocities half a step off"}, verlet<0>, nullptr, 0, 0, 1, 0.25, 0.5, 2, true};
