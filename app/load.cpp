@@ -7,14 +7,11 @@
 
 #include "commands.hpp"
 #include "core/units.hpp"
-#include "io/image/phase_map.hpp"
 #include "io/results/results.hpp"
 #include "progress.hpp"
 #include "report/page.hpp"
 #include "report/summary.hpp"
-#include "thermal/imaging/label_grains.hpp"
 #include "workflow/field_stages.hpp"
-#include "workflow/result_folder.hpp"
 
 namespace arenite::app {
 namespace {
@@ -79,55 +76,46 @@ io::PhaseMapOptions map_options(const LoadArguments& a) {
   return options;
 }
 
-PhaseMap read_map(const LoadArguments& a) {
-  if (io::stored_kind(a.map) == "field") return io::read_field(a.map).map;
-  auto read = io::read_phase_map(a.map, map_options(a));
-  for (const auto& note : read.notes) fmt::print(stderr, "{}: {}\n", a.map, note);
-  if (read.labelled) return std::move(read.map);
-  if (a.labels == "none") io::label_alike(read.map);
-  else imaging::label_grains(read.map, {a.labels == "watershed" ? imaging::Labelling::watershed : imaging::Labelling::components, a.smoothing});
-  return std::move(read.map);
-}
-
 /// All that the field depends on beside the map's bytes and the load.
 std::string asked_of(const LoadArguments& a) {
   return fmt::format("phases {}; labels {}; smoothing {}; crop {}; slice {}; dataset {}; label slice {}; label dataset {}; dx {}", a.phases, a.labels,
                      a.smoothing, a.crop, a.slice, a.dataset, a.label_slice, a.label_dataset, a.dx);
 }
 
-void store(const LoadArguments& a, const FieldResult& result) {
-  const fs::path folder(a.out);
-  workflow::make_folder(folder);
-  const fs::path file = folder / io::stage_file_name(1, result.name, result.provenance.input_hash);
-  io::write_field(file, result);
-  report::write_page(folder / "report.html", {.title = fmt::format("{} of {}", result.name, fs::path(a.map).filename().string()), .fields = {&result, 1}});
-  if (!a.json) fmt::print("\nresult: {}\npage:   {}\n", file.string(), (folder / "report.html").string());
+workflow::MapSource source_of(const LoadArguments& a) {
+  workflow::MapSource source{a.map, map_options(a), !a.dx.empty(), {}, asked_of(a)};
+  if (a.labels != "none") source.labelling = {a.labels == "watershed" ? imaging::Labelling::watershed : imaging::Labelling::components, a.smoothing};
+  return source;
 }
 
-std::optional<FieldResult> watched_load(const LoadArguments& a, const recipe::Load& load, const FieldResult& sample) {
+workflow::MapOutcome carry_out(const LoadArguments& a, const recipe::Load& load) {
   ProgressLine line(a.quiet || a.json);
-  return workflow::apply_load(load, sample, [&](const peridynamics::Progress& p) {
-    line.show({1, 1, load.name, p.share, p.residual, p.iterations, false, true});
-    return !stop_requested();
-  });
+  workflow::RunOptions options;
+  options.out = a.out;
+  options.asked_to_stop = stop_requested;
+  options.progress = [&](const workflow::Progress& progress) { line.show(progress); };
+  options.notice = [&](const std::string& sentence) { line.notice(sentence); };
+  try {
+    return workflow::load_map(source_of(a), load, options);
+  } catch (const InputError& error) { throw in_file(error, a.map); }
 }
 
 int execute(const LoadArguments& a) {
   const recipe::Load load = load_of(a);
-  try {
-    FieldResult sample = workflow::sample_of_map(read_map(a));
-    if (a.dx.empty() && io::stored_kind(a.map) != "field") workflow::count_lengths_in_nodes(sample);
-    watch_for_signals();
-    auto result = watched_load(a, load, sample);
-    if (!result) {
-      fmt::print(stderr, "stopped; nothing was stored\n");
-      return other_failure;
-    }
-    workflow::sign(*result, a.map, asked_of(a), load);
-    fmt::print("{}", a.json ? to_json(report::field_numbers(*result), 2) + "\n" : report::field_summary(*result));
-    if (!a.out.empty()) store(a, *result);
-    return result->converged ? done : not_converged;
-  } catch (const InputError& error) { throw in_file(error, a.map); }
+  watch_for_signals();
+  const auto [field, file] = carry_out(a, load);
+  if (!field) {
+    if (load.failure && !a.out.empty()) fmt::print(stderr, "stopped; the same command goes on from the checkpoint in {}\n", a.out);
+    else fmt::print(stderr, "stopped; nothing was stored\n");
+    return other_failure;
+  }
+  fmt::print("{}", a.json ? to_json(report::field_numbers(*field), 2) + "\n" : report::field_summary(*field));
+  if (!a.out.empty()) {
+    const fs::path page = fs::path(a.out) / "report.html";
+    report::write_page(page, {.title = fmt::format("{} of {}", field->name, fs::path(a.map).filename().string()), .fields = {&*field, 1}});
+    if (!a.json) fmt::print("\nresult: {}\npage:   {}\n", file.string(), page.string());
+  }
+  return field->converged ? done : not_converged;
 }
 
 void add_reading(Options& command, LoadArguments& a) {

@@ -47,13 +47,13 @@ double read_phase(const std::string& text) {
 
 std::string unit_of(const FilmInfo& film) { return film.quantity == FilmQuantity::kelvin ? "K" : "level"; }
 
-workflow::Adiabatic adiabatic(const LockinArguments& a, double frequency) {
-  workflow::Adiabatic check(above_zero("--diffusivity", a.diffusivity, dimension::area / dimension::time, "mm^2/s"), frequency);
+thermography::Adiabatic adiabatic(const LockinArguments& a, double frequency) {
+  thermography::Adiabatic check(above_zero("--diffusivity", a.diffusivity, dimension::area / dimension::time, "mm^2/s"), frequency);
   if (!a.pixel.empty()) check.pixel = above_zero("--pixel", a.pixel, dimension::length, "mm");
   return check;
 }
 
-Numbers numbers(const LockinMaps& m, const LockinArguments& a, const FilmInfo& film, const workflow::Adiabatic& heat) {
+Numbers numbers(const LockinMaps& m, const LockinArguments& a, const FilmInfo& film, const thermography::Adiabatic& heat) {
   Numbers j;
   j["frequency_Hz"] = m.frequency;
   j["frequency_error_Hz"] = std::isfinite(m.frequency_error) ? Numbers(m.frequency_error) : Numbers();
@@ -85,7 +85,7 @@ Numbers numbers(const LockinMaps& m, const LockinArguments& a, const FilmInfo& f
   return j;
 }
 
-void print(const LockinMaps& m, const LockinArguments& a, const FilmInfo& film, const workflow::Adiabatic& heat) {
+void print(const LockinMaps& m, const LockinArguments& a, const FilmInfo& film, const thermography::Adiabatic& heat) {
   const std::string unit = unit_of(film);
   fmt::print("frequency        {:.9g} Hz", m.frequency);
   if (m.frequency_error > 0 && std::isfinite(m.frequency_error)) fmt::print(" +- {:.1e}", m.frequency_error);
@@ -134,7 +134,7 @@ int execute(LockinArguments& a) {
   if (!thermography::shows_load(maps)) fmt::print(stderr, "{}: {}\n", a.film, workflow::no_load_sentence(maps, maps.frequency, "--frequency"));
   else if (maps.other_frequency > 0)
     fmt::print(stderr, "{}: the amplitude is larger at {:.4g} Hz than at {:.6g} Hz, which is a multiple\n", a.film, maps.other_frequency, maps.frequency);
-  const workflow::Adiabatic heat = adiabatic(a, maps.frequency);
+  const thermography::Adiabatic heat = adiabatic(a, maps.frequency);
   if (heat.pixel > 0 && !heat.holds()) fmt::print(stderr, "{}\n", heat.sentence());
   if (a.json) fmt::print("{}\n", to_json(numbers(maps, a, film->info(), heat), 2));
   else print(maps, a, film->info(), heat);

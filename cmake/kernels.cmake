@@ -12,5 +12,5 @@ set_source_files_properties(${film}/portable.cpp PROPERTIES SKIP_PRECOMPILE_HEAD
 set_source_files_properties(${film}/avx2.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON COMPILE_OPTIONS "-O3;-mavx2;-mfma")
 set_source_files_properties(${film}/avx512.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON
   COMPILE_OPTIONS "-O3;-mavx512f;-mavx512dq;-mavx512vl;-mfma;-Wno-uninitialized;-Wno-maybe-uninitialized")
-set_source_files_properties(src/thermal/imaging/rim_search.cpp src/thermal/imaging/blur.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON
+set_source_files_properties(src/thermal/imaging/rim_search.cpp src/thermal/imaging/blur.cpp src/thermal/optics/lens.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON
   COMPILE_OPTIONS "-O3;-fno-trapping-math")

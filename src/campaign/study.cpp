@@ -7,8 +7,8 @@
 #include <set>
 #include <tuple>
 
-#include "core/error.hpp"
 #include "core/hash.hpp"
+#include "core/problems.hpp"
 #include "io/disk/file.hpp"
 #include "recipe/reader.hpp"
 
@@ -58,8 +58,7 @@ Sweep take_sweep(Study& study, recipe::Reading& reading) {
   auto& entries = study.tree.entries;
   const auto at = std::find_if(entries.begin(), entries.end(), [](const recipe::Entry& entry) { return entry.key == "sweep"; });
   if (at == entries.end())
-    throw InputError(study.file, 0,
-                     fmt::format("has no section [sweep], so it is one run: `arenite run {}`; docs/studies.md says what [sweep] may hold", study.file));
+    refuse(study.file, "has no section [sweep], so it is one run: `arenite run {}`; docs/studies.md says what [sweep] may hold", study.file);
   const recipe::Node section = at->value;
   entries.erase(at);
   const recipe::Entry* seed = study.tree.find("seed");

@@ -101,4 +101,15 @@ Vec2 force_on_i(const Packing& packing, const CohesivePair& pair) {
   return -pair.pull / norm(branch) * branch;
 }
 
+double mean_compressive_force(const Contacts& contacts) {
+  double sum = 0;
+  std::size_t count = 0;
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    if (contacts.is_wall(c) || !(contacts.fn[c] > 0)) continue;
+    sum += contacts.fn[c];
+    ++count;
+  }
+  return count == 0 ? 0 : sum / static_cast<double>(count);
+}
+
 }  // namespace arenite

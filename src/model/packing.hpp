@@ -188,6 +188,9 @@ struct Packing {
   std::vector<CohesivePair> cohesive;  ///< sorted by (i, j)
 };
 
+/// Mean normal force of the contacts between grains that push; a contact above it is strong. 0 without such contacts.
+double mean_compressive_force(const Contacts& contacts);
+
 /// From j to i of a bond now, m, and its force on i, N.
 Vec2 branch_of(const Packing& packing, const Bond& bond);
 Vec2 force_on_i(const Packing& packing, const Bond& bond);

@@ -9,6 +9,7 @@
 #include "core/mapped.hpp"
 #include "core/problems.hpp"
 #include "core/units.hpp"
+#include "grains/dem/integrators/integrators.hpp"
 
 namespace arenite::recipe {
 namespace {
@@ -136,15 +137,13 @@ void require_movable_shapes(Visitor& v, const Recipe& recipe) {
   const bool rough = std::any_of(recipe.stages.begin(), recipe.stages.end(), [](const Stage& stage) { return stage.rough != std::array<bool, 4>{}; });
   v.require(disks || !recipe.has_field(), {"populations", "cement"},
             "grains that are no disks cannot be cemented and loaded as a field; leave out [cement], [grid] and [[loads]]");
-  v.require(disks || recipe.integration.integrator != dem::IntegratorKind::gear5, {"populations", "integration"},
-            "grains that are no disks need integration.integrator = \"velocity_verlet\" or \"leapfrog\"");
+  v.require(disks || dem::integrator_of(recipe.integration.integrator).moves_bodies, {"populations", "integration"},
+            "grains that are no disks need integration.integrator = " + dem::integrators_of_bodies());
   v.require(disks || !recipe.contact.has_bonds(), {"populations", "contact"}, "bonds join disks only; leave contact.bonds at \"none\"");
   v.require(disks || !recipe.contact.is_cohesive(), {"populations", "contact"},
             "grains that are no disks neither stick nor hold liquid yet; leave contact.cohesion at \"none\"");
   v.require(disks || !rough, {"populations", "stages"}, "rough walls hold disks only; take smooth walls with friction for clumps and polygons");
 }
-
-}  // namespace
 
 void declare_materials(Visitor& v, Materials& materials) {
   v.sections({"materials", "Constitutive materials of the grains, by name.", true},
@@ -168,6 +167,8 @@ void require_constants(Visitor& v, const Recipe& recipe) {
     }
   }
 }
+
+}  // namespace
 
 void declare(Visitor& v, Population& population, const Recipe& recipe) {
   v.text({"material", "Name of a section of [materials].", true}, population.material);

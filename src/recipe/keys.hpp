@@ -15,7 +15,6 @@ void declare(Visitor& visitor, Recipe& recipe);
 // far as it is known by then.
 void declare(Visitor& visitor, dem::ContactParameters& contact);
 void declare(Visitor& visitor, dem::IntegrationParameters& integration);
-void declare_materials(Visitor& visitor, Materials& materials);
 void declare(Visitor& visitor, Population& population, const Recipe& recipe);
 void declare(Visitor& visitor, Stage& stage, const Recipe& recipe);
 void declare_bidisperse(Visitor& visitor, Recipe& recipe);

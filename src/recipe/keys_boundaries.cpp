@@ -5,6 +5,7 @@
 
 #include "core/mapped.hpp"
 #include "core/problems.hpp"
+#include "grains/dem/integrators/integrators.hpp"
 #include "recipe/keys.hpp"
 
 namespace arenite::recipe {
@@ -56,8 +57,8 @@ void declare(Visitor& v, dem::BoundaryMotion& motion, const Stage& stage, const 
   declare_vector(v, {"force", "Along x and y, on a boundary with a mass."}, force, "N");
   motion.force = force.value_or(Vec2{});
   v.require(motion.mass || motion.force == Vec2{}, {"force", "mass"}, "moves only a boundary with a mass; write mass = \"... kg\"");
-  v.require(!motion.mass || recipe.integration.integrator != dem::IntegratorKind::gear5, {"mass"},
-            "boundaries with a mass need integration.integrator = \"velocity_verlet\" or \"leapfrog\"");
+  v.require(!motion.mass || dem::integrator_of(recipe.integration.integrator).moves_bodies, {"mass"},
+            "boundaries with a mass need integration.integrator = " + dem::integrators_of_bodies());
 }
 
 /// Boundaries do not change with a periodic cell.

@@ -193,6 +193,11 @@ void add_problem(Reading& reading, const Place& place, const std::string& path, 
   if (std::none_of(reading.problems.begin(), reading.problems.end(), same)) reading.problems.push_back(std::move(problem));
 }
 
+namespace {
+
+/// Lays the recipe that the key `base` names under this one, and its base under both: sections are merged key by key, what else
+/// is given here counts instead. A base's [sweep] is left out. The key is taken out of the tree, and the files that were
+/// read are added to `reading.bases`. Throws InputError where there is no such file, or one leads back to itself.
 void lay_base_under(Node& root, Reading& reading) {
   fs::path folder = reading.folder;
   for (auto base = take(root, "base"); base;) {
@@ -210,9 +215,11 @@ void lay_base_under(Node& root, Reading& reading) {
   }
 }
 
+}  // namespace
+
 Node read_tree(std::string_view text, Reading& reading, const std::vector<std::string>& overrides, std::string_view start_from) {
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
-    throw InputError(reading.file_name, 0, fmt::format("the recipe is empty; `arenite init {}` writes one to start from", start_from));
+    refuse(reading.file_name, "the recipe is empty; `arenite init {}` writes one to start from", start_from);
   }
   Node root = read_document(text, reading.file_name);
   rename_former_keys(root, reading.notices);

@@ -84,9 +84,4 @@ Node read_tree(std::string_view text, Reading& reading, const std::vector<std::s
 /// Reads all keys that a declaration visits. Throws InputError with every problem found, in the order of the text.
 void read_declared(const Node& root, Reading& reading, const Visit& declare);
 
-/// Lays the recipe that the key `base` names under this one, and its base under both: sections are merged key by key, what else
-/// is given here counts instead. A base's [sweep] is left out. The key is taken out of the tree, and the files that were
-/// read are added to `reading.bases`. Throws InputError where there is no such file, or one leads back to itself.
-void lay_base_under(Node& root, Reading& reading);
-
 }  // namespace arenite::recipe

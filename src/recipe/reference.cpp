@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "core/mapped.hpp"
-#include "recipe/writer.hpp"
+#include "recipe/document.hpp"
 
 namespace arenite::recipe {
 namespace {

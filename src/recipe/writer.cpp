@@ -1,4 +1,4 @@
-#include "recipe/writer.hpp"
+#include "recipe/document.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -9,7 +9,6 @@
 #include "core/mapped.hpp"
 #include "core/text.hpp"
 #include "core/units.hpp"
-#include "recipe/document.hpp"
 
 namespace arenite::recipe {
 

@@ -149,16 +149,11 @@ std::vector<GrainClass> classes(const Packing& packing, const std::optional<Clas
   return result;
 }
 
-double reference_radius(const recipe::Recipe& recipe, const Packing& packing) {
-  if (recipe.bidisperse) return recipe.bidisperse->law.large_radius;
-  const auto materials = class_materials(recipe, packing);
-  return mean_radius(packing, materials ? materials->large : -1);
-}
-
 FieldResult make_cemented_sample(const recipe::Recipe& recipe, const Packing& packing) {
   const recipe::GridSection section = recipe.grid_or_default();
   const auto materials = class_materials(recipe, packing);
-  const double radius = reference_radius(recipe, packing);
+  // What gaps and crops are measured by: the mean radius of the large grains, as it was asked for or as it is, or of all.
+  const double radius = recipe.bidisperse ? recipe.bidisperse->law.large_radius : mean_radius(packing, materials ? materials->large : -1);
   SampleReports reports;
   reports.law = recipe.cement_or_none();
   if (!reports.law.gap) reports.law.gap = gap_over_radius * radius;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "grains/texture/texture.hpp"
+#include "io/image/phase_map.hpp"
 #include "model/cement.hpp"
 #include "model/packing.hpp"
 #include "model/phase_map.hpp"
@@ -18,6 +19,8 @@
 #include "solid/peridynamics/load.hpp"
 #include "solid/stress/stress.hpp"
 #include "statistics/numbers.hpp"
+#include "thermal/imaging/label_grains.hpp"
+#include "workflow/run.hpp"
 
 /// The second half of a run: cement, grid, loads (P II.B to IV), and what they give as numbers, each statistic as value and error.
 
@@ -46,9 +49,6 @@ std::optional<ClassMaterials> class_materials(const recipe::Recipe& recipe, cons
 /// The class of every grain by its material; empty without classes.
 std::vector<GrainClass> classes(const Packing& packing, const std::optional<ClassMaterials>& materials);
 
-/// The radius that gaps and crops are measured by: large_radius of [bidisperse], or the mean radius of the large grains, or of all, m.
-double reference_radius(const recipe::Recipe& recipe, const Packing& packing);
-
 /// Cements and rasterises a packing, with its phases, pores, voids and coordination as numbers. Throws InputError for a
 /// saturation out of reach and a crop wider than the sample.
 FieldResult make_cemented_sample(const recipe::Recipe& recipe, const Packing& packing);
@@ -67,11 +67,23 @@ std::optional<FieldResult> apply_load(const recipe::Load& load, const FieldResul
 /// area of a grain. Throws InputError unless the map is sound.
 FieldResult sample_of_map(PhaseMap map, const grid::CavityRules& rules = {});
 
-/// Says in the sample's numbers that its lengths are in nodes, where nobody said how large a node is.
-void count_lengths_in_nodes(FieldResult& sample);
+/// Anybody's phase map, and how it is read; a field of ours (.h5) says all of it by itself.
+struct MapSource {
+  std::filesystem::path file;
+  io::PhaseMapOptions reading;
+  bool has_length = false;                         ///< `reading.dx` was given; else lengths are in nodes
+  std::optional<imaging::LabelOptions> labelling;  ///< of particles without labels; unset: all are one grain
+  std::string asked;                               ///< all this in words, which name the result with the bytes of the files
+};
 
-/// Name and provenance for a load of a map that no recipe made: `source` is the file, `asked` the options in words.
-void sign(FieldResult& result, const std::filesystem::path& source, const std::string& asked, const recipe::Load& load);
+struct MapOutcome {
+  std::optional<FieldResult> field;  ///< nothing if it was stopped
+  std::filesystem::path file;        ///< empty where nothing is stored
+};
+
+/// Loads such a map as apply_load does a cemented sample. The field is one file in `options.out`, taken from there if it was computed before; without
+/// that folder nothing is stored. Throws InputError for what cannot be read as a phase map.
+MapOutcome load_map(const MapSource& source, const recipe::Load& load, const RunOptions& options);
 
 /// What is known of a cemented packing beyond its map.
 struct SampleReports {

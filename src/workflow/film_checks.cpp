@@ -11,16 +11,6 @@
 
 namespace arenite::workflow {
 
-Adiabatic::Adiabatic(double diffusivity, double frequency, double side) : length(thermography::diffusion_length(diffusivity, frequency)), pixel(side) {}
-
-double Adiabatic::lost() const { return thermography::amplitude_lost_to_diffusion(length, pixel); }
-
-std::string Adiabatic::sentence() const {
-  return fmt::format(
-      "heat diffuses {:.3g} pixels far within a cycle, not far less than one: the finest detail of the signal is not adiabatic; raise the load frequency",
-      length / pixel);
-}
-
 namespace {
 
 /// Hotter than this is no sample of plastics, rock or glass under a press, and a level of a camera.
@@ -111,12 +101,12 @@ void add_scales(const recipe::FilmRecipe& recipe, const FilmResult& r, std::vect
 }  // namespace
 
 void refuse_temperatures(const recipe::FilmRecipe& recipe, const std::filesystem::path& path, const FilmInfo& film) {
-  if (!has_references(recipe)) throw refusal_at(recipe.source_file, 0, "temperature: {}", recipe::needs_references);
+  if (!has_references(recipe)) refuse(recipe.source_file, "temperature: {}", recipe::needs_references);
   if (recipe.temperature.from == recipe::TemperatureSection::From::film && film.quantity == FilmQuantity::digital_level)
-    throw refusal_at(path.string(), 0,
-                     "says that it holds digital levels, and temperature.from = \"film\" of {} takes them for kelvin; "
-                     "choose \"references\", \"curve\" or \"radiometry\" there",
-                     recipe.source_file);
+    refuse(path.string(),
+           "says that it holds digital levels, and temperature.from = \"film\" of {} takes them for kelvin; "
+           "choose \"references\", \"curve\" or \"radiometry\" there",
+           recipe.source_file);
 }
 
 std::string no_load_sentence(const LockinMaps& maps, double frequency, std::string_view given_by) {
@@ -179,7 +169,7 @@ std::vector<std::string> film_doubts(const recipe::FilmRecipe& recipe, const Fil
                       "within a cycle (`arenite lockin --diffusivity --pixel`)",
                       360 * std::abs(off)));
   }
-  if (const Adiabatic heat(recipe.lockin.diffusivity, r.maps.frequency, r.pixel); !heat.holds()) doubts.push_back(heat.sentence());
+  if (const thermography::Adiabatic heat(recipe.lockin.diffusivity, r.maps.frequency, r.pixel); !heat.holds()) doubts.push_back(heat.sentence());
   if (r.rim_blur > 0 && std::abs(r.rim_blur - recipe.forces.blur) > blur_doubted)
     doubts.push_back(fmt::format("rims of grains are blurred as by {:.2g} pixels, and forces.blur is {:.2g}; give what the camera's lens does", r.rim_blur,
                                  recipe.forces.blur));

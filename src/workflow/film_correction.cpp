@@ -43,8 +43,8 @@ std::optional<FrameStatistics> reference(const recipe::FilmRecipe& recipe, const
   const auto path = beside(recipe, file);
   const auto source = io::open_film(path, recipe.film.value_or(io::FilmChoice{}));
   if (source->info().width != film.width || source->info().height != film.height)
-    throw refusal_at(path.string(), 0, "has frames of {} x {} pixels, and the film of {} x {}; film the reference with the same camera and window",
-                     source->info().width, source->info().height, film.width, film.height);
+    refuse(path.string(), "has frames of {} x {} pixels, and the film of {} x {}; film the reference with the same camera and window", source->info().width,
+           source->info().height, film.width, film.height);
   auto seen = thermography::frame_statistics(*source, frames_looked_at);
   try {
     refuse_saturated(seen, source->info());
@@ -124,7 +124,7 @@ bool corrects_surfaces(const recipe::FilmRecipe& recipe) {
   const auto& t = recipe.temperature;
   if (t.from != From::film || t.assumed_emissivity) return true;
   const bool own = std::any_of(recipe.materials.begin(), recipe.materials.end(), [](const auto& m) { return m.emissivity.has_value(); });
-  if (own || t.emissivity || t.ambient || !t.band.empty()) throw refusal_at(recipe.source_file, 0, "temperature: {}", recipe::unread_emissivity);
+  if (own || t.emissivity || t.ambient || !t.band.empty()) refuse(recipe.source_file, "temperature: {}", recipe::unread_emissivity);
   return false;
 }
 

@@ -64,8 +64,7 @@ imaging::Overlay lay_over_film(const std::string& file, const PictureGrains& gra
     const auto shown = imaging::find_circles(frame);
     overlay = imaging::lay_over(grains, imaging::register_circles(grains, shown.grains, {.scale = first.scale}).transform, frame, {2, 0});
   } catch (const InputError&) { overlay.rms = 2 * most_rms; }
-  if (!fits(overlay))
-    throw InputError(file, 0, "does not fit on the film; take it at the smallest load from the same side, and give its scale (picture.optical_pixel)");
+  if (!fits(overlay)) refuse(file, "does not fit on the film; take it at the smallest load from the same side, and give its scale (picture.optical_pixel)");
   return overlay;
 }
 
@@ -79,7 +78,7 @@ GrainPicture picture_of_film(const std::filesystem::path& path, const io::ImageC
   const auto film = io::open_film(path, {.dataset = choice.dataset});
   const FilmInfo& info = film->info();
   if (choice.slice && (*choice.slice < 0 || *choice.slice >= info.frames))
-    throw refusal_at(path.string(), 0, "holds {} frames; there is no frame {} (frames count from 0)", info.frames, *choice.slice);
+    refuse(path.string(), "holds {} frames; there is no frame {} (frames count from 0)", info.frames, *choice.slice);
   const thermography::FrameStatistics statistics = thermography::frame_statistics(*film);
   GrainPicture picture{{info.width, info.height, statistics.mean}, static_cast<std::int64_t>(statistics.frames), 0};
   const std::vector<std::uint8_t> bad = thermography::find_bad_pixels(statistics);
@@ -136,7 +135,7 @@ PictureGrains optical_grains(const recipe::FilmRecipe& recipe, const FilmInfo& f
   const double pixel = times * fine;
   auto found = circles_of(recipe, image, pixel, {.largest = 0.25 * std::min(recipe.container.width, recipe.container.height) / pixel});
   if (found.grains.size() < 3)
-    throw refusal_at(file, 0, "shows {} grains; give a picture in which they stand out, or a list of the grains (picture.grains)", found.grains.size());
+    refuse(file, "shows {} grains; give a picture in which they stand out, or a list of the grains (picture.grains)", found.grains.size());
   const auto first = as_given(whole, part, times, film, pixel / recipe.picture.pixel);
   const auto overlay = lay_over_film(file, found.grains, first, {film.width, film.height, frame});
   const Vec2 middle = first.inverse()({0.5 * (film.width - 1), 0.5 * (film.height - 1)}), off = overlay.transform(middle) - first(middle);

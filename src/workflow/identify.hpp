@@ -69,9 +69,6 @@ std::vector<RowGroup> groups_of(const io::LaboratoryTable& table);
 /// The tests of a group by what tells them apart: columns curve, specimen, test, load, repeat or cycle other than `taken`; "load_kN -3, repeat 1".
 std::vector<RowGroup> tests_of(const io::LaboratoryTable& table, const RowGroup& group, std::optional<std::size_t> taken = {});
 
-/// The columns of numbers of a table that has labels in its first column and a group in every other; empty if it is no such table.
-std::vector<std::size_t> group_columns(const io::LaboratoryTable& table);
-
 /// A test's record.
 identify::Curve curve_of(const io::LaboratoryTable& table, const RowGroup& test, const std::vector<double>& x, const std::vector<double>& y);
 

@@ -50,6 +50,17 @@ double half_digit(std::string_view cell) {
   return 0.5 * std::pow(10, exponent - places);
 }
 
+/// The columns of numbers of a table that has labels in its first column and a group in every other; empty if it is no such table.
+std::vector<std::size_t> group_columns(const io::LaboratoryTable& table) {
+  if (!is_label(table.title(0), test_labels) && !is_label(table.title(0), group_labels)) return {};
+  std::vector<std::size_t> columns;
+  for (std::size_t c = 1; c < table.columns(); ++c) {
+    if (is_label(table.title(c), test_labels) || is_label(table.title(c), group_labels)) continue;
+    columns.push_back(c);
+  }
+  return columns;
+}
+
 }  // namespace
 
 std::vector<RowGroup> groups_of(const io::LaboratoryTable& table) {
@@ -60,16 +71,6 @@ std::vector<RowGroup> groups_of(const io::LaboratoryTable& table) {
 
 std::vector<RowGroup> tests_of(const io::LaboratoryTable& table, const RowGroup& group, std::optional<std::size_t> taken) {
   return rows_by(table, group.rows, label_columns(table, test_labels, taken), true);
-}
-
-std::vector<std::size_t> group_columns(const io::LaboratoryTable& table) {
-  if (!is_label(table.title(0), test_labels) && !is_label(table.title(0), group_labels)) return {};
-  std::vector<std::size_t> columns;
-  for (std::size_t c = 1; c < table.columns(); ++c) {
-    if (is_label(table.title(c), test_labels) || is_label(table.title(c), group_labels)) continue;
-    columns.push_back(c);
-  }
-  return columns;
 }
 
 identify::Curve curve_of(const io::LaboratoryTable& table, const RowGroup& test, const std::vector<double>& x, const std::vector<double>& y) {

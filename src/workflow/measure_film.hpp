@@ -101,18 +101,6 @@ struct GrainPicture {
 /// from eight frames on) are replaced. InputError for a file that is neither, or a frame that the film does not hold.
 GrainPicture read_grain_picture(const std::filesystem::path& path, const io::ImageChoice& choice);
 
-/// Whether heat stays where it came to be within a cycle of the load.
-struct Adiabatic {
-  double length = 0, pixel = 0;  ///< that heat diffuses, and the side of a pixel, m; no pixel: unknown
-
-  /// `diffusivity` of heat in the grains, m^2/s; `frequency` of the load, Hz.
-  Adiabatic(double diffusivity, double frequency, double side = 0);
-  double lost() const;  ///< share of the finest detail's amplitude
-  /// At a fifth of a pixel the finest detail loses 2 % of its amplitude and lags by 11 degrees.
-  bool holds() const { return length <= pixel / 5; }
-  std::string sentence() const;  ///< what to say where it does not hold
-};
-
 /// Throws InputError if the film's levels cannot become temperatures in the way that the recipe says.
 void refuse_temperatures(const recipe::FilmRecipe& recipe, const std::filesystem::path& path, const FilmInfo& film);
 

@@ -36,8 +36,6 @@ double stiffness_number(const dem::NormalLaw& law, double stiffness, double diam
   return diameter / overlap_under(law, stiffness, diameter, pressure * thickness * diameter);
 }
 
-double slowest_period(double mass, double stiffness) { return 4 * std::sqrt(mass / stiffness); }
-
 double settling_time(double period, double drag, double unbalanced, bool pressed_all_round) {
   const double periods = pressed_all_round ? 1.0 : 4.5;
   return std::log(1 / unbalanced) / (1 / (periods * period) + 0.5 * drag);

@@ -34,9 +34,6 @@ double overlap_under(const dem::NormalLaw& law, double stiffness, double diamete
 /// Roux 2003). Grains count as hard above 1e4.
 double stiffness_number(const dem::NormalLaw& law, double stiffness, double diameter, double thickness, double pressure);
 
-/// Longest period of a wave in a sample between a side that holds and one that presses, s: 4 sqrt(m/K), K the stiffness of the crystal, N/m.
-double slowest_period(double mass, double stiffness);
-
 /// An estimate of the time after which a sample rests, s: without drag the unbalanced force falls by a factor e in some 4.5 periods of its slowest
 /// wave, in one where every side presses and takes up the waves that reach it (measured on examples/01, 06 and 07); drag, 1/s, adds half its rate.
 double settling_time(double period, double drag, double unbalanced, bool pressed_all_round = false);

@@ -24,7 +24,7 @@ void take_materials(Packing& packing, const recipe::FilmRecipe& recipe, camera::
     const auto same = [&](const recipe::FilmMaterial& m) { return m.name == material.name; };
     const auto at = std::find_if(recipe.materials.begin(), recipe.materials.end(), same);
     if (at == recipe.materials.end())
-      throw refusal_at(recipe.source_file, 0, "there is no section [materials.{0}], which grains of the sample are made of; add it", material.name);
+      refuse(recipe.source_file, "there is no section [materials.{0}], which grains of the sample are made of; add it", material.name);
     material.thermoelastic_factor = at->thermoelastic_factor;
     p.surroundings.emissivity.push_back(emissivity[static_cast<std::size_t>(at - recipe.materials.begin())]);
     brightness.push_back(at->brightness);
@@ -94,7 +94,7 @@ struct Filmed {
 
 Filmed film_of_field(const recipe::FilmRecipe& recipe, FieldResult& field, camera::Parameters& p, std::vector<double>& brightness, const std::string& ending,
                      bool blind) {
-  if (!recipe.camera->low.empty()) throw InputError(recipe.source_file, 0, "a load of a cemented sample is filmed from no load; leave out camera.low");
+  if (!recipe.camera->low.empty()) refuse(recipe.source_file, "a load of a cemented sample is filmed from no load; leave out camera.low");
   take_materials(field.packing, recipe, p, brightness);
   Filmed filmed{camera::scene_of_field(field, p), {}};
   Packing window;
@@ -117,7 +117,7 @@ Filmed film_of_states(const recipe::FilmRecipe& recipe, Packing& high, const fs:
 }  // namespace
 
 std::vector<fs::path> render_film(const recipe::FilmRecipe& recipe, const fs::path& result, const RenderOptions& options) {
-  if (!recipe.camera) throw InputError(recipe.source_file, 0, "there is no section [camera]; add it with high = \"NAME\" of the stage that is filmed");
+  if (!recipe.camera) refuse(recipe.source_file, "there is no section [camera]; add it with high = \"NAME\" of the stage that is filmed");
   const recipe::CameraSection& section = *recipe.camera;
   camera::Parameters p = section.parameters;
   std::vector<double> brightness;

@@ -8,8 +8,8 @@
 #include <set>
 #include <utility>
 
-#include "core/error.hpp"
 #include "core/mapped.hpp"
+#include "core/problems.hpp"
 #include "io/disk/store_file.hpp"
 #include "io/export/export.hpp"
 #include "io/results/results.hpp"
@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 void make_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error) throw InputError(folder.string(), 0, fmt::format("this folder cannot be made ({}); choose another with --out", error.message()));
+  if (error) refuse(folder.string(), "this folder cannot be made ({}); choose another with --out", error.message());
 }
 
 void rename_former(const fs::path& folder, const std::vector<PlannedStage>& plan) {
@@ -88,8 +88,8 @@ fs::path file_of(const fs::path& run, const std::string& stage) {
   auto files = files_of(run, "result");
   if (!stage.empty()) std::erase_if(files, [&](const fs::path& file) { return io::read_stage(file).name != stage; });
   if (!files.empty()) return files.back();
-  if (stage.empty()) throw InputError(run.string(), 0, "there are no stage files of this run; remove its folder and run the study again");
-  throw InputError(run.string(), 0, fmt::format("there is no stage \"{}\" of this run; name one of its recipe, or run the study again", stage));
+  if (stage.empty()) refuse(run.string(), "there are no stage files of this run; remove its folder and run the study again");
+  refuse(run.string(), "there is no stage \"{}\" of this run; name one of its recipe, or run the study again", stage);
 }
 
 /// As the recipe asks; the packing, which is the first file, knows of no loading.
@@ -103,7 +103,7 @@ texture::Options options_of(const Provenance& provenance, const fs::path& file, 
 template <class Choose> FinalState measured(const fs::path& run, const std::string& stage, Choose choose) {
   const fs::path file = file_of(run, stage);
   StageResult result = io::read_stage(file);
-  if (result.frames.empty()) throw InputError(file.string(), 0, "this stage holds no state; remove it and run the study again");
+  if (result.frames.empty()) refuse(file.string(), "this stage holds no state; remove it and run the study again");
   texture::Options options = options_of(result.provenance, file, run);
   choose(options);
   Packing& packing = result.frames.back().packing;
@@ -113,7 +113,7 @@ template <class Choose> FinalState measured(const fs::path& run, const std::stri
 
 const recipe::Load& load_of(const recipe::Recipe& recipe, const fs::path& run, const std::string& name) {
   const auto at = std::find_if(recipe.loads.begin(), recipe.loads.end(), [&](const recipe::Load& load) { return name == "*" || load.name == name; });
-  if (at == recipe.loads.end()) throw InputError(run.string(), 0, fmt::format("there is no load \"{}\" of this run; name one of its recipe", name));
+  if (at == recipe.loads.end()) refuse(run.string(), "there is no load \"{}\" of this run; name one of its recipe", name);
   return *at;
 }
 
@@ -143,8 +143,8 @@ void refuse_stage(const fs::path& result, const std::string& name) {
   std::set<std::string> names;
   for (const auto& file : files_of(result, "result"))
     if (const auto stage = io::read_stage(file); !stage.frames.empty()) names.insert(stage.name);
-  if (names.empty()) throw InputError(result.string(), 0, "holds no simulated states; give the folder of an `arenite run`");
-  throw InputError(result.string(), 0, fmt::format("has no stage \"{}\"; those there are: {}", name, fmt::join(names, ", ")));
+  if (names.empty()) refuse(result.string(), "holds no simulated states; give the folder of an `arenite run`");
+  refuse(result.string(), "has no stage \"{}\"; those there are: {}", name, fmt::join(names, ", "));
 }
 
 texture::Options texture_options(const recipe::Recipe& recipe, std::size_t stage) {

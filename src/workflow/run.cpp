@@ -1,5 +1,7 @@
 #include "workflow/run.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <type_traits>
 #include <utility>
@@ -9,9 +11,6 @@
 #include "grains/fields/flow_numbers.hpp"
 #include "io/disk/file.hpp"
 #include "io/results/results.hpp"
-#include "workflow/checkpoints.hpp"
-#include "workflow/field_stages.hpp"
-#include "workflow/result_folder.hpp"
 #include "workflow/runner.hpp"
 
 namespace arenite::workflow {
@@ -30,6 +29,30 @@ void look_at(const dem::Engine& engine, const dem::Stage& stage, const dem::Stag
   progress.step = engine.step();
   progress.time = engine.time();
   progress.wall = engine.domain().wall;
+}
+
+std::string force_at_start(int side) { return fmt::format("force_at_start {}", side_names[side]); }
+
+constexpr std::pair<const char*, std::int64_t dem::StageRun::*> counts[] = {{"increment", &dem::StageRun::increment},
+                                                                            {"steps_in_increment", &dem::StageRun::steps_in_increment},
+                                                                            {"sample_every", &dem::StageRun::sample_every},
+                                                                            {"checks", &dem::StageRun::checks}};
+
+io::Checkpoint to_checkpoint(const dem::Engine& engine, const dem::StageRun& run, const std::string& key) {
+  io::Checkpoint checkpoint;
+  checkpoint.key = key;
+  checkpoint.blobs["engine"] = engine.save();
+  for (int side = 0; side < 4; ++side) checkpoint.numbers[force_at_start(side)] = run.force_at_start[side];
+  for (const auto& [name, count] : counts) checkpoint.integers[name] = run.*count;
+  checkpoint.partial = run.result;
+  return checkpoint;
+}
+
+void restore_from(const io::Checkpoint& checkpoint, dem::Engine& engine, dem::StageRun& run) {
+  engine.restore(checkpoint.blobs.at("engine"));
+  for (int side = 0; side < 4; ++side) run.force_at_start[side] = checkpoint.numbers.at(force_at_start(side));
+  for (const auto& [name, count] : counts) run.*count = checkpoint.integers.at(name);
+  run.result = checkpoint.partial;
 }
 
 /// Runs one stage to its end, or until asked to stop (then nothing is returned, and the checkpoint is on disk).
@@ -179,13 +202,7 @@ class Run {
     const std::size_t first = recipe_.stages.size() + 1;
     const Packing& packing = outcome_.stages.back().frames.back().packing;
     if (!add_field(first, [&](const fs::path&) { return std::optional(make_cemented_sample(recipe_, packing)); })) return;
-    const auto watch = [&](const peridynamics::Progress& p) {
-      progress_.share = std::min(p.share, 0.999);
-      progress_.step = p.iterations;
-      progress_.unbalanced_ratio = p.residual;
-      options_.progress(progress_);
-      return !options_.asked_to_stop();
-    };
+    const auto watch = watch_of(progress_, options_);
     std::size_t s = first;
     for (const recipe::Load& load : recipe_.loads) {
       ++s;

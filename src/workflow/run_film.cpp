@@ -41,7 +41,7 @@ recipe::Recipe read_companion_recipe(const recipe::FilmRecipe& recipe) {
   for (const auto& name : {recipe.simulation->low, recipe.simulation->high}) {
     const auto named = [&](const recipe::Stage& stage) { return stage.name == name; };
     if (std::none_of(companion.stages.begin(), companion.stages.end(), named))
-      throw refusal_at(file, 0, "has no stage \"{}\", which [simulation] of {} names", name, recipe.source_file);
+      refuse(file, "has no stage \"{}\", which [simulation] of {} names", name, recipe.source_file);
   }
   return companion;
 }

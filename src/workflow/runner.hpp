@@ -1,6 +1,7 @@
 #pragma once
 #include <fmt/format.h>
 
+#include <chrono>
 #include <ctime>
 #include <filesystem>
 #include <functional>
@@ -8,6 +9,7 @@
 #include <string>
 
 #include "io/disk/store_file.hpp"
+#include "workflow/field_stages.hpp"
 #include "workflow/result_folder.hpp"
 #include "workflow/run.hpp"
 #include "workflow/stage_keys.hpp"
@@ -96,6 +98,25 @@ template <class Result> std::optional<Result> carry_out(const StageRecord<Result
   claim.computed(stage.file);
   return stage.read(stage.file);
 }
+
+/// When a stage that takes long is kept on its way, so that it goes on there when it was killed: every `checkpoint_seconds`, and when it is asked to stop.
+class CheckpointTimes {
+ public:
+  explicit CheckpointTimes(const RunOptions& options);
+  bool is_due();
+  bool asked_to_stop() const { return asked_to_stop_; }  ///< when is_due was asked last
+
+ private:
+  const RunOptions& options_;
+  std::chrono::steady_clock::time_point last_;
+  bool asked_to_stop_ = false;
+};
+
+/// Shows how far a load has come, by its iterations and residual, and stops it where that is asked for.
+peridynamics::Watch watch_of(Progress& progress, const RunOptions& options);
+
+/// Where a killed test stood by its file, and how this one is kept there.
+FailureCheckpoint failure_checkpoint(const std::filesystem::path& file, const std::string& key, const RunOptions& options);
 
 /// `s` counts the stages of the plan.
 Provenance provenance_of(const recipe::Recipe& recipe, std::size_t s, const PlannedStage& stage, const std::string& kernel);

@@ -104,6 +104,27 @@ void add_film(HashBuilder& hash, const char* name, const fs::path& path, FilmSou
   else add_frames(hash, source);
 }
 
+/// Of all that stage `s` (0-based) depends on: the packing, laws, integration, the stages up to it. What changes no bit (title, number of threads, kernel,
+/// later stages) is not in it.
+std::string stage_key(const recipe::Recipe& recipe, std::size_t s, const std::string& packing_hash, Names names) {
+  recipe::Recipe part = without_field(without_what_changes_no_bit(recipe));
+  part.stages.resize(s + 1);
+  HashBuilder hash;
+  hash.add("loading version", loading_version).add("packing", packing_hash).add("recipe", text_of(part, names));
+  if (!recipe.contact.attractive_dashpot) hash.add("clipped dashpot version", clipped_dashpot_version);
+  return hash.hex();
+}
+
+/// Of all that the cemented sample depends on: the last stage, the cement and the grid.
+std::string cement_key(const recipe::Recipe& recipe, const std::string& last_stage_hash, Names names) {
+  recipe::Recipe part = no_loading(names);
+  part.cement = recipe.cement_or_none();
+  part.grid = recipe.grid_or_default();
+  HashBuilder hash;
+  hash.add("cement version", cement_version).add("packing", last_stage_hash).add("recipe", text_of(part, names));
+  return hash.hex();
+}
+
 }  // namespace
 
 std::string packing_key(const recipe::Recipe& recipe, Names names) {
@@ -115,24 +136,6 @@ std::string packing_key(const recipe::Recipe& recipe, Names names) {
   hash.add("packing version", packing_version).add("recipe", text_of(part, names));
   if (recipe.packing.method == recipe::PackingParameters::Method::file)
     hash.add("file", content_hash(io::read_file(std::filesystem::path(recipe.source_file).parent_path() / recipe.packing.file)));
-  return hash.hex();
-}
-
-std::string stage_key(const recipe::Recipe& recipe, std::size_t s, const std::string& packing_hash, Names names) {
-  recipe::Recipe part = without_field(without_what_changes_no_bit(recipe));
-  part.stages.resize(s + 1);
-  HashBuilder hash;
-  hash.add("loading version", loading_version).add("packing", packing_hash).add("recipe", text_of(part, names));
-  if (!recipe.contact.attractive_dashpot) hash.add("clipped dashpot version", clipped_dashpot_version);
-  return hash.hex();
-}
-
-std::string cement_key(const recipe::Recipe& recipe, const std::string& last_stage_hash, Names names) {
-  recipe::Recipe part = no_loading(names);
-  part.cement = recipe.cement_or_none();
-  part.grid = recipe.grid_or_default();
-  HashBuilder hash;
-  hash.add("cement version", cement_version).add("packing", last_stage_hash).add("recipe", text_of(part, names));
   return hash.hex();
 }
 

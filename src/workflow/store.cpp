@@ -4,14 +4,10 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <chrono>
-#include <thread>
 #include <vector>
 
 #include "core/text.hpp"
-#include "core/version.hpp"
 #include "workflow/result_folder.hpp"
-#include "workflow/runner.hpp"
 
 namespace arenite::workflow {
 
@@ -93,54 +89,6 @@ StoreAccount read_account(const fs::path& store) {
   for (const auto& hash : reused)
     if (const auto at = account.cost.find(hash); at != account.cost.end()) account.seconds_saved += at->second;
   return account;
-}
-
-bool Claim::taken_from_store(const fs::path& file) {
-  const Store* const store = options_.store;
-  if (!store) return false;
-  make_folder(file.parent_path());
-  lock_.reset();
-  while (!fetch(file)) {
-    lock_ = store->try_claim(stage_.hash);
-    if (lock_) {
-      // It may have come between the look and the lock.
-      if (!fetch(file)) break;
-      lock_.reset();
-      return true;
-    }
-    if (options_.asked_to_stop()) {
-      stopped = true;
-      return false;
-    }
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  }
-  began_ = std::clock();
-  return !lock_;
-}
-
-bool Claim::fetch(const fs::path& file) const {
-  return options_.store->fetch(stage_.hash, file) || (!stage_.former_hash.empty() && options_.store->fetch(stage_.former_hash, file));
-}
-
-void Claim::drop_stored() const {
-  options_.store->drop(stage_.hash);
-  if (!stage_.former_hash.empty()) options_.store->drop(stage_.former_hash);
-}
-
-fs::path Claim::checkpoint(const fs::path& without_store) const { return options_.store ? options_.store->checkpoint(stage_.hash) : without_store; }
-
-void Claim::computed(const fs::path& file) const {
-  if (!options_.store) return;
-  options_.store->put(stage_.hash, file);
-  options_.store->note_computed(stage_, seconds());
-}
-
-void Claim::interrupted() const {
-  if (options_.store) options_.store->note_begun(stage_, seconds());
-}
-
-Provenance provenance_of(const recipe::Recipe& recipe, std::size_t s, const PlannedStage& stage, const std::string& kernel) {
-  return {version, stage.name, stage.hash, to_toml(part_of(recipe, s)), recipe.seed, kernel, {}};
 }
 
 }  // namespace arenite::workflow

@@ -61,6 +61,22 @@ TEST(Load, StoresFieldAndPageAndMeasuresThemAgain) {
   EXPECT_EQ(quiet.out, shear.out);
 }
 
+TEST(Load, IsTakenFromItsFolderTheSecondTime) {
+  const TemporaryFolder folder;
+  const std::string map = layers(folder / "map.h5"), labels = picture(folder / "labels.h5", 60, 60, "(x // 10) % 2 == 0, 1 + x // 20, 0");
+  const std::string command = "load " + map + " --phases 1=particle,2=matrix --labels " + labels + " --out " + (folder / "out").string();
+  const auto files = [&] { return std::distance(fs::directory_iterator(folder / "out"), fs::directory_iterator()); };
+  const auto first = arenite(command), second = arenite(command);
+  ASSERT_EQ(second.status, 0) << second.err;
+  EXPECT_EQ(first.err.find("taken from an earlier run"), std::string::npos) << first.err;
+  EXPECT_NE(second.err.find("taken from an earlier run"), std::string::npos) << second.err;
+  EXPECT_EQ(second.out, first.out);
+  EXPECT_EQ(files(), 2) << "the field and its page";
+  picture(labels, 60, 60, "(x // 10) % 2 == 0, 1 + x // 40, 0");
+  EXPECT_EQ(arenite(command).err.find("taken from an earlier run"), std::string::npos) << "other labels are another sample";
+  EXPECT_EQ(files(), 3);
+}
+
 TEST(Load, PageMeasuresStressesAsTheNumbersDo) {
   const TemporaryFolder folder;
   const auto loaded =

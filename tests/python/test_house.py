@@ -13,7 +13,7 @@ FLOORS = [["core"], ["geometry", "statistics"], ["model"], ["io", "grains", "sol
 CHAMBERS = {
     "grains": ["packing", "dem", "texture", "fields"],
     "solid": ["cement", "grid", "peridynamics", "stress"],
-    "thermal": ["radiometry", "imaging", "camera", "thermography", "inference", "identify"],
+    "thermal": ["radiometry", "optics", "camera", "imaging", "thermography", "inference", "identify"],
 }
 
 

@@ -8,6 +8,7 @@
 
 #include "core/random.hpp"
 #include "grains/dem/engine.hpp"
+#include "grains/dem/integrators/integrators.hpp"
 
 /// Small samples whose motion is known in closed form, and the few quantities read off them.
 namespace arenite::verification {
@@ -109,11 +110,10 @@ inline dem::IntegrationParameters with_step(double dt, dem::IntegratorKind kind 
   p.integrator = kind;
   return p;
 }
-inline constexpr dem::IntegratorKind integrators[] = {dem::IntegratorKind::velocity_verlet, dem::IntegratorKind::leapfrog, dem::IntegratorKind::gear5};
-inline const char* name(dem::IntegratorKind kind) {
-  constexpr const char* names[] = {"velocity Verlet", "leapfrog", "Gear"};
-  return names[static_cast<int>(kind)];
-}
+#define ARENITE_KIND(name) dem::IntegratorKind::name,
+inline constexpr dem::IntegratorKind integrators[] = {ARENITE_INTEGRATORS(ARENITE_KIND)};
+#undef ARENITE_KIND
+inline const char* name(dem::IntegratorKind kind) { return dem::integrator_of(kind).word.word.data(); }
 
 /// Energy that is in the sample, that it has lost, and that was put in; their sum holds.
 inline double stored(const Energies& e) { return e.kinetic + e.elastic + e.adhesive; }

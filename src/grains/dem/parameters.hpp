@@ -19,7 +19,12 @@ enum class WallStiffness { stiffest, grain, series };
 enum class Arms { contact_point, full_radius };
 enum class FrictionCap { raised_by_adhesion, as_printed };  ///< mu (F_n + |F_c|), or T (1.28) with F_c printed negative
 enum class MassScaling { none, uniform };                   ///< see dem/bounds.hpp
-enum class IntegratorKind { velocity_verlet, leapfrog, gear5 };
+
+/// All integrators, the default first: each is the Integrator of this name in a file of its own (integrators/).
+#define ARENITE_INTEGRATORS(each) each(velocity_verlet) each(leapfrog) each(gear5)
+#define ARENITE_ENUMERATOR(name) name,
+enum class IntegratorKind { ARENITE_INTEGRATORS(ARENITE_ENUMERATOR) };
+#undef ARENITE_ENUMERATOR
 
 /// How fast a sample yields to a force on its sides, as a share of sqrt(F H/M): F the force, H the way to the other side, M the mass.
 inline constexpr double default_inertial_number = 0.01;

@@ -20,17 +20,6 @@ const std::vector<ExportFormat>& export_formats() {
   return formats;
 }
 
-double mean_compressive_force(const Contacts& contacts) {
-  double sum = 0;
-  std::size_t count = 0;
-  for (std::size_t c = 0; c < contacts.size(); ++c) {
-    if (contacts.is_wall(c) || !(contacts.fn[c] > 0)) continue;
-    sum += contacts.fn[c];
-    ++count;
-  }
-  return count == 0 ? 0 : sum / static_cast<double>(count);
-}
-
 int contact_type(const Packing& packing, std::size_t contact) {
   if (packing.contacts.is_wall(contact)) return -1;
   const auto of = [&](std::int32_t grain) { return packing.grains.material[static_cast<std::size_t>(grain)]; };

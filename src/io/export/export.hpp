@@ -58,9 +58,6 @@ struct ExportFormat {
 /// All formats: one file and one row each.
 const std::vector<ExportFormat>& export_formats();
 
-/// Mean normal force of the contacts between grains that push; a contact above it is strong. 0 without such contacts.
-double mean_compressive_force(const Contacts& contacts);
-
 /// The contact's kind: -1 with a wall, else the place of the pair of materials in 00, 01, .., 0m, 11, 12, .. .
 int contact_type(const Packing& packing, std::size_t contact);
 

@@ -4,7 +4,7 @@
 #include "core/problems.hpp"
 #include "core/random.hpp"
 #include "thermal/camera/camera.hpp"
-#include "thermal/imaging/blur.hpp"
+#include "thermal/optics/lens.hpp"
 
 namespace arenite::camera {
 namespace {
@@ -114,7 +114,7 @@ Vec2 place_of(const Scene& scene, const Parameters& p, std::size_t i, double s) 
   return p.motion ? scene.grains.position[i] + s * scene.travel[i] : scene.grains.position[i];
 }
 
-imaging::Lens lens_of(const Optics& optics) { return imaging::make_lens(optics.blur, static_cast<int>(optics.supersampling), 5); }
+optics::Lens lens_of(const Optics& optics) { return optics::make_lens(optics.blur, static_cast<int>(optics.supersampling), 5); }
 
 void darken_corners(std::vector<float>& picture, const Optics& optics) {
   if (optics.vignetting <= 0) return;
@@ -129,7 +129,7 @@ void darken_corners(std::vector<float>& picture, const Optics& optics) {
 }  // namespace
 
 std::vector<float> expose(const Scene& scene, const Parameters& p, double s) {
-  const imaging::Lens lens = lens_of(p.optics);
+  const optics::Lens lens = lens_of(p.optics);
   Canvas canvas = canvas_for(scene, p.optics, lens.margin);
   const auto& around = p.surroundings;
   paint_container(canvas, scene, {middle_of(scene), {}}, p.motion ? s : 0, static_cast<float>(exitance_near(p, around.background_emissivity)(0)),
@@ -143,7 +143,7 @@ std::vector<float> expose(const Scene& scene, const Parameters& p, double s) {
       canvas.light[at] = static_cast<float>(exitance[m](warming * static_cast<double>(scene.stress[i].at(x, y))));
     });
   }
-  auto picture = imaging::through_lens(lens, canvas.light, static_cast<int>(p.optics.width), static_cast<int>(p.optics.height));
+  auto picture = optics::through_lens(lens, canvas.light, static_cast<int>(p.optics.width), static_cast<int>(p.optics.height));
   darken_corners(picture, p.optics);
   return picture;
 }
@@ -158,7 +158,7 @@ FloatImage optical_picture(const Scene& scene, const Parameters& p, const std::v
     return std::llround(many);
   };
   const Optics optics{as_far(p.optics.width), as_far(p.optics.height), photograph.pixel, photograph.blur, 0, 4};
-  const imaging::Lens lens = lens_of(optics);
+  const optics::Lens lens = lens_of(optics);
   Canvas canvas = canvas_for(scene, optics, lens.margin);
   const View view{middle_of(scene), photograph.shift, std::cos(photograph.rotation), std::sin(photograph.rotation)};
   paint_container(canvas, scene, view, 0, 0.5f, 0.35f);
@@ -167,7 +167,7 @@ FloatImage optical_picture(const Scene& scene, const Parameters& p, const std::v
     each_point(canvas, view.seen(scene.grains.position[i]), scene.grains.radius[i], [&](std::size_t at, double, double) { canvas.light[at] = grey; });
   }
   const int width = static_cast<int>(optics.width), height = static_cast<int>(optics.height);
-  FloatImage picture{width, height, imaging::through_lens(lens, canvas.light, width, height)};
+  FloatImage picture{width, height, optics::through_lens(lens, canvas.light, width, height)};
   RandomStream random(seed, Purpose::photograph);
   for (float& level : picture.value) {
     const double seen = photograph.exposure * static_cast<double>(level) + photograph.noise * random.normal();

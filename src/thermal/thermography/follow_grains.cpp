@@ -8,7 +8,7 @@
 
 #include "core/median.hpp"
 #include "core/threads.hpp"
-#include "thermal/imaging/blur.hpp"
+#include "thermal/optics/lens.hpp"
 
 namespace arenite::thermography {
 namespace {
@@ -84,11 +84,11 @@ PictureGrains grains_in(const PhasePictures& p, std::size_t k, const PictureGrai
 /// Disks whose `level` is given, through a lens that spreads a point by `blur` (standard deviation, pixels) and the mean over
 /// each pixel. Disks that overlap are parted by the chord of their rims.
 std::vector<float> draw_disks(const PictureGrains& g, const std::vector<double>& level, double background, double blur, int width, int height) {
-  const imaging::Lens lens = imaging::make_lens(blur, fine, 4);
+  const optics::Lens lens = optics::make_lens(blur, fine, 4);
   Canvas canvas{width * fine + 2 * lens.margin, height * fine + 2 * lens.margin, lens.margin, {}};
   canvas.light.assign(static_cast<std::size_t>(canvas.width) * static_cast<std::size_t>(canvas.height), 0.0f);
   for (std::size_t i = 0; i < g.size(); ++i) paint(canvas, g.centre[i].x, g.centre[i].y, g.radius[i], level[i] - background, chords_of(g, i));
-  std::vector<float> picture = imaging::through_lens(lens, canvas.light, width, height);
+  std::vector<float> picture = optics::through_lens(lens, canvas.light, width, height);
   for (float& v : picture) v += static_cast<float>(background);
   return picture;
 }

@@ -1,5 +1,7 @@
 #include "thermal/thermography/lockin.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -167,6 +169,16 @@ double diffusion_length(double diffusivity, double frequency) { return std::sqrt
 double amplitude_lost_to_diffusion(double diffusion_length, double pixel) {
   const double wave = std::numbers::pi * diffusion_length / pixel;
   return 1 - 1 / std::hypot(1.0, wave * wave / 2);
+}
+
+Adiabatic::Adiabatic(double diffusivity, double frequency, double side) : length(diffusion_length(diffusivity, frequency)), pixel(side) {}
+
+double Adiabatic::lost() const { return amplitude_lost_to_diffusion(length, pixel); }
+
+std::string Adiabatic::sentence() const {
+  return fmt::format(
+      "heat diffuses {:.3g} pixels far within a cycle, not far less than one: the finest detail of the signal is not adiabatic; raise the load frequency",
+      length / pixel);
 }
 
 LockinMaps lock_in(FilmSource& film, const LockinOptions& options) {

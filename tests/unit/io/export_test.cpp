@@ -44,16 +44,6 @@ TEST(ExportFrame, ContactTypesNumberThePairsOfMaterialsWhateverTheirOrder) {
   EXPECT_EQ(types, (std::vector<int>{0, 1, 2, 1, 3, 4, 2, 4, 5, -1}));
 }
 
-TEST(ExportFrame, MeanForceIsOfPushingContactsBetweenGrains) {
-  Packing packing = sheared_pair();
-  packing.contacts.add(0, 1, {1, 0}, 4, 0, 1, 1);
-  packing.contacts.add(0, 1, {1, 0}, 2, 0, 1, 1);
-  packing.contacts.add(0, 1, {1, 0}, -100, 0, 1, 1);
-  packing.contacts.add(0, wall_partner(top), {0, -1}, 50, 0, 1, 0);
-  EXPECT_EQ(io::mean_compressive_force(packing.contacts), 3);
-  EXPECT_EQ(io::mean_compressive_force({}), 0);
-}
-
 TEST(ExportFrame, LammpsBoundsOfATiltedCellEncloseIt) {
   Frame frame;
   frame.packing = sheared_pair();

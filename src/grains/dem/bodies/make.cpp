@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "grains/dem/bodies/bodies.hpp"
+#include "grains/dem/integrators/integrators.hpp"
 #include "model/shapes.hpp"
 
 namespace arenite::dem {
@@ -62,8 +63,9 @@ void check_shapes(Problems& problems, const Packing& start, const ContactParamet
   problems.unless(!filled || !contact.adheres(), "polygons do not adhere yet; leave contact.adhesion at \"none\", or take clumps of disks");
   problems.unless(!contact.has_bonds(), "bonds join disks only; leave contact.bonds at \"none\"");
   problems.unless(!contact.is_cohesive(), "grains that are no disks neither stick nor hold liquid yet; leave contact.cohesion at \"none\"");
-  problems.unless(integration.integrator != IntegratorKind::gear5,
-                  "grains that are no disks need integration.integrator = \"velocity_verlet\" or \"leapfrog\"; gear5 moves disks only");
+  const Integrator& scheme = integrator_of(integration.integrator);
+  problems.unless(scheme.moves_bodies, "grains that are no disks need integration.integrator = {}; {} moves disks only", integrators_of_bodies(),
+                  scheme.word.word);
 }
 
 Packing disks_of(const Packing& from) {

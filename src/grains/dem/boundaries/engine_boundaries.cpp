@@ -95,8 +95,9 @@ void Engine::set_boundaries(const std::vector<BoundaryDrive>& drives) {
     const Boundary& now = boundaries[b];
     changed |= drives[b] != BoundaryDrive{now.velocity, now.spin, now.centre, now.present, s.boundary[b].mass, s.boundary[b].force};
     others_there |= drives[b].present != now.present;
-    if (drives[b].mass > 0 && integrator_of(s).corrects())
-      throw InputError(fmt::format("boundary \"{}\" has a mass, which gear5 does not move; take velocity_verlet or leapfrog", now.name));
+    if (drives[b].mass > 0 && !integrator_of(s).moves_bodies)
+      throw InputError(
+          fmt::format("boundary \"{}\" has a mass, which {} does not move; take {}", now.name, integrator_of(s).word.word, integrators_of_bodies("")));
   }
   if (!changed) return;
   synchronise(s);

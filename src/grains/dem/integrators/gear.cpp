@@ -172,6 +172,7 @@ void find_derivatives(Sample& s) {
 
 }  // namespace
 
+// Between steps the sample holds the predicted state at t_n and the forces there. One fused sweep corrects it and predicts t_{n+1}.
 // Bounds of the step are fitted to the eigenvalues of its step; without damping it grows from omega dt = 0.33 on.
 const Integrator gear5{{"gear5", "Gear's fifth-order predictor and corrector; needs small steps where damping is strong"},
                        gear_sweep,
@@ -181,6 +182,7 @@ const Integrator gear5{{"gear5", "Gear's fifth-order predictor and corrector; ne
                        0.5,
                        1.57,
                        1 / 0.163,
-                       0.33};
+                       0.33,
+                       false};
 
 }  // namespace arenite::dem

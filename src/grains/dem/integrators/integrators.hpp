@@ -1,5 +1,7 @@
 #pragma once
 #include <array>
+#include <string>
+#include <string_view>
 
 #include "core/parameters.hpp"
 #include "core/threads.hpp"
@@ -7,7 +9,7 @@
 
 namespace arenite::dem {
 
-/// One scheme for Newton's equations: a file beside this one. A new one is a word of IntegratorKind and a place in `integrators`.
+/// One scheme for Newton's equations: a file beside this one, and its name in ARENITE_INTEGRATORS (parameters.hpp).
 struct Integrator {
   Word word;
   /// Takes the forces at t_n in the sample to positions and seen velocities at t_{n+1}; walls and affine motion too. False if the contact list has
@@ -22,26 +24,29 @@ struct Integrator {
   double lead;
   /// The stable step: p (omega dt)^2 + q lambda dt = 1 with damping lambda, and omega dt = undamped without.
   double p, q, undamped;
+  /// Moves grains that are no disks, and boundaries that have a mass, too.
+  bool moves_bodies;
 
   bool corrects() const { return velocity_share > 0; }
 };
 
-/// Velocity Verlet in its half-step form, one force evaluation and one sweep a step. Its growing mode flips sign every step.
-///
-/// The integrated velocity w belongs to the middle of the step: w_{n+1/2} = w_{n-1/2} + dt a_n, x_{n+1} = x_n + dt w_{n+1/2}, and v_n = w_{n-1/2} +
-/// (dt/2) a_n. Forces depend on velocities, so they are given u_{n+1} = w_{n+1/2} + c (dt/2) a_n: with c = 1 (velocity_verlet) that is v_{n+1} to
-/// second order; with c = 0 (leapfrog) it is the mid-step velocity, as LAMMPS's velocity Verlet has it: of first order in the damping, stable up to
-/// twice the step.
-///
-extern const Integrator velocity_verlet, leapfrog;
-
-/// Between steps the sample holds the predicted state at t_n and the forces there. One fused sweep corrects it and predicts t_{n+1}.
-extern const Integrator gear5;
+#define ARENITE_DECLARATION(name) extern const Integrator name;
+ARENITE_INTEGRATORS(ARENITE_DECLARATION)
+#undef ARENITE_DECLARATION
 
 /// In the order of IntegratorKind.
-inline const std::array<const Integrator*, 3> integrators{&velocity_verlet, &leapfrog, &gear5};
+#define ARENITE_ADDRESS(name) &name,
+inline const std::array integrators{ARENITE_INTEGRATORS(ARENITE_ADDRESS)};
+#undef ARENITE_ADDRESS
 inline const Integrator& integrator_of(IntegratorKind kind) { return *integrators[static_cast<std::size_t>(kind)]; }
 inline const Integrator& integrator_of(const Sample& s) { return integrator_of(s.integration.integrator); }
+
+/// Those that move bodies, for sentences: a, b or c, each in `quotes`.
+std::string integrators_of_bodies(std::string_view quotes = "\"");
+
+/// A step that kicks the integrated velocities on by the accelerations, and then drifts with them. They are then behind the places by `lag`, and the
+/// velocities that forces see are `ahead` of them, s. False if the contact list has become stale.
+bool kick_and_drift(Sample& sample, const ThreadPool& pool, double lag, double ahead);
 
 /// A step of all disks in one sweep of the kernel. To be made before the walls move, run after.
 class DiskSweep {

@@ -80,7 +80,7 @@ template <int W, template <int> class Batch> __attribute__((flatten)) bool sweep
   return last_near;
 }
 
-/// One step of velocity Verlet for W disks (integrators/integrators.hpp).
+/// One step of velocity Verlet for W disks (integrators/verlet.cpp).
 template <int W> struct VerletBatch {
   ARENITE_INLINE static typename Pack<W>::Bits run(const SweepTask& t, std::size_t k) {
     using V = Pack<W>;
@@ -120,7 +120,7 @@ ARENITE_INLINE Pack<W> correct_and_predict(const SweepTask& t, std::size_t k, st
   return q.q0 + carried;
 }
 
-/// One fused sweep of Gear's method for W disks (integrators/integrators.hpp).
+/// One fused sweep of Gear's method for W disks (integrators/gear.cpp).
 template <int W> struct GearBatch {
   ARENITE_INLINE static typename Pack<W>::Bits run(const SweepTask& t, std::size_t k) {
     using V = Pack<W>;

@@ -1,4 +1,4 @@
-#include "thermal/imaging/blur.hpp"
+#include "thermal/optics/lens.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <numbers>
 #include <numeric>
 
-namespace arenite::imaging {
+namespace arenite::optics {
 namespace {
 
 std::vector<float> scene_of(const Lens& lens, int width, int height, auto&& light) {
@@ -49,4 +49,4 @@ TEST(Lens, AnEdgeIsSeenAsTheMeanOfAnErrorFunction) {
 }
 
 }  // namespace
-}  // namespace arenite::imaging
+}  // namespace arenite::optics

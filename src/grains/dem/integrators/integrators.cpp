@@ -1,0 +1,70 @@
+#include "grains/dem/integrators/integrators.hpp"
+
+#include <atomic>
+#include <vector>
+
+#include "grains/dem/bodies/bodies.hpp"
+#include "grains/dem/boundaries/boundaries.hpp"
+#include "grains/dem/neighbours.hpp"
+
+namespace arenite::dem {
+
+std::string integrators_of_bodies(std::string_view quotes) {
+  std::vector<std::string> names;
+  for (const Integrator* scheme : integrators)
+    if (scheme->moves_bodies) names.push_back(std::string(quotes).append(scheme->word.word).append(quotes));
+  std::string text = names.front();
+  for (std::size_t k = 1; k < names.size(); ++k) text += (k + 1 < names.size() ? ", " : " or ") + names[k];
+  return text;
+}
+
+DiskSweep::DiskSweep(Sample& s) : sample_(s), before_(cell_frame(s.domain)) {
+  task.record = s.record.data();
+  task.force = s.list.force.data();
+  task.group = s.list.group.data();
+  task.first = s.list.first.data();
+  task.vx = s.vx.data();
+  task.vy = s.vy.data();
+  task.omega = s.omega.data();
+  task.angle = s.angle.data();
+  task.ax = s.ax.data();
+  task.ay = s.ay.data();
+  task.alpha = s.alpha.data();
+  for (std::size_t n = 0; n < s.higher.size(); ++n) task.higher[n] = s.higher[n].data();
+  task.listed_x = s.listed_x.data();
+  task.listed_y = s.listed_y.data();
+  const CellMotion motion = cell_motion(s.domain);
+  task.x = {s.gravity.x, motion.x, {}, {}, {}, 0};
+  task.y = {s.gravity.y, motion.y, {}, {}, {}, 0};
+  task.dt = s.dt;
+  task.drag = s.drag;
+  task.turning = s.integration.rotations ? 1.0 : 0.0;
+}
+
+bool DiskSweep::run(Kernel::Sweep loop, const ThreadPool& pool) {
+  Sample& s = sample_;
+  const CellFrame after = cell_frame(s.domain), listed = cell_frame(s.listed_domain);
+  const CellMotion motion = cell_motion(s.domain);
+  task.x = {task.x.gravity, task.x.before, motion.x, after.x.since(before_.x), after.x.since(listed.x), after.x.growth(before_.x)};
+  task.y = {task.y.gravity, task.y.before, motion.y, after.y.since(before_.y), after.y.since(listed.y), after.y.growth(before_.y)};
+  move_boundaries(s, s.dt);
+  s.sheared += s.dt * s.shear_rate;
+  task.listed_shear = s.sheared - s.listed_sheared;
+  task.middle = 0.5 * (s.domain.wall[bottom].position + s.domain.wall[top].position);
+  const double leeway = list_leeway(s);
+  task.limit = leeway > 0 ? leeway * leeway : -1.0;
+  std::atomic<bool> near = true;
+  if (has_single_disks(s))
+    pool.for_ranges(s.count, [&](std::size_t begin, std::size_t end) {
+      if (!loop(task, begin, end)) near = false;
+    });
+  if (s.domain.periodic[0]) s.domain.tilt *= after.x.length / before_.x.length;
+  s.domain.tilt += s.dt * s.shear_rate * s.domain.height();
+  for (WallBody& body : s.wall) body.slid += s.dt * body.drive.slide;
+  hold_grains(s);
+  const bool bodies_near = move_bodies(s, task, pool);
+  ++s.step;
+  return near && bodies_near;
+}
+
+}  // namespace arenite::dem
