@@ -46,9 +46,18 @@ std::string complaint(const CLI::App& program, const CLI::Error& error) {
   return command + ": " + error.what() + "; `" + command + " --help` lists its options";
 }
 
+/// CLI11's way of reading each type is long to compile: flags, of which some take a word, have no numbers.
+template <class T> CLI::Option* declare(CLI::App& to, const Option& option, const std::string& name, T& target) {
+  if constexpr (std::is_same_v<T, bool>) return to.add_flag(name, target, option.sentence);
+  else {
+    if constexpr (std::is_same_v<T, std::string>)
+      if (option.is_flag()) return to.add_flag(name, target, option.sentence);
+    return to.add_option(name, target, option.sentence);
+  }
+}
+
 CLI::Option* declare(CLI::App& to, const Option& option, const std::string& name) {
-  CLI::Option* declared = std::visit(
-      [&](auto* target) { return option.is_flag() ? to.add_flag(name, *target, option.sentence) : to.add_option(name, *target, option.sentence); }, option.to);
+  CLI::Option* declared = std::visit([&](auto* target) { return declare(to, option, name, *target); }, option.to);
   if (!option.choices.empty()) declared->check(CLI::IsMember(option.choices));
   if (option.range) declared->check(CLI::Range(option.range->first, option.range->second).description(""));
   const auto now = [former = option.former_choices](std::string& word) {
@@ -74,6 +83,20 @@ void declare(CLI::App& to, const Options& options) {
 }
 
 }  // namespace
+
+Option& Option::required() { return is_required = true, *this; }
+Option& Option::type(std::string_view text) { return value = text, *this; }
+Option& Option::among(const std::vector<std::string>& words) { return choices = words, *this; }
+Option& Option::among(std::initializer_list<const char*> words) { return choices.assign(words.begin(), words.end()), *this; }
+Option& Option::between(double low, double high) { return range = {low, high}, *this; }
+Option& Option::formerly(std::string_view former) { return former_names.emplace_back(former), *this; }
+Option& Option::formerly(std::string_view word, std::string_view now) { return former_choices.emplace(word, now), *this; }
+Option& Option::not_with(std::string_view other) { return without.emplace_back(other), *this; }
+Option& Option::each() { return one_at_a_time = true, *this; }
+
+Option& Options::add(std::string_view name, Option::Target to, std::string_view sentence) {
+  return table.emplace_back(Option{std::string(name), to, std::string(sentence), {}, {}, {}, {}, {}, {}});
+}
 
 std::string trimmed(const std::string& text) { return std::string(arenite::trimmed(text)); }
 

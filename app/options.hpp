@@ -2,9 +2,11 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <initializer_list>
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -33,15 +35,17 @@ struct Option {
   bool is_flag() const { return std::holds_alternative<bool*>(to) || name.ends_with('}'); }
   bool repeats() const { return std::holds_alternative<std::vector<std::string>*>(to); }
 
-  Option& required() { return is_required = true, *this; }
-  Option& type(std::string text) { return value = std::move(text), *this; }
-  Option& among(std::vector<std::string> words) { return choices = std::move(words), *this; }
-  Option& between(double low, double high) { return range = {low, high}, *this; }
-  Option& formerly(std::string former) { return former_names.push_back(std::move(former)), *this; }
-  Option& formerly(std::string word, std::string now) { return former_choices.emplace(std::move(word), std::move(now)), *this; }
-  Option& not_with(std::string other) { return without.push_back(std::move(other)), *this; }
+  // What a table says of an option; none is inline, for each of the many calls would compile it again.
+  Option& required();
+  Option& type(std::string_view text);
+  Option& among(const std::vector<std::string>& words);
+  Option& among(std::initializer_list<const char*> words);
+  Option& between(double low, double high);
+  Option& formerly(std::string_view former);
+  Option& formerly(std::string_view word, std::string_view now);
+  Option& not_with(std::string_view other);
   /// Of a list: each value has the name before it.
-  Option& each() { return one_at_a_time = true, *this; }
+  Option& each();
 };
 
 /// The table of a command's arguments, and its work.
@@ -50,9 +54,8 @@ struct Options {
   std::string footer;
   std::function<void()> work;
 
-  template <class T> Option& add(std::string name, T& to, std::string sentence) {
-    return table.emplace_back(Option{std::move(name), &to, std::move(sentence), {}, {}, {}, {}, {}, {}});
-  }
+  Option& add(std::string_view name, Option::Target to, std::string_view sentence);
+  template <class T> Option& add(std::string_view name, T& to, std::string_view sentence) { return add(name, Option::Target(&to), sentence); }
 };
 
 /// Reads the command line and does the work of the command that it names; exit status, with a sentence on stderr where it is not understood.

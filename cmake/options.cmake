@@ -5,6 +5,8 @@ target_compile_options(arenite_options INTERFACE
   -Wall -Wextra -Wpedantic -Wnon-virtual-dtor -ffp-contract=off)
 # GCC 12 suspects its own std::string of these where the header was compiled beforehand.
 target_compile_options(arenite_options INTERFACE "$<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-stringop-overflow;-Wno-stringop-overread;-Wno-restrict>")
+# GCC spends a twentieth of its time on freeing memory that it need not reuse: most batches of sources take less than a gigabyte in all.
+target_compile_options(arenite_options INTERFACE "$<$<CXX_COMPILER_ID:GNU>:SHELL:--param ggc-min-heapsize=1000000>")
 # Sources that are compiled together see each other's globals, which no one shadows by mistake, and look to GCC like a header that shows its
 # anonymous namespace.
 set(together "$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>")

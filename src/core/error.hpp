@@ -20,8 +20,8 @@ std::string to_string(const Problem& problem);
 class InputError : public std::exception {
  public:
   explicit InputError(std::vector<Problem> problems);
-  explicit InputError(std::string message) : InputError({Problem{{}, 0, 0, std::move(message)}}) {}
-  InputError(std::string file, int line, std::string message) : InputError({Problem{std::move(file), line, 0, std::move(message)}}) {}
+  explicit InputError(std::string message);
+  InputError(std::string file, int line, std::string message);
   const std::vector<Problem>& problems() const { return problems_; }
   const char* what() const noexcept override { return text_.c_str(); }
 

@@ -56,7 +56,19 @@ struct Form {
 };
 
 class ParameterVisitor;
-using Visit = std::function<void(ParameterVisitor&)>;
+
+/// What is done with a visitor, handed down for one call. Unlike std::function it refers to what it is made of and copies nothing, for the
+/// hundreds of sections and conditions of a recipe would each compile a copy.
+class Visit {
+ public:
+  template <class F>
+  requires(!std::is_same_v<F, Visit>) Visit(const F& f) : what_(&f), call_([](const void* what, ParameterVisitor& v) { (*static_cast<const F*>(what))(v); }) {}
+  void operator()(ParameterVisitor& visitor) const { call_(what_, visitor); }
+
+ private:
+  const void* what_;
+  void (*call_)(const void*, ParameterVisitor&);
+};
 
 /// A list or a table of named sections, whatever holds it.
 struct Elements {
@@ -98,7 +110,7 @@ class ParameterVisitor {
 
   /// A check over several keys of the table at hand: false is a problem of the first of `keys`, placed at the first that
   /// is there. Keys that were wrong by themselves silence it.
-  virtual void require(bool, std::initializer_list<std::string_view>, const std::string&) {}
+  virtual void require(bool, std::initializer_list<std::string_view>, std::string_view) {}
 
   void number(const Key& key, double& value, std::string_view unit, const Range& range) {
     std::optional<double> holder = value;

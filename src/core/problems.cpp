@@ -18,6 +18,10 @@ InputError::InputError(std::vector<Problem> problems) : problems_(std::move(prob
   for (const auto& problem : problems_) text_ += (text_.empty() ? "" : "\n") + to_string(problem);
 }
 
+InputError::InputError(std::string message) : InputError({Problem{{}, 0, 0, std::move(message)}}) {}
+
+InputError::InputError(std::string file, int line, std::string message) : InputError({Problem{std::move(file), line, 0, std::move(message)}}) {}
+
 InputError in_file(const InputError& error, const std::string& file) {
   auto problems = error.problems();
   for (auto& problem : problems)

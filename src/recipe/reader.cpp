@@ -157,16 +157,16 @@ void RecipeReader::when(bool active, std::string_view condition, const Visit& in
   }
 }
 
-void RecipeReader::require(bool holds, std::initializer_list<std::string_view> keys, const std::string& message) {
+void RecipeReader::require(bool holds, std::initializer_list<std::string_view> keys, std::string_view message) {
   if (holds) return;
   for (const auto key : keys) {
     if (failed_.count(key) > 0) return;
   }
   const std::string path = keys.size() == 0 ? path_ : path_of(*keys.begin());
   for (const auto key : keys) {
-    if (const Entry* entry = table_.find(key)) return problem(entry->value.place, path, message);
+    if (const Entry* entry = table_.find(key)) return problem(entry->value.place, path, std::string(message));
   }
-  problem(table_.place, path, message);
+  problem(table_.place, path, std::string(message));
 }
 
 void RecipeReader::refuse_unknown_keys() {

@@ -54,7 +54,7 @@ class RecipeReader : public ParameterVisitor {
   void section(const Key& key, bool& present, const Visit& inside) override;
   void sections(const Key& key, const Elements& elements) override;
   void when(bool active, std::string_view condition, const Visit& inside) override;
-  void require(bool holds, std::initializer_list<std::string_view> keys, const std::string& message) override;
+  void require(bool holds, std::initializer_list<std::string_view> keys, std::string_view message) override;
 
   /// Call when all keys were visited: what is left over is unknown.
   void refuse_unknown_keys();

@@ -1,6 +1,8 @@
 #include "statistics/least_squares.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <Eigen/QR>
 #include <Eigen/SparseCholesky>
 
 namespace arenite::statistics {

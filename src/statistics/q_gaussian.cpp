@@ -1,6 +1,6 @@
 #include "statistics/tails.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
