@@ -3,5 +3,5 @@
 set(arenite_common_headers <algorithm> <array> <cmath> <cstdint> <filesystem> <functional> <map> <memory> <numeric> <optional> <span>
   <string> <string_view> <vector> <fmt/format.h>)
 # GCC 12 suspects its own std::string of reading too far in these.
-set_source_files_properties(src/grains/texture/distribution.cpp src/grains/texture/numbers.cpp src/io/table/laboratory_table.cpp
+set_source_files_properties(src/grains/texture/distribution.cpp src/io/table/laboratory_table.cpp
   src/solid/stress/numbers.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON)

@@ -179,9 +179,13 @@ Numbers pairs_of(const Packing& packing, NumberBlock& block) {
 }
 
 Numbers rest_of(const Equilibrium& now, const char* speed) {
-  return {{"unbalanced_ratio", now.unbalanced_ratio}, {"kinetic_ratio", now.kinetic_ratio},
-          {"loose_kinetic_ratio", now.loose_kinetic}, {"falling", now.falling},
-          {"mobilisation", now.mobilisation},         {speed, now.wall_speed}};
+  using statistics::described;
+  return {{"unbalanced_ratio", described(now.unbalanced_ratio, "", "Mean resultant force on a grain over the mean contact force")},
+          {"kinetic_ratio", described(now.kinetic_ratio, "", "Kinetic over elastic energy")},
+          {"loose_kinetic_ratio", described(now.loose_kinetic, "", "The same of grains that carry nothing")},
+          {"falling", described(now.falling, "", "Share of grains that fall")},
+          {"mobilisation", described(now.mobilisation, "", "Mean |F_t|/F_n")},
+          {speed, described(now.wall_speed, "m/s", "Of the fastest wall or boundary")}};
 }
 
 Numbers history_of(const History& history, NumberBlock& block) {
