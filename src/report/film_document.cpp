@@ -182,7 +182,8 @@ Numbers one_film(const FilmResult& r, NumberBlock& block) {
           {"frame", frame_of(r)},
           {"stresses", stresses_of(stresses, block)},
           {"agreement", agreement_of(r.packing, stresses)},
-          {"numbers", shortened(r.numbers)}};
+          {"numbers", shortened(r.numbers)},
+          {"texture_meanings", meanings_of(r.numbers.value("texture", Numbers::tree()))}};
 }
 
 }  // namespace

@@ -150,7 +150,7 @@ std::size_t states_per_fields(const std::vector<ShownStage>& stages) {
 }
 
 /// The states of one stage that have as many grains as the last one of all, with the textures of all in a small sample, and fields of some.
-void add_states(Numbers& frames, const ShownStage& stage, std::size_t s, std::size_t grains, std::size_t every, NumberBlock& block) {
+void add_states(Numbers& frames, Numbers& meanings, const ShownStage& stage, std::size_t s, std::size_t grains, std::size_t every, NumberBlock& block) {
   constexpr std::size_t small = 10'000;
   const auto& states = stage.result->frames;
   for (std::size_t f = 0; f < states.size(); ++f) {
@@ -161,6 +161,7 @@ void add_states(Numbers& frames, const ShownStage& stage, std::size_t s, std::si
     const texture::Texture* texture = is_last ? stage.last : nullptr;
     if (!texture && (is_last || grains <= small)) texture = &now.emplace(texture::measure(packing, stage.options));
     frames.push_back(frame_of(states[f], s, texture, block));
+    if (is_last) meanings = meanings_of(texture::numbers(*texture));
     if (!is_last && f % every != 0) continue;
     const double rate = fields::shear_rate_at(stage.result->history, states[f].time);
     if (Numbers fields = coarse_fields_of(packing, rate, block); fields.is_known()) frames.back()["fields"] = std::move(fields);
@@ -202,6 +203,13 @@ Numbers provenance_of(const Provenance& p) {
           {"kernel", p.kernel},   {"options", options}, {"recipe", p.recipe}};
 }
 
+Numbers meanings_of(const Numbers& numbers) {
+  Numbers out = Numbers::tree();
+  for (const auto& [name, number, meaning] : named_numbers(numbers))
+    if (meaning) out[name] = Numbers::list({meaning->unit, meaning->sentence});
+  return out;
+}
+
 Numbers shortened(Numbers numbers) {
   if (!numbers.is_known()) return Numbers::tree();
   shorten(numbers);
@@ -222,7 +230,7 @@ PageDocument page_document(const PageData& data) {
   const std::size_t every = states_per_fields(shown);
   for (std::size_t s = 0; s < shown.size(); ++s) {
     stages.push_back(stage_of(*shown[s].result, block));
-    if (last) add_states(frames, shown[s], s, last->packing.grains.size(), every, block);
+    if (last) add_states(frames, document["meanings"], shown[s], s, last->packing.grains.size(), every, block);
   }
   if (last)
     if (Numbers sizes = size_curves_of(last->packing, shown.back().result->provenance.recipe, block); sizes.is_known()) document["sizes"] = std::move(sizes);
