@@ -13,7 +13,7 @@ TEST(NumbersText, TellsWhatIsKnownWithItsErrorUnitAndMeaningAndNothingElse) {
       {"surface", {{"right_m", 0.8}, {"angle_deg", described({{"value", 26.571}, {"error", 0.93}}, "deg", "Angle of repose")}}},
       {"curve", {1, 2, 3, 4, 5}}};
   const std::string text = to_text(n);
-  EXPECT_NE(text.find("0.1971 +- 0.0021 kg/s  Rate of discharge\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("0.1971 +- 0.0021 kg/s   Rate of discharge\n"), std::string::npos) << text;
   EXPECT_NE(text.find("26.57 +- 0.93 deg"), std::string::npos) << text;
   EXPECT_NE(text.find("surface.right_m "), std::string::npos) << text;
   for (const char* absent : {"begin", "curve"}) EXPECT_EQ(text.find(absent), std::string::npos) << text;
