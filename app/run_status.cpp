@@ -10,15 +10,18 @@
 #include <csignal>
 #include <ctime>
 #include <limits>
+#include <map>
+#include <stdexcept>
 
 #include "io/disk/file.hpp"
+#include "io/table/table.hpp"
 
 namespace arenite::app {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* file_name = "status.json";
+constexpr const char* file_name = "status.csv";
 
 double now() { return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count(); }
 
@@ -53,35 +56,49 @@ Numbers walls_of(const workflow::Progress& p) {
   return walls;
 }
 
-RunStatus status_from(const Numbers& n) {
+/// A row "name,value" for each of the numbers.
+void add_rows(std::string& text, const std::string& name, const Numbers& n) {
+  if (n.is_tree())
+    for (const auto& [own, item] : n.items()) add_rows(text, name.empty() ? own : name + "." + own, item);
+  else text += fmt::format("{},{}\n", name, n.is_text() ? io::quoted_cell(n.get<std::string>()) : n.is_known() ? to_json(n) : "unknown");
+}
+
+/// Throws std::out_of_range for the file of another program.
+RunStatus status_from(const std::string& text) {
+  Problems problems;
+  std::map<std::string, std::string> cells;
+  for (const auto& row : io::read_table(text, "", problems).rows)
+    if (row.cells.size() == 2) cells.emplace(row.cells[0], row.cells[1]);
+  const auto number = [&](const std::string& name) { return io::to_number(cells.at(name)).value_or(std::numeric_limits<double>::quiet_NaN()); };
+  const auto whole = [&](const std::string& name) { return io::to_integer(cells.at(name)).value_or(0); };
   RunStatus s;
   workflow::Progress& p = s.progress;
-  p.stage = n.at("stage").get<std::size_t>();
-  p.stages = n.at("stages").get<std::size_t>();
-  p.name = n.at("name").get<std::string>();
-  p.share = n.at("share").get<double>();
-  p.step = n.at("step").get<std::int64_t>();
-  p.unbalanced_ratio = n.at("unbalanced_ratio").get<double>();
-  p.field = n.at("field").get<bool>();
-  p.key = n.at("key").get<std::string>();
-  p.increment = n.at("increment").get<std::int64_t>();
-  p.increments = n.at("increments").get<std::int64_t>();
-  p.time = n.at("time_s").get<double>();
+  p.stage = static_cast<std::size_t>(whole("stage"));
+  p.stages = static_cast<std::size_t>(whole("stages"));
+  p.name = cells.at("name");
+  p.share = number("share");
+  p.step = whole("step");
+  p.unbalanced_ratio = number("unbalanced_ratio");
+  p.field = cells.at("field") == "true";
+  p.key = cells.at("key");
+  p.increment = whole("increment");
+  p.increments = whole("increments");
+  p.time = number("time_s");
   for (std::size_t side = 0; side < 4; ++side) {
-    const Numbers* wall = n.at_path(std::string("/walls/") + side_names[side]);
-    p.wall[side].present = wall != nullptr;
-    if (!wall) continue;
-    p.wall[side].position = wall->at("position_m").get<double>();
-    p.wall[side].force = wall->at("force_N").get<double>();
+    const std::string wall = std::string("walls.") + side_names[side];
+    p.wall[side].present = cells.contains(wall + ".position_m");
+    if (!p.wall[side].present) continue;
+    p.wall[side].position = number(wall + ".position_m");
+    p.wall[side].force = number(wall + ".force_N");
   }
-  s.stopped = n.at("stopped").get<bool>();
-  s.process = n.at("process").get<std::int64_t>();
-  s.host = n.at("host").get<std::string>();
-  s.process_start = n.at("process_start").get<std::string>();
-  s.began = n.at("began").get<double>();
-  s.stage_began = n.at("stage_began").get<double>();
-  s.heard = n.at("heard").get<double>();
-  s.seconds_left = n.at("seconds_left").is_number() ? n.at("seconds_left").get<double>() : std::numeric_limits<double>::quiet_NaN();
+  s.stopped = cells.at("stopped") == "true";
+  s.process = whole("process");
+  s.host = cells.at("host");
+  s.process_start = cells.at("process_start");
+  s.began = number("began");
+  s.stage_began = number("stage_began");
+  s.heard = number("heard");
+  s.seconds_left = number("seconds_left");
   return s;
 }
 
@@ -99,11 +116,10 @@ std::string where(const workflow::Progress& p) {
 std::optional<RunStatus> read_run_status(const fs::path& folder) {
   try {
     if (!fs::exists(folder / file_name)) return std::nullopt;
-    const auto numbers = from_json(io::read_file(folder / file_name));
-    return numbers ? std::optional(status_from(*numbers)) : std::nullopt;
+    return status_from(io::read_file(folder / file_name));
   } catch (const InputError&) {  // removed meanwhile
     return std::nullopt;
-  } catch (const NumbersError&) {  // of another program
+  } catch (const std::out_of_range&) {  // of another program
     return std::nullopt;
   }
 }
@@ -226,7 +242,9 @@ bool StatusFile::write() {
   std::error_code ignored;
   if (!fs::is_directory(folder_, ignored)) return false;
   try {
-    io::write_atomically(folder_ / file_name, to_json(run_status_numbers(status), 1) + "\n");
+    std::string text = "name,value\n";
+    add_rows(text, "", run_status_numbers(status));
+    io::write_atomically(folder_ / file_name, text);
   } catch (const std::exception&) {  // a full disk ends the run by itself
     return false;
   }

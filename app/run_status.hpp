@@ -13,7 +13,7 @@
 
 namespace arenite::app {
 
-/// Where a run stood when it was last heard of: what `status.json` in its folder says.
+/// Where a run stood when it was last heard of: what `status.csv` in its folder says.
 struct RunStatus {
   workflow::Progress progress;
   bool stopped = false;  ///< in an orderly way, with a checkpoint
@@ -37,7 +37,7 @@ std::string run_status_text(const std::filesystem::path& folder);
 /// The same for programs.
 Numbers run_status_numbers(const RunStatus& status);
 
-/// Keeps `status.json` of a run, at most every half second and by a thread of its own, so that the run never waits for the disk. Nothing is written
+/// Keeps `status.csv` of a run, at most every half second and by a thread of its own, so that the run never waits for the disk. Nothing is written
 /// before the folder is there, or where it cannot be; a run that ends whole removes it, one that is stopped leaves it.
 class StatusFile {
  public:

@@ -7,7 +7,6 @@
 
 #include "commands.hpp"
 #include "film_reading.hpp"
-#include "report/result_text.hpp"
 #include "report/summary.hpp"
 #include "run_status.hpp"
 #include "validation/studies.hpp"
@@ -79,11 +78,11 @@ std::string shown(const ShowArguments& a) {
   io::refuse_other_recording(a.result);
   if (a.states) return report::states_table(a.result);
   if (io::looks_like_film(a.result)) {
-    const report::FilmSummary film = report::film_summary(*io::open_film(a.result, a.reading.choice()));
-    return a.json ? to_json(film.numbers, 2) + "\n" : film.text;
+    const Numbers film = report::film_summary(*io::open_film(a.result, a.reading.choice()));
+    return a.json ? to_json(film, 2) + "\n" : to_text(film);
   }
   const report::Summary summary(a.result);
-  if (a.numbers) return report::described(summary.numbers());
+  if (a.numbers) return to_text(summary.numbers());
   return a.json ? to_json(summary.numbers(), 2) + "\n" : a.all ? summary.all() : summary.text();
 }
 
@@ -111,7 +110,8 @@ void add_show(Options& command, int&) {
   command.add("--all", a->all, "Print every number, not the headlines alone").not_with("--json");
   command.add("--numbers", a->numbers, "Print every number under its name in files and tables, with error, unit and what it is")
       .not_with("--json")
-      .not_with("--all");
+      .not_with("--all")
+      .not_with("--states");
   command.add("--states", a->states, "Print one row a stored state as CSV: strains, stress and texture along the loading").not_with("--json").not_with("--all");
   a->reading.add_to(command);
   command.work = [a] { std::fputs(shown_with_status(*a).c_str(), stdout); };

@@ -4,7 +4,7 @@ set(arenite_common_headers <algorithm> <array> <cmath> <cstdint> <filesystem> <f
   <string> <string_view> <vector> <fmt/format.h>)
 
 # For a target without loops over grains, nodes or pixels. It takes the library's precompiled headers, which asks for the library's flags, and
-# -O1, which compiles in two thirds of the time. Inline functions that it shares with the library's loops are linked from it; they are
+# -O1, which compiles sooner. Inline functions that it shares with the library's loops are linked from it; they are
 # copies of strings, lists and nouns, and none is in a kernel (compare what `nm` says of both).
 function(compile_beside_library target)
   set_target_properties(${target} PROPERTIES CXX_VISIBILITY_PRESET hidden)
@@ -16,5 +16,5 @@ function(compile_beside_library target)
 endfunction()
 
 # GCC 12 suspects its own std::string of reading too far in these.
-set_source_files_properties(src/grains/texture/distribution.cpp src/grains/texture/numbers.cpp src/io/table/laboratory_table.cpp
+set_source_files_properties(src/grains/texture/distribution.cpp src/io/table/laboratory_table.cpp
   src/solid/stress/numbers.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON)

@@ -19,7 +19,7 @@ std::string ledger_page(const validation::Ledger& ledger, const std::string& pic
 /// All checks and all choices, one row each, as CSV.
 std::string ledger_csv(const validation::Ledger& ledger);
 
-/// The verdicts alone: {"of": SIZE, ID: "reproduced"}, one line a claim. `small`: of the small studies.
+/// The verdicts alone as a table: a row "of,SIZE", then "ID,reproduced" for each claim. `small`: of the small studies.
 std::string ledger_verdicts(const validation::Ledger& ledger, bool small);
 
 /// One sentence for each verdict of the ledger that differs from those of `expected`, as ledger_verdicts() writes them, in

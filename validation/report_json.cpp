@@ -1,9 +1,11 @@
-// The ledger for programs: JSON, CSV and the verdicts alone.
+// The ledger for programs: JSON, and CSV of all checks or of the verdicts alone.
 #include <fmt/format.h>
 
 #include <cmath>
+#include <map>
 
 #include "core/error.hpp"
+#include "io/table/table.hpp"
 #include "statistics/numbers.hpp"
 #include "validation/report.hpp"
 #include "validation/report_parts.hpp"
@@ -11,6 +13,7 @@
 namespace arenite::validation {
 namespace {
 
+using io::quoted_cell;
 using validation::Check;
 using validation::Sensitivity;
 
@@ -53,19 +56,12 @@ Numbers json_of(const std::vector<Sensitivity>& sensitivities) {
   return list;
 }
 
-std::string csv_cell(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
-
 std::string csv_cell(double number) { return std::isfinite(number) ? fmt::format("{:.6g}", number) : ""; }
 
 std::string row(const char* claim, const char* kind, const std::string& what, const std::string& choice, const std::string& source, const std::string& wanted,
                 const validation::Value& ours, const std::string& unit, const char* outcome) {
-  return fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", claim, kind, csv_cell(what), csv_cell(choice), csv_cell(source), csv_cell(wanted),
-                     csv_cell(ours.value), csv_cell(ours.error), std::isfinite(ours.error) ? csv_cell(ours.freedom) : "", csv_cell(unit), outcome);
+  return fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", claim, kind, quoted_cell(what), quoted_cell(choice), quoted_cell(source), quoted_cell(wanted),
+                     csv_cell(ours.value), csv_cell(ours.error), std::isfinite(ours.error) ? csv_cell(ours.freedom) : "", quoted_cell(unit), outcome);
 }
 
 }  // namespace
@@ -102,19 +98,23 @@ std::string ledger_csv(const validation::Ledger& ledger) {
 }
 
 std::string ledger_verdicts(const validation::Ledger& ledger, bool small) {
-  std::string text = fmt::format("{{\n  \"of\": \"{}\"", size_of(small));
-  for (const auto& [claim, judgement] : ledger.claims) text += fmt::format(",\n  \"{}\": \"{}\"", claim->id, word_for(judgement.verdict()));
-  return text + "\n}\n";
+  std::string text = fmt::format("claim,verdict\nof,{}\n", quoted_cell(size_of(small)));
+  for (const auto& [claim, judgement] : ledger.claims) text += fmt::format("{},{}\n", claim->id, quoted_cell(word_for(judgement.verdict())));
+  return text;
 }
 
 std::vector<std::string> changed_verdicts(const validation::Ledger& ledger, const std::string& expected, const std::string& file, bool small) {
-  const Numbers wanted = from_json(expected).value_or(Numbers{});
-  if (!wanted.is_tree() || !wanted.contains("of")) throw InputError(file, 0, "this holds no verdicts; write it with arenite verify --verdicts FILE");
-  if (wanted["of"] != size_of(small))
-    throw InputError(file, 0, fmt::format("these are verdicts of {}; here they are of {}", wanted.value("of", "something else"), size_of(small)));
+  Problems problems;
+  std::map<std::string, std::string> wanted;
+  for (const auto& row : io::read_table(expected, "", problems).rows)
+    if (row.cells.size() == 2) wanted.emplace(row.cells[0], row.cells[1]);
+  const auto size = wanted.find("of");
+  if (size == wanted.end()) throw InputError(file, 0, "this holds no verdicts; write it with arenite verify --verdicts FILE");
+  if (size->second != size_of(small)) throw InputError(file, 0, fmt::format("these are verdicts of {}; here they are of {}", size->second, size_of(small)));
   std::vector<std::string> changes;
   for (const auto& [claim, judgement] : ledger.claims) {
-    const std::string before = wanted.value(claim->id, "missing"), now = word_for(judgement.verdict());
+    const auto at = wanted.find(claim->id);
+    const std::string before = at == wanted.end() ? "missing" : at->second, now = word_for(judgement.verdict());
     if (before != now) changes.push_back(fmt::format("{}: {} now, {} in {}", claim->id, now, before, file));
   }
   return changes;

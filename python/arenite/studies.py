@@ -1,8 +1,8 @@
 """Studies are run by an interpreter of their own: each run forks, which a process that has used threads must not do."""
 
-import json
 import os
 import pathlib
+import pickle
 import subprocess
 import sys
 from typing import Any, Callable, Dict, Optional, Union
@@ -17,11 +17,10 @@ def run_study(recipe: Union[str, os.PathLike], out: Union[str, os.PathLike], *, 
     left. Raises ValueError with the program's sentence.
     """
     command = [sys.executable, "-c", "from arenite import studies; studies._main()", os.fspath(recipe), os.fspath(out), str(jobs)]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True, env=_environment()) as process:
+    last = {}
+    with subprocess.Popen(command, stdout=subprocess.PIPE, env=_environment()) as process:
         try:
-            last = {}
-            for line in process.stdout:
-                last = json.loads(line)
+            for last in _heard(process.stdout):
                 if "share" in last and progress:
                     progress(last["share"], "runs")
         except BaseException:
@@ -34,6 +33,15 @@ def run_study(recipe: Union[str, os.PathLike], out: Union[str, os.PathLike], *, 
     return last
 
 
+def _heard(pipe):
+    """What the process says, one dict after the other."""
+    while True:
+        try:
+            yield pickle.load(pipe)
+        except (EOFError, pickle.UnpicklingError):  # it has ended, or was ended in the middle of a word
+            return
+
+
 def _environment():
     """This module must be found by the new interpreter where it was found by this one."""
     home = str(pathlib.Path(__file__).resolve().parent.parent)
@@ -44,7 +52,8 @@ def _main():
     recipe, out, jobs = sys.argv[1:]
 
     def say(**words):
-        print(json.dumps(words), flush=True)
+        pickle.dump(words, sys.stdout.buffer)
+        sys.stdout.buffer.flush()
 
     try:
         say(**_core._run_study(recipe, out, jobs=int(jobs), progress=lambda share, _: say(share=share)))

@@ -71,8 +71,9 @@ Numbers found_grains(const FilmResult& film, const std::vector<double>& truth) {
   return j;
 }
 
-Numbers texture_of(const FilmResult& film) {
-  auto measured = texture::measure(film.packing, {.rev_sizes = 0, .grain_sigma_hyd = film.peak_to_peak.sigma_hyd});
+/// With curves, but without values by grain.
+Numbers curves_of(const FilmResult& film) {
+  auto measured = workflow::texture_of(film);
   measured.per_grain = {};
   return texture::numbers(measured, true);
 }
@@ -107,7 +108,7 @@ bool make_film(const fs::path& run, const fs::path& camera_file, const std::stri
   for (std::size_t i = 0; i < simulated.size(); ++i) film->packing.grains.zone[i] = high.grains.zone[simulated[i]];
   const auto found = workflow::agreement(film->peak_to_peak.sigma_hyd, truth, std::vector<std::uint8_t>(truth.size(), 1));
   const Numbers j{{"grains", found.grains}, {"correlation", found.correlation},    {"rms_sigma_norm", found.rms_sigma_norm},
-                  {"slope", found.slope},   {"found", found_grains(*film, truth)}, {"texture", texture_of(*film)}};
+                  {"slope", found.slope},   {"found", found_grains(*film, truth)}, {"texture", curves_of(*film)}};
   io::write_numbers_file(run / "virtual-film.hdf5", j);
   fs::remove_all(folder);
   return true;

@@ -155,10 +155,10 @@ Numbers agreement_of(const Packing& packing, const workflow::FilmStresses& stres
     for (const workflow::StressRelation& a : workflow::stress_relations(packing, stresses.sources[0], stresses.sources[k])) {
       Numbers& to = all[stresses.sources[k].source][a.set];
       to = {{"count", a.relation.count}};
-      statistics::put(to, "correlation", a.relation.pearson);
-      statistics::put(to, "slope", statistics::Estimate{a.relation.line.slope, a.relation.line.slope_error});
-      statistics::put(to, "rms_Pa", a.rms);
-      statistics::put(to, "rms_norm", a.rms_norm);
+      statistics::put(to, "correlation", a.relation.pearson, "", "Pearson's correlation of the grains' stresses");
+      statistics::put(to, "slope", statistics::Estimate{a.relation.line.slope, a.relation.line.slope_error}, "", "Film against simulation");
+      statistics::put(to, "rms_Pa", a.rms, "Pa", "Root mean square difference of the stresses");
+      statistics::put(to, "rms_norm", a.rms_norm, "", "The same of stresses over their mean");
     }
   return shortened(std::move(all));
 }
@@ -183,7 +183,8 @@ Numbers one_film(const FilmResult& r, NumberBlock& block) {
           {"frame", frame_of(r)},
           {"stresses", stresses_of(stresses, block)},
           {"agreement", agreement_of(r.packing, stresses)},
-          {"numbers", shortened(r.numbers)}};
+          {"numbers", shortened(r.numbers)},
+          {"texture_meanings", meanings_of(r.numbers.value("texture", Numbers::tree()))}};
 }
 
 }  // namespace

@@ -151,7 +151,7 @@ std::size_t states_per_fields(const std::vector<ShownStage>& stages) {
 }
 
 /// The states of one stage that have as many grains as the last one of all, with the textures of all in a small sample, and fields of some.
-void add_states(Numbers& frames, const ShownStage& stage, std::size_t s, std::size_t grains, std::size_t every, NumberBlock& block) {
+void add_states(Numbers& frames, Numbers& meanings, const ShownStage& stage, std::size_t s, std::size_t grains, std::size_t every, NumberBlock& block) {
   constexpr std::size_t small = 10'000;
   const auto& states = stage.result->frames;
   for (std::size_t f = 0; f < states.size(); ++f) {
@@ -162,6 +162,7 @@ void add_states(Numbers& frames, const ShownStage& stage, std::size_t s, std::si
     const texture::Texture* texture = is_last ? stage.last : nullptr;
     if (!texture && (is_last || grains <= small)) texture = &now.emplace(texture::measure(packing, stage.options));
     frames.push_back(frame_of(states[f], s, texture, block));
+    if (is_last) meanings = meanings_of(texture::numbers(*texture));
     if (!is_last && f % every != 0) continue;
     const double rate = fields::shear_rate_at(stage.result->history, states[f].time);
     if (Numbers fields = coarse_fields_of(packing, rate, block); fields.is_known()) frames.back()["fields"] = std::move(fields);
@@ -180,9 +181,13 @@ Numbers pairs_of(const Packing& packing, NumberBlock& block) {
 }
 
 Numbers rest_of(const Equilibrium& now, const char* speed) {
-  return {{"unbalanced_ratio", now.unbalanced_ratio}, {"kinetic_ratio", now.kinetic_ratio},
-          {"loose_kinetic_ratio", now.loose_kinetic}, {"falling", now.falling},
-          {"mobilisation", now.mobilisation},         {speed, now.wall_speed}};
+  using statistics::described;
+  return {{"unbalanced_ratio", described(now.unbalanced_ratio, "", "Mean resultant force on a grain over the mean contact force")},
+          {"kinetic_ratio", described(now.kinetic_ratio, "", "Kinetic over elastic energy")},
+          {"loose_kinetic_ratio", described(now.loose_kinetic, "", "The same of grains that carry nothing")},
+          {"falling", described(now.falling, "", "Share of grains that fall")},
+          {"mobilisation", described(now.mobilisation, "", "Mean |F_t|/F_n")},
+          {speed, described(now.wall_speed, "m/s", "Of the fastest wall or boundary")}};
 }
 
 Numbers history_of(const History& history, NumberBlock& block) {
@@ -197,6 +202,13 @@ Numbers provenance_of(const Provenance& p) {
   for (const auto& [name, value] : p.options) options[name] = value;
   return {{"version", p.version}, {"stage", p.stage},   {"input_hash", p.input_hash}, {"seed", p.seed},
           {"kernel", p.kernel},   {"options", options}, {"recipe", p.recipe}};
+}
+
+Numbers meanings_of(const Numbers& numbers) {
+  Numbers out = Numbers::tree();
+  for (const auto& [name, number, meaning] : named_numbers(numbers))
+    if (meaning) out[name] = Numbers::list({meaning->unit, meaning->sentence});
+  return out;
 }
 
 Numbers shortened(Numbers numbers) {
@@ -219,7 +231,7 @@ PageDocument page_document(const PageData& data) {
   const std::size_t every = states_per_fields(shown);
   for (std::size_t s = 0; s < shown.size(); ++s) {
     stages.push_back(stage_of(*shown[s].result, block));
-    if (last) add_states(frames, shown[s], s, last->packing.grains.size(), every, block);
+    if (last) add_states(frames, document["meanings"], shown[s], s, last->packing.grains.size(), every, block);
   }
   if (last)
     if (Numbers sizes = size_curves_of(last->packing, shown.back().result->provenance.recipe, block); sizes.is_known()) document["sizes"] = std::move(sizes);

@@ -32,6 +32,8 @@ Numbers rest_of(const Equilibrium& now, const char* speed);
 /// Every column with its unit, at most about a thousand rows of it.
 Numbers history_of(const History& history, NumberBlock& block);
 Numbers provenance_of(const Provenance& provenance);
+/// Unit and sentence of each number that a statistic declares, by its dotted name: {"solid_fraction": ["", "Area of grains over ..."]}.
+Numbers meanings_of(const Numbers& numbers);
 /// With six significant digits: more than a figure or a standard error can use, and a third of the bytes. A tree where nothing is known.
 Numbers shortened(Numbers numbers);
 

@@ -4,59 +4,37 @@
 
 #include "io/disk/store_file.hpp"
 #include "io/results/results.hpp"
+#include "report/run_means.hpp"
 #include "report/summary.hpp"
 #include "workflow/run.hpp"
 
 namespace arenite::report {
 namespace {
 
-/// One stored state on the way of a loading, with its box before the stage.
-struct State {
-  const Frame& frame;
-  const Domain& start;
-  texture::Texture texture;
+constexpr const char* path_heads = "time [s],strain_x,strain_y,volume_strain,p [Pa],q [Pa],q_over_p";
 
-  double mean_contacts(const char* of) const {
-    const auto* estimate = texture::find(texture.coordination.mean, of);
-    return estimate ? estimate->value : texture::unknown;
-  }
-  /// a_c, signed against the axis of loading, or of greatest compression where there are several.
-  double anisotropy(const char* of) const {
-    const auto* fabric = texture::find(texture.fabric, of);
-    return fabric ? fabric->a_c_signed.value : texture::unknown;
-  }
-};
+/// Heads of columns, and the numbers of the texture that stand below them. Anisotropies have a sign against the axis of loading, or of greatest
+/// compression where there are several; `show` without --states prints how large they are.
+constexpr std::pair<const char*, const char*> columns[] = {{"solid_fraction", "solid_fraction"},
+                                                           {"z", "coordination.all"},
+                                                           {"z_without_rattlers", "coordination.without_rattlers"},
+                                                           {"rattlers", "coordination.rattlers"},
+                                                           {"a_c_signed", "fabric.a_c_signed"},
+                                                           {"a_c_signed_strong", "fabric.sets.strong.a_c_signed"},
+                                                           {"a_c_signed_weak", "fabric.sets.weak.a_c_signed"},
+                                                           {"strong_share", "force.strong_share"},
+                                                           {"q_on_strong", "stress_details.strong_share_of_deviator"}};
 
-struct Column {
-  const char* head;
-  double (*value)(const State& state);
-};
-
-/// Strains are compression positive since the state before the stage; those of the volume are negative where the sample dilates. q/p is
-/// the sine of the mobilised angle of friction. Anisotropies have a sign here; `show` without --states prints how large they are.
-constexpr Column columns[] = {
-    {"time [s]", [](const State& s) { return s.frame.time; }},
-    {"strain_x", [](const State& s) { return 1 - s.frame.packing.domain.width() / s.start.width(); }},
-    {"strain_y", [](const State& s) { return 1 - s.frame.packing.domain.height() / s.start.height(); }},
-    {"volume_strain", [](const State& s) { return 1 - s.frame.packing.domain.area() / s.start.area(); }},
-    {"p [Pa]", [](const State& s) { return s.texture.stress.pressure; }},
-    {"q [Pa]", [](const State& s) { return s.texture.stress.deviator; }},
-    {"q_over_p", [](const State& s) { return s.texture.stress.deviator / s.texture.stress.pressure; }},
-    {"solid_fraction", [](const State& s) { return s.texture.solid_fraction.value; }},
-    {"z", [](const State& s) { return s.mean_contacts("all"); }},
-    {"z_without_rattlers", [](const State& s) { return s.mean_contacts("all without rattlers"); }},
-    {"rattlers", [](const State& s) { return s.texture.coordination.rattlers.value; }},
-    {"a_c_signed", [](const State& s) { return s.anisotropy("all"); }},
-    {"a_c_signed_strong", [](const State& s) { return s.anisotropy("strong"); }},
-    {"a_c_signed_weak", [](const State& s) { return s.anisotropy("weak"); }},
-    {"strong_share",
-     [](const State& s) {
-       const auto* all = texture::find(s.texture.force.compressive, "all");
-       return all ? all->fraction_above_mean.value : 0;
-     }},
-    {"q_on_strong", [](const State& s) { return s.texture.stress.strong_deviator_share.value; }},
-    {"mobilisation", [](const State& s) { return s.frame.equilibrium.mobilisation; }},
-};
+/// Strains are compression positive since the state before the stage; those of the volume are negative where the sample dilates. q/p is the sine of
+/// the mobilised angle of friction.
+std::vector<double> row_of(const Frame& frame, const Domain& start, const Numbers& texture) {
+  const Domain& now = frame.packing.domain;
+  const double p = number_at(texture, "stress_details.pressure_Pa"), q = number_at(texture, "stress_details.deviator_Pa");
+  std::vector<double> row{frame.time, 1 - now.width() / start.width(), 1 - now.height() / start.height(), 1 - now.area() / start.area(), p, q, q / p};
+  for (const auto& [head, name] : columns) row.push_back(number_at(texture, name));
+  row.push_back(frame.equilibrium.mobilisation);
+  return row;
+}
 
 std::vector<StageResult> stages_of(const std::filesystem::path& result) {
   std::vector<StageResult> stages;
@@ -71,9 +49,9 @@ std::vector<StageResult> stages_of(const std::filesystem::path& result) {
 }  // namespace
 
 std::string states_table(const std::filesystem::path& result) {
-  std::string text = "stage,label";
-  for (const Column& column : columns) text += fmt::format(",{}", column.head);
-  text += "\n";
+  std::string text = fmt::format("stage,label,{}", path_heads);
+  for (const auto& [head, name] : columns) text += fmt::format(",{}", head);
+  text += ",mobilisation\n";
   const auto stages = stages_of(result);
   const Domain* before = nullptr;  // of the first stage the reference is its own first state
   for (const StageResult& stage : stages) {
@@ -82,12 +60,9 @@ std::string states_table(const std::filesystem::path& result) {
     options.rev_sizes = options.rev_places = 1;
     const Domain& start = before ? *before : stage.frames.front().packing.domain;
     for (const Frame& frame : stage.frames) {
-      const State state{frame, start, texture::measure(frame.packing, options)};
       text += fmt::format("{},{}", stage.name, frame.label);
-      for (const Column& column : columns) {
-        const double value = column.value(state);
+      for (const double value : row_of(frame, start, texture::numbers(texture::measure(frame.packing, options))))
         text += std::isfinite(value) ? fmt::format(",{:.6g}", value + 0.0) : ",";
-      }
       text += "\n";
     }
     before = &stage.frames.back().packing.domain;

@@ -12,6 +12,8 @@
 namespace arenite::report {
 namespace {
 
+using statistics::described;
+
 std::string made_by(const Provenance& p) {
   const std::string title = recipe::title_in(p.recipe);
   return fmt::format("{}{}Made by Arenite {}, {}{}seed {}; input {}\n", title, title.empty() ? "" : "\n", p.version, p.kernel.empty() ? "" : "kernel ",
@@ -29,7 +31,10 @@ Numbers walls(const Domain& domain) {
   for (std::size_t side = 0; side < domain.wall.size(); ++side) {
     const Wall& wall = domain.wall[side];
     if (!wall.present) continue;
-    j[side_names[side]] = {{"position_m", wall.position}, {"velocity_m_s", wall.velocity}, {"force_N", wall.force}, {"shear_force_N", wall.shear_force}};
+    j[side_names[side]] = {{"position_m", described(wall.position, "m", "")},
+                           {"velocity_m_s", described(wall.velocity, "m/s", "")},
+                           {"force_N", described(wall.force, "N", "Of the grains on the wall")},
+                           {"shear_force_N", described(wall.shear_force, "N", "Along the wall")}};
   }
   return j;
 }
@@ -37,41 +42,26 @@ Numbers walls(const Domain& domain) {
 Numbers boundaries(const Domain& domain) {
   Numbers j = Numbers::tree();
   for (const Boundary& b : domain.boundaries)
-    j[b.name] = {{"present", b.present}, {"centre_m", {b.centre.x, b.centre.y}}, {"velocity_m_s", {b.velocity.x, b.velocity.y}},
-                 {"spin_rad_s", b.spin}, {"force_N", {b.force.x, b.force.y}},    {"torque_N_m", b.torque}};
+    j[b.name] = {{"present", b.present},
+                 {"centre_m", described({b.centre.x, b.centre.y}, "m", "")},
+                 {"velocity_m_s", described({b.velocity.x, b.velocity.y}, "m/s", "")},
+                 {"spin_rad_s", described(b.spin, "rad/s", "Counter-clockwise")},
+                 {"force_N", described({b.force.x, b.force.y}, "N", "Of the grains on it, along x and y")},
+                 {"torque_N_m", described(b.torque, "N m", "")}};
   return j;
 }
 
 Numbers state(const Frame& frame) {
   Numbers energies = Numbers::tree();
-  for (const EnergyTerm& term : energy_terms) energies[term.name] = frame.energies.*term.value;
+  for (const EnergyTerm& term : energy_terms) energies[term.name] = described(frame.energies.*term.value, "J", term.phrase);
   Numbers j{{"label", frame.label},
-            {"time_s", frame.time},
-            {"step", frame.step},
+            {"time_s", described(frame.time, "s", "Time since the run began")},
+            {"step", described(frame.step, "", "Steps since the run began")},
             {"walls", walls(frame.packing.domain)},
             {"equilibrium", rest_of(frame.equilibrium, "wall_speed_m_s")},
             {"energies_J", energies}};
   if (!frame.packing.domain.boundaries.empty()) j["boundaries"] = boundaries(frame.packing.domain);
   return j;
-}
-
-void describe_state(TextLines& lines, const Frame& frame) {
-  lines.heading(fmt::format("Last state: {} (t = {:.6g} s, step {})", frame.label, frame.time, frame.step));
-  const Domain& d = frame.packing.domain;
-  for (std::size_t side = 0; side < d.wall.size(); ++side)
-    if (d.wall[side].present)
-      lines.add(fmt::format("{} wall", side_names[side]),
-                fmt::format("at {:.6g} m, force {:.5g} N, along it {:.5g} N", d.wall[side].position, d.wall[side].force, d.wall[side].shear_force));
-  for (const Boundary& b : d.boundaries)
-    if (b.present) lines.add(b.name, fmt::format("force {:.5g} N and {:.5g} N along x and y, torque {:.5g} N m", b.force.x, b.force.y, b.torque));
-  if (d.periodic[0] || d.periodic[1]) lines.add("periodic cell", fmt::format("{:.6g} m x {:.6g} m, tilt {:.6g} m", d.width(), d.height(), d.tilt));
-  lines.add("unbalanced force ratio", fmt::format("{:.2e}", frame.equilibrium.unbalanced_ratio));
-  lines.add("kinetic/elastic energy", fmt::format("{:.2e}", frame.equilibrium.kinetic_ratio));
-  lines.add("the same of grains that carry nothing", fmt::format("{:.2e}", frame.equilibrium.loose_kinetic));
-  if (frame.equilibrium.falling > 0) lines.add("share of grains that fall", fmt::format("{:.4f}", frame.equilibrium.falling));
-  lines.add("mean |Ft|/Fn", fmt::format("{:.3f}", frame.equilibrium.mobilisation));
-  for (const EnergyTerm& term : energy_terms)
-    if (const double value = frame.energies.*term.value; value != 0) lines.add(term.phrase, fmt::format("{:.5g} J", value));
 }
 
 /// What the list of stages says of every kind of result.
@@ -84,13 +74,6 @@ Numbers last_texture(const StageResult& last) {
   if (!last.texture.empty()) return last.texture;
   if (last.frames.empty()) return Numbers::tree();
   return texture::numbers(texture::measure(last.frames.back().packing, workflow::texture_options(last.provenance)));
-}
-
-/// The text does not show the REV study, which takes longest.
-texture::Texture texture_without_rev(const StageResult& last) {
-  texture::Options options = workflow::texture_options(last.provenance);
-  options.rev_sizes = 0;
-  return texture::measure(last.frames.back().packing, options);
 }
 
 }  // namespace
@@ -145,43 +128,34 @@ Numbers Summary::numbers() const {
 }
 
 std::string Summary::how_stages_ended() const {
-  TextLines lines;
-  lines.heading("Stages");
+  std::string text = made_by(last().provenance) + "\nStages\n";
   for (const Stage& stage : stages_) {
-    lines.add(stage.result.name, (stage.result.converged ? "" : "NOT IN EQUILIBRIUM: ") + stage.result.outcome);
-    lines.add("", fmt::format("{} {} in {}", stage.states, stage.states == 1 ? "state" : "states", stage.file));
+    text += fmt::format("  {:<32} {}{}\n", stage.result.name, stage.result.converged ? "" : "NOT IN EQUILIBRIUM: ", stage.result.outcome);
+    text += fmt::format("  {:<32} {} {} in {}\n", "", stage.states, stage.states == 1 ? "state" : "states", stage.file);
   }
-  for (const Field& field : fields_) {
-    lines.add(field.head.name, (field.head.converged ? "" : "NOT SOLVED: ") + field.head.outcome);
-    lines.add("", field.file);
-  }
-  return made_by(last().provenance) + std::move(lines).text();
+  for (const Field& field : fields_)
+    text += fmt::format("  {:<32} {}{}\n  {:<32} {}\n", field.head.name, field.head.converged ? "" : "NOT SOLVED: ", field.head.outcome, "", field.file);
+  return text;
 }
 
 std::string Summary::text() const {
-  const std::string more = "\n`arenite show RESULT --all` prints every number, `--json` the same for programs, `--numbers` what each number is.\n";
   if (!films_.empty()) return all();
-  if (!fields_.empty()) return how_stages_ended() + field_headlines(fields_.back().numbers) + more;
-  const StageResult& last = stages_.back().result;
-  if (last.frames.empty()) return how_stages_ended();
-  return how_stages_ended() + flow_text(last.texture) + headlines(last, texture_without_rev(last)) + critical_state_text(last) + more;
+  const bool has_state = fields_.empty() && !stages_.back().result.frames.empty();
+  if (fields_.empty() && !has_state) return how_stages_ended();
+  return how_stages_ended() + (has_state ? state_text(stages_.back().result) : "") + "\nNumbers, each +- its standard error\n" + headlines(numbers()) +
+         "\n`arenite show RESULT --all` prints every number, `--json` the same for programs.\n";
 }
 
 std::string Summary::all() const {
   if (!films_.empty()) return made_by(films_.back().provenance) + film_text(films_.back());
-  if (!fields_.empty()) return how_stages_ended() + field_text(fields_.back().numbers);
-  TextLines lines;
-  const StageResult& last = stages_.back().result;
-  if (!last.frames.empty()) {
-    describe_state(lines, last.frames.back());
-    lines.heading("Texture of the last state");
-    lines.block(texture::to_text(texture_without_rev(last)));
-  }
-  return how_stages_ended() + flow_text(last.texture) + std::move(lines).text();
+  std::string text = how_stages_ended();
+  if (fields_.empty() && !stages_.back().result.frames.empty()) text += "\nLast state\n" + to_text(state(stages_.back().result.frames.back()));
+  return text + "\nNumbers, each +- its standard error\n" + to_text(numbers(), {"provenance"});
 }
 
 std::string field_summary(const FieldResult& result) {
-  return fmt::format("{}{}: {}\n", result.name, result.converged ? "" : " NOT SOLVED", result.outcome) + field_text(result.numbers);
+  return fmt::format("{}{}: {}\n", result.name, result.converged ? "" : " NOT SOLVED", result.outcome) +
+         to_text(result.numbers, {"cavity_rules", "options", "quantiles"});
 }
 
 Numbers field_numbers(const FieldResult& result) {

@@ -47,15 +47,10 @@ class Summary {
 std::string field_summary(const FieldResult& result);
 Numbers field_numbers(const FieldResult& result);
 
-/// A film in a few numbers: size, times and missing frames, what the camera says, levels and noise of the first frames.
-struct FilmSummary {
-  std::string text;  ///< for people
-  Numbers numbers;   ///< for programs
-};
-/// Reads up to `most_frames` of its frames.
-FilmSummary film_summary(FilmSource& film, std::size_t most_frames = 64);
+/// A film in a few numbers: size, times and missing frames, what the camera says, levels and noise of the first frames, up to `most_frames` of them.
+Numbers film_summary(FilmSource& film, std::size_t most_frames = 64);
 
-/// What a film gave, as lines for people and as JSON for programs.
+/// What a film gave, as a table for people and as JSON for programs.
 std::string film_text(const FilmResult& result);
 Numbers film_numbers(const FilmResult& result);
 

@@ -1,7 +1,5 @@
 #include "report/test_curves.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -10,7 +8,6 @@
 
 #include "core/error.hpp"
 #include "recipe/recipe.hpp"
-#include "report/result_text.hpp"
 
 namespace arenite::report {
 namespace {
@@ -192,28 +189,11 @@ std::optional<CriticalState> critical_state(const TestCurves& curves) {
   return state;
 }
 
-std::string critical_state_text(const StageResult& stage) {
-  const auto curves = test_curves(stage);
-  const auto state = curves ? critical_state(*curves) : std::nullopt;
-  if (!state) return {};
-  const auto shown = [](const statistics::Measured& m) {
-    const auto interval = statistics::confidence_95(m);
-    return statistics::with_error({m.value, 0.5 * (interval.high - interval.low)});
-  };
-  TextLines rows(TextLines::Layout::explained);
-  rows.heading(fmt::format("Critical state: {} from {:.3g} to {:.3g}, each +- its 95 % error{}", curves->strain_name, state->from, state->to,
-                           state->sure ? "" : " by six blocks, perhaps too small: shear further or repeat with other seeds"));
-  rows.add(curves->sheared ? "friction mu" : "q/p", shown(state->ratio),
-           curves->sheared ? "shear over normal stress on the sides" : "by the forces on the sides");
-  rows.add("solid fraction", shown(state->solid_fraction), "of the whole box");
-  return std::move(rows).text();
-}
-
 Numbers numbers_of(const TestCurves& curves, const CriticalState& state) {
   return {{"strain", curves.strain_name},
-          {"from", state.from},
-          {"to", state.to},
-          {"sure", state.sure},
+          {"from", statistics::described(state.from, "", "Strain from which on the ratio and the volume only fluctuate")},
+          {"to", statistics::described(state.to, "", "Last strain of the test")},
+          {"sure", statistics::described(state.sure, "", "\"no\": errors are of six blocks, perhaps too small; shear further or repeat with other seeds")},
           {curves.ratio_name(), with_interval(state.ratio, curves.sheared ? "Shear over normal stress on the sides, mean over the critical state"
                                                                           : "q/p by the forces on the sides, mean over the critical state")},
           {"solid_fraction", with_interval(state.solid_fraction, "Of the whole box, mean over the critical state")}};

@@ -35,10 +35,7 @@ struct CriticalState {
 /// the ratio or the solid fraction drifts to the end.
 std::optional<CriticalState> critical_state(const TestCurves& curves);
 
-/// As `arenite show --json` and the page have it: from, to, whether it is sure, and value, error, low_95, high_95 of the ratio, by its name, and of the solid fraction.
+/// As `arenite show` and the page have it: from, to, whether it is sure, and value, error, low_95, high_95 of the ratio, by its name, and of the solid fraction.
 Numbers numbers_of(const TestCurves& curves, const CriticalState& state);
-
-/// For people, under a heading; empty where there is none.
-std::string critical_state_text(const StageResult& stage);
 
 }  // namespace arenite::report

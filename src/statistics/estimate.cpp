@@ -22,10 +22,6 @@ StressUnit stress_unit(double size) {
   return {"Pa", 1};
 }
 
-void Lines::put(const std::string& name, const Estimate& e, const std::string& unit, double scale) {
-  if (std::isfinite(e.value)) put(name, with_error(e, scale) + (unit.empty() ? "" : " ") + unit);
-}
-
 std::string Lines::text() const {
   std::size_t width = 34;
   for (const auto& [name, value] : rows_) width = std::max(width, name.size());

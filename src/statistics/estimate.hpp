@@ -54,8 +54,6 @@ StressUnit stress_unit(double size);
 class Lines {
  public:
   void put(std::string name, std::string value) { rows_.emplace_back(std::move(name), std::move(value)); }
-  /// Left out where it is not known.
-  void put(const std::string& name, const Estimate& e, const std::string& unit = "", double scale = 1);
   void note(const std::string& text) { notes_ += "note: " + text + "\n"; }
   std::string text() const;
 

@@ -53,6 +53,8 @@ void add_named(std::vector<NamedNumber>& all, const std::string& name, const Num
     for (const auto& [own, item] : node.items()) add_named(all, name.empty() ? own : name + "." + own, item, meaning);
 }
 
+Numbers matrix(const Tensor2& t) { return {{t.xx, t.xy}, {t.yx, t.yy}}; }
+
 bool is_pair(const Numbers& n) { return n.is_list() && n.size() == 2 && n.front().is_text(); }
 
 }  // namespace
@@ -60,6 +62,25 @@ bool is_pair(const Numbers& n) { return n.is_list() && n.size() == 2 && n.front(
 Numbers::Numbers(std::initializer_list<Numbers> of) : kind_(Kind::list) {
   if (std::all_of(of.begin(), of.end(), is_pair)) *this = tree(of);
   else items_ = of;
+}
+
+Numbers::Numbers(const Tensor2& t) {
+  if (std::isfinite(t.xx)) *this = matrix(t);
+}
+
+Numbers::Numbers(const statistics::Estimate& e) {
+  if (std::isfinite(e.value)) *this = Numbers{{"value", e.value}, {"error", e.error}};
+}
+
+Numbers::Numbers(const statistics::TensorEstimate& t) {
+  if (std::isfinite(t.value.xx)) *this = Numbers{{"value", matrix(t.value)}, {"error", matrix(t.error)}};
+}
+
+Numbers::Numbers(const statistics::Curve& c) : Numbers{{"x", c.x}, {"y", c.y}, {"error", c.error}} {}
+
+Numbers::Numbers(const statistics::ByName<statistics::Estimate>& values) {
+  for (const auto& [name, value] : values)
+    if (Numbers known = value; known.is_known()) (*this)[name] = std::move(known);
 }
 
 Numbers Numbers::tree(std::initializer_list<Numbers> pairs) {
@@ -206,31 +227,13 @@ std::optional<Numbers> from_json(std::string_view text) {
 
 namespace arenite::statistics {
 
-Numbers matrix(const Tensor2& t) { return {{t.xx, t.xy}, {t.yx, t.yy}}; }
-
-void put(Numbers& to, const std::string& name, const Estimate& e) {
-  if (std::isfinite(e.value)) to[name] = Numbers{{"value", e.value}, {"error", e.error}};
-}
-void put(Numbers& to, const std::string& name, double value) {
-  if (std::isfinite(value)) to[name] = value;
-}
-void put(Numbers& to, const std::string& name, const TensorEstimate& t) {
-  if (std::isfinite(t.value.xx)) to[name] = Numbers{{"value", matrix(t.value)}, {"error", matrix(t.error)}};
-}
-void put(Numbers& to, const std::string& name, const Tensor2& t) {
-  if (std::isfinite(t.xx)) to[name] = matrix(t);
-}
-void put(Numbers& to, const std::string& name, const ByName<Estimate>& values) {
-  Numbers group = Numbers::tree();
-  for (const auto& [key, value] : values) put(group, key, value);
-  if (!group.empty()) to[name] = group;
-}
-
 Numbers described(Numbers value, const char* unit, const char* sentence) {
   value.means({unit, sentence});
   return value;
 }
 
-Numbers curve(const Curve& c) { return {{"x", numbers(c.x)}, {"y", numbers(c.y)}, {"error", numbers(c.error)}}; }
+void put(Numbers& to, const std::string& name, Numbers value, const char* unit, const char* sentence) {
+  if (value.is_known()) to[name] = described(std::move(value), unit, sentence);
+}
 
 }  // namespace arenite::statistics

@@ -47,6 +47,11 @@ class Numbers {
   Numbers(std::string text) : kind_(Kind::text), text_(std::move(text)) {}
   Numbers(const char* text) : Numbers(std::string(text)) {}
   Numbers(std::string_view text) : Numbers(std::string(text)) {}
+  Numbers(const Tensor2& t);                                        ///< {{xx, xy}, {yx, yy}}; not known where xx is not
+  Numbers(const statistics::Estimate& e);                           ///< {"value", "error"}
+  Numbers(const statistics::TensorEstimate& t);                     ///< likewise
+  Numbers(const statistics::Curve& c);                              ///< {"x", "y", "error"}
+  Numbers(const statistics::ByName<statistics::Estimate>& values);  ///< those that are known; not known if none is
   template <class T> Numbers(const std::vector<T>& values) : kind_(Kind::list), items_(values.begin(), values.end()) {}
   template <class T> Numbers(const std::map<std::string, T>& values) : kind_(Kind::tree) {
     for (const auto& [name, value] : values) (*this)[name] = value;
@@ -162,28 +167,24 @@ std::string to_json(const Numbers& numbers, int indent = -1);
 /// Nothing where the text is not JSON.
 std::optional<Numbers> from_json(std::string_view text);
 
+/// What is left out of a table: nodes with one of these names, or, where it begins with a blank, whose names end so.
+using LeftOut = std::vector<std::string_view>;
+/// For people: a row for each value in the tree's order, "name  value +- error unit  what it is", under the names that files, CSV and Python have;
+/// texts too, and tensors, but no longer lists. A set of things that is all of what it is a part of repeats it and has no rows. Notes stand last.
+std::string to_text(const Numbers& tree, const LeftOut& left_out = {});
+/// The rows at these dotted names alone, in this order: a number's, or a whole group's; "*" stands for any step.
+std::string rows_of(const Numbers& tree, const std::vector<std::string_view>& names);
+
 }  // namespace arenite
 
 /// What all statistics write their numbers with.
 namespace arenite::statistics {
 
-inline Numbers numbers(const std::vector<double>& values) { return values; }
-Numbers matrix(const Tensor2& t);
-Numbers curve(const Curve& c);  ///< {"x", "y", "error"}
-
-// What is not known is left out.
-void put(Numbers& to, const std::string& name, const Estimate& e);  ///< {"value", "error"}
-void put(Numbers& to, const std::string& name, double value);
-void put(Numbers& to, const std::string& name, const TensorEstimate& t);
-void put(Numbers& to, const std::string& name, const Tensor2& t);
-void put(Numbers& to, const std::string& name, const ByName<Estimate>& values);
-
 /// With its unit and what it is.
 Numbers described(Numbers value, const char* unit, const char* sentence);
-template <class T> void put(Numbers& to, const std::string& name, const T& value, const char* unit, const char* sentence) {
-  put(to, name, value);
-  if (to.contains(name)) to[name].means({unit, sentence});
-}
+
+/// Adds a value, with its unit and what it is, unless it is not known.
+void put(Numbers& to, const std::string& name, Numbers value, const char* unit, const char* sentence);
 
 /// A number of a statistic S, declared once: its name in files and tables, its unit (empty: it has none), what it is, and where it stands.
 template <class S> struct Declared {
@@ -191,20 +192,13 @@ template <class S> struct Declared {
   std::variant<Estimate S::*, double S::*, std::size_t S::*, bool S::*, TensorEstimate S::*, Tensor2 S::*, ByName<Estimate> S::*> member;
 };
 
-/// Adds all of a statistic's numbers, in the order of their declaration; counts and truths are always known.
-template <class S, std::size_t N> void put_all(Numbers& to, const S& statistic, const Declared<S> (&declared)[N]) {
-  for (const Declared<S>& d : declared)
-    std::visit(
-        [&](const auto member) {
-          if constexpr (std::is_integral_v<std::remove_cvref_t<decltype(statistic.*member)>>) to[d.name] = statistic.*member;
-          else put(to, d.name, statistic.*member);
-          if (to.contains(d.name)) to[d.name].means({d.unit, d.sentence});
-        },
-        d.member);
+/// Adds all of a statistic's numbers that are known, in the order of their declaration.
+template <class S, std::size_t N> void put(Numbers& to, const S& statistic, const Declared<S> (&declared)[N]) {
+  for (const Declared<S>& d : declared) std::visit([&](const auto member) { put(to, d.name, statistic.*member, d.unit, d.sentence); }, d.member);
 }
 template <class S, std::size_t N> Numbers tree_of(const S& statistic, const Declared<S> (&declared)[N]) {
   Numbers out = Numbers::tree();
-  put_all(out, statistic, declared);
+  put(out, statistic, declared);
   return out;
 }
 

@@ -179,7 +179,7 @@ std::vector<io::GrainField> derived_fields(const Packing& packing) {
 }
 
 std::vector<io::GrainField> derived_fields(const FilmResult& film) {
-  const texture::PerGrain rows = texture::measure(film.packing, {.rev_sizes = 0, .grain_sigma_hyd = film.peak_to_peak.sigma_hyd}).per_grain;
+  const texture::PerGrain rows = texture_of(film).per_grain;
   return {{"contacts", "1", as_doubles(rows.contacts)},
           {"sigma_norm", "1", rows.sigma_norm},
           {"sigma_hyd", "Pa", film.peak_to_peak.sigma_hyd},

@@ -22,8 +22,6 @@ void add_directions(Numbers& out, const char* source, const texture::Texture& te
     if (measured["fabric"].contains(key)) out[source][key] = measured["fabric"][key];
 }
 
-texture::Texture measured(const FilmResult& film) { return texture::measure(film.packing, {.rev_sizes = 0, .grain_sigma_hyd = film.peak_to_peak.sigma_hyd}); }
-
 Numbers directions_of(const FilmResult& film, const texture::Texture& texture, const Packing* simulation) {
   Numbers out = Numbers::tree();
   if (film.packing.contacts.size() == 0) return out;
@@ -181,7 +179,9 @@ void normalise(GrainStresses& source, const Packing& packing, const std::vector<
 
 }  // namespace
 
-Numbers film_directions(const FilmResult& film, const Packing* simulation) { return directions_of(film, measured(film), simulation); }
+texture::Texture texture_of(const FilmResult& film) { return texture::measure(film.packing, {.rev_sizes = 0, .grain_sigma_hyd = film.peak_to_peak.sigma_hyd}); }
+
+Numbers film_directions(const FilmResult& film, const Packing* simulation) { return directions_of(film, texture_of(film), simulation); }
 
 Agreement agreement(const std::vector<double>& one, const std::vector<double>& other, const std::vector<std::uint8_t>& counts) {
   std::vector<double> a, b;
@@ -206,7 +206,7 @@ Numbers film_numbers(const FilmResult& r, const Packing* simulation) {
   Numbers j{{"film", film_of(r)}, {"lockin", lockin_of(r)}, {"grains", grains_of(r)}, {"motion", motion_of(r)}, {"forces", forces_of(r)}};
   if (r.fit.proposed > 0) j["checks"] = checks_of(r);
   if (r.packing.contacts.size() == 0 && r.peak_to_peak.size() == 0) return j;
-  const texture::Texture texture = measured(r);
+  const texture::Texture texture = texture_of(r);
   if (auto directions = directions_of(r, texture, simulation); !directions.empty()) j["directions"] = std::move(directions);
   if (r.peak_to_peak.size() == 0) return j;
   j["texture"] = texture::numbers(texture);

@@ -37,6 +37,9 @@ FilmOutcome run_film(const std::filesystem::path& film, const recipe::FilmRecipe
 /// rim carries them, which is what pixels show. (A stress by branch vectors has arms shortened by the overlaps.)
 std::vector<double> stress_of_disks(const Packing& packing);
 
+/// Texture of a film's grains and contacts, with the stresses that the film gives; without the REV study.
+texture::Texture texture_of(const FilmResult& film);
+
 /// Statistics of what a film gave, as `arenite film --json` prints them: frequency, noise, grains by material, motion,
 /// sigma_norm (by the code that measures simulated packings), contact forces, contact orientations, and the comparison
 /// with the companion simulation, of whose state at the largest load the contacts count.

@@ -170,7 +170,7 @@ TEST(MeasureCommand, PrintsTheSameBytesTwiceAndATableWithoutJson) {
   EXPECT_EQ(t["fabric"]["sectors"].size(), 18u);
   const Outcome text = arenite("measure " + folder + "atoms.dump " + folder + "pairs.dump");
   EXPECT_EQ(text.status, 0);
-  EXPECT_NE(text.out.find("coordination, type1-ANY"), std::string::npos);
+  EXPECT_NE(text.out.find("coordination.type1-ANY"), std::string::npos);
 }
 
 TEST(MeasureCommand, RefusesBadOptionsWithStatusTwo) {

@@ -36,8 +36,9 @@ TEST(ShowFilm, TextNamesWhatIsMissingAndDoubtful) {
   test::spill(folder / "a.ptw", test::ptw(film, 0.02));
   const auto shown = arenite("show " + (folder / "a.ptw").string());
   ASSERT_EQ(shown.status, 0) << shown.err;
-  for (const char* words : {"ptw film of 9 frames, 6 x 4 pixels, 14 bit", "frame rate    100 Hz", "every 20 ms (stamped)", "8 frames of the camera's, evenly",
-                            "2 pixels never change", "1 pixels reach the top"})
+  for (const char* words : {"format                           ptw", "frames                           9 ", "width                            6 ", "100 Hz",
+                            "0.02 s", "stamped                          yes", "dropped_frames                   8 ", "pixels.constant                  2 ",
+                            "pixels.saturated                 1 "})
     EXPECT_NE(shown.out.find(words), std::string::npos) << words << "\n" << shown.out;
 }
 

@@ -150,7 +150,7 @@ TEST(Show, IsShortAndSaysWhatItsSymbolsMean) {
   EXPECT_LE(std::count(shown.out.begin(), shown.out.end(), '\n'), 30) << shown.out;
   EXPECT_GT(all.out.size(), shown.out.size());
   for (const char* part :
-       {"coordination z", "contacts of a grain with others", "contact anisotropy a_c", "mean normal force <F>", "P(F) ~ exp(-beta F/<F>)", "--all"})
+       {"coordination.all ", "Mean number of contacts a grain", "fabric.a_c ", "Contact anisotropy", "force.mean_N ", "P ~ exp(-beta x)", "--all"})
     EXPECT_NE(shown.out.find(part), std::string::npos) << part << "\n" << shown.out;
   EXPECT_NE(all.out.find("dissipated by friction"), std::string::npos) << all.out;
 }

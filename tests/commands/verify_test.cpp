@@ -34,10 +34,10 @@ TEST(Verify, WithoutRunsJudgesTheSourcesTablesAndSaysWhatIsMissing) {
 
 TEST(Verify, HoldsVerdictsAgainstEarlierOnesOfTheSameSize) {
   const test::TemporaryFolder folder;
-  const std::string file = (folder.path() / "verdicts.json").string();
+  const std::string file = (folder.path() / "verdicts.csv").string();
   ASSERT_EQ(test::arenite(read_only(folder, "--verdicts " + file)).status, 0);
   EXPECT_EQ(test::arenite(read_only(folder, "--expect " + file)).status, 0);
-  const auto small = test::arenite(read_only(folder, "--expect " ARENITE_SOURCE_DIR "/tests/ledger/expected-small.json"));
+  const auto small = test::arenite(read_only(folder, "--expect " ARENITE_SOURCE_DIR "/tests/ledger/expected-small.csv"));
   EXPECT_EQ(small.status, 2);
   EXPECT_NE(small.err.find("small studies"), std::string::npos) << small.err;
 }

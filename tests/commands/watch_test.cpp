@@ -136,7 +136,7 @@ TEST(Watch, ShowsARunAsItGrowsAndStopsIt) {
   std::ofstream(file) << recipe_of("20 s");
   const std::string line = "run " + file.string() + " --quiet --checkpoint-every 0.5 --out " + out.string();
   Background run(line, folder / "run.out", folder / "run.err");
-  ASSERT_TRUE(becomes([&] { return fs::exists(out / "status.json"); })) << test::slurp(folder / "run.err");
+  ASSERT_TRUE(becomes([&] { return fs::exists(out / "status.csv"); })) << test::slurp(folder / "run.err");
   Background watch("watch " + out.string(), folder / "watch.out", folder / "watch.err");
   const Page page(folder / "watch.out");
   ASSERT_GT(page.port, 0) << test::slurp(folder / "watch.out") << test::slurp(folder / "watch.err");
@@ -180,7 +180,7 @@ TEST(Watch, ARunThatIsWatchedAndStoppedEndsWithTheBytesOfOneThatIsNot) {
   }
   EXPECT_GT(stops, 0);
   ASSERT_TRUE(fs::exists(out / "report.html"));
-  EXPECT_FALSE(fs::exists(out / "status.json"));
+  EXPECT_FALSE(fs::exists(out / "status.csv"));
   ASSERT_EQ(test::arenite(line + (folder / "alone").string()).status, 0);
   EXPECT_EQ(test::stage_files(out), test::stage_files(folder / "alone"));
 }
@@ -222,7 +222,7 @@ TEST(Status, OfARunThatWasKilledSaysThatItsProcessIsGone) {
   const auto file = folder / "recipe.toml", out = folder / "out";
   std::ofstream(file) << recipe_of("20 s");
   Background run("run " + file.string() + " --quiet --out " + out.string(), folder / "run.out", folder / "run.err");
-  ASSERT_TRUE(becomes([&] { return fs::exists(out / "status.json"); }));
+  ASSERT_TRUE(becomes([&] { return fs::exists(out / "status.csv"); }));
   run.end(SIGKILL);
   const auto shown = test::arenite("show " + out.string());
   EXPECT_EQ(shown.status, 0) << shown.err;

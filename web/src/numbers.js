@@ -13,6 +13,12 @@ function written(estimate, scale = 1, digits = 4) {
   return [value, error && h("small", {}, ` \u00b1 ${error}`)];
 }
 
+/** What the program declares of a number of the texture, by its dotted name: unit and sentence. */
+function declared(t, name) {
+  const [unit, sentence] = t.meanings?.[name] ?? ["", ""];
+  return { unit: unit === "deg" ? "\u00b0" : unit, sentence };
+}
+
 /** The prefix that suits the largest of some estimates: { scale, unit }. */
 function inUnit(estimates, unit) {
   const largest = Math.max(0, ...estimates.filter(Boolean).map((e) => Math.abs(e.value ?? e)));
@@ -20,77 +26,75 @@ function inUnit(estimates, unit) {
   return { scale: 1 / factor, unit: prefix + unit };
 }
 
-/** A table with a row a set and a column a statistic; `columns` = [{ head, unit, of, scale, digits }]. */
+/** A table with a row a set and a column a statistic; `columns` = [{ head, unit, of, scale, digits, sentence }]. */
 export function grid(title, sets, columns) {
   const shown = columns.filter(({ of }) => sets.some(([, set]) => of(set) !== undefined && of(set) !== null));
   return h("table", {}, h("caption", {}, title),
-    h("thead", {}, h("tr", {}, h("th"), shown.map(({ head, unit }) => h("th", {}, rich(head), unit && h("small", {}, `, ${unit}`))))),
+    h("thead", {}, h("tr", {}, h("th"), shown.map(({ head, unit, sentence }) => h("th", { title: sentence || null }, rich(head), unit && h("small", {}, `, ${unit}`))))),
     h("tbody", {}, sets.map(([name, set]) => h("tr", {}, h("td", {}, plain(name)), shown.map(({ of, scale, digits }) => h("td", {}, written(of(set), scale, digits)))))));
 }
 
-/** A table of single numbers; rows = [name, symbol, estimate, unit, scale]. */
-function list(title, rows) {
+/** The same of sets of a texture: `columns` = [[head, key, digits]], the unit and what it is as the program declares them for the set of all. */
+function gridOf(t, group, title, sets, columns) {
+  return grid(title, sets, columns.map(([head, key, digits]) => {
+    const { unit, sentence } = declared(t, `${group}.${key}`), of = (set) => set[key];
+    return { head, sentence, of, digits, ...(unit === "" || unit === "\u00b0" ? { unit } : inUnit(sets.map(([, set]) => of(set)), unit)) };
+  }));
+}
+
+/** A table of single numbers; rows = [name, symbol, estimate, its dotted name], with the unit that the program declares. */
+function list(t, title, rows) {
   const known = rows.filter(([, , estimate]) => estimate !== undefined && estimate !== null);
   if (known.length === 0) return null;
-  return h("table", {}, h("caption", {}, title), h("tbody", {}, known.map(([name, symbol, estimate, unit = "", scale = 1]) =>
-    h("tr", {}, h("td", {}, name, symbol && [" ", h("span", { class: "symbol" }, rich(symbol))]), h("td", {}, written(estimate, scale), unit && h("small", {}, `\u202f${unit}`))))));
+  return h("table", {}, h("caption", {}, title), h("tbody", {}, known.map(([name, symbol, estimate, dotted]) => {
+    const about = declared(t, dotted), { scale, unit } = inUnit([estimate], about.unit);
+    return h("tr", { title: about.sentence || null }, h("td", {}, name, symbol && [" ", h("span", { class: "symbol" }, rich(symbol))]), h("td", {}, written(estimate, scale), unit && h("small", {}, `\u202f${unit}`)));
+  })));
 }
 
 function structure(t) {
-  return list("Structure", [
-    ["grains", "N_{p}", t.considered?.grains], ["contacts", "N_{c}", t.considered?.contacts],
-    ["solid fraction", "\u03c6", t.solid_fraction], ["local order", "\u03c8_{6}", t.local_order?.psi6],
-    ["rattlers", "", t.coordination?.rattlers, "%", 100],
+  return list(t, "Structure", [
+    ["grains", "N_{p}", t.considered?.grains, "considered.grains"], ["contacts", "N_{c}", t.considered?.contacts, "considered.contacts"],
+    ["solid fraction", "\u03c6", t.solid_fraction, "solid_fraction"], ["local order", "\u03c8_{6}", t.local_order?.psi6, "local_order.psi6"],
+    ["rattlers", "", t.coordination?.rattlers, "coordination.rattlers"],
   ]);
 }
 
 function coordination(t, materials) {
   const z = t.coordination ?? {};
   const names = materials.length > 1 ? Object.keys(z).filter((name) => name.includes("-")) : [];
-  return list("Coordination z", [["all", "", z.all], ["without rattlers", "", z.without_rattlers],
-    ...names.sort((a, b) => b.endsWith("-ANY") - a.endsWith("-ANY")).map((name) => [plain(name).replace("ANY", "any"), "", z[name]])]);
+  return list(t, "Coordination z", [["all", "", z.all, "coordination.all"], ["without rattlers", "", z.without_rattlers, "coordination.without_rattlers"],
+    ...names.sort((a, b) => b.endsWith("-ANY") - a.endsWith("-ANY")).map((name) => [plain(name).replace("ANY", "any"), "", z[name], `coordination.${name}`])]);
 }
 
-function fabric({ fabric: f }) {
+function fabric(t) {
+  const f = t.fabric;
   if (!f?.a_c) return null;
   const sets = [["all", f], ...Object.entries(f.sets ?? {}).filter(([name]) => !/ (strong|weak)$/.test(name))];
-  return grid("Fabric", sets, [
-    { head: "N_{c}", of: (s) => s.contacts }, { head: "a_{c}", of: (s) => s.a_c }, { head: "noise", digits: 2, of: (s) => s.a_c_noise },
-    { head: "\u03b8_{c}", unit: "\u00b0", of: (s) => s.theta_c_deg }, { head: "a_{n}", of: (s) => s.a_n },
-  ]);
+  return gridOf(t, "fabric", "Fabric", sets, [["N_{c}", "contacts"], ["a_{c}", "a_c"], ["noise", "a_c_noise", 2], ["\u03b8_{c}", "theta_c_deg"], ["a_{n}", "a_n"]]);
 }
 
 function stress(t) {
   const d = t.stress_details ?? {};
   const part = (i, j) => t.stress && { value: t.stress.value[i][j], error: t.stress.error?.[i]?.[j] };
-  const { scale, unit } = inUnit([part(0, 0), part(1, 1)], "Pa");
-  return list("Stress of the assembly", [
-    ["", "\u03c3_{xx}", part(0, 0), unit, scale], ["", "\u03c3_{yy}", part(1, 1), unit, scale], ["", "\u03c3_{xy}", part(0, 1), unit, scale],
-    ["pressure", "p", d.pressure_Pa, unit, scale], ["deviator", "q", d.deviator_Pa, unit, scale],
-    ["axis of compression", "", d.axis_of_compression_deg, "\u00b0"],
-    ["strong share of p", "", d.strong_share_of_pressure, "%", 100], ["strong share of q", "", d.strong_share_of_deviator, "%", 100],
+  return list(t, "Stress of the assembly", [
+    ["", "\u03c3_{xx}", part(0, 0), "stress"], ["", "\u03c3_{yy}", part(1, 1), "stress"], ["", "\u03c3_{xy}", part(0, 1), "stress"],
+    ...[["pressure", "p", "pressure_Pa"], ["deviator", "q", "deviator_Pa"], ["axis of compression", "", "axis_of_compression_deg"], ["strong share of p", "", "strong_share_of_pressure"],
+      ["strong share of q", "", "strong_share_of_deviator"]].map(([name, symbol, key]) => [name, symbol, d[key], `stress_details.${key}`]),
   ]);
 }
 
 function sets(all, parts) { return all ? [["all", all], ...Object.entries(parts ?? {})] : []; }
 
-function grainStress({ sigma_norm: s }) {
-  const rows = sets(s, s?.by_material);
-  if (rows.length === 0) return null;
-  const { scale, unit } = inUnit(rows.map(([, set]) => set.mean_Pa), "Pa");
-  return grid("Stress of grains", rows, [
-    { head: "\u27e8\u03c3_{hyd}\u27e9", unit, scale, of: (d) => d.mean_Pa }, { head: "P_{0}", unit: "%", scale: 100, of: (d) => d.P0 },
-    { head: "\u03b2", of: (d) => d.beta }, { head: "max \u03c3_{norm}", digits: 3, of: (d) => d.maximum },
-  ]);
+function grainStress(t) {
+  const rows = sets(t.sigma_norm, t.sigma_norm?.by_material);
+  return rows.length === 0 ? null : gridOf(t, "sigma_norm", "Stress of grains", rows, [["\u27e8\u03c3_{hyd}\u27e9", "mean_Pa"], ["P_{0}", "P0"], ["\u03b2", "beta"], ["max \u03c3_{norm}", "maximum", 3]]);
 }
 
-function forces({ force: f }) {
-  const rows = sets(f, f?.by_type);
-  if (rows.length === 0) return null;
-  const { scale, unit } = inUnit(rows.map(([, set]) => set.mean_N), "N");
-  return grid("Contact forces", rows, [
-    { head: "\u27e8F_{n}\u27e9", unit, scale, of: (d) => d.mean_N }, { head: "above mean", unit: "%", scale: 100, of: (d) => d.strong_share },
-    { head: "\u03b1", of: (d) => d.alpha }, { head: "\u03b2", of: (d) => d.beta }, { head: "\u03b2\u00b2/(1\u2212\u03b1)(2\u2212\u03b1)", of: (d) => d.beta2_over_product },
+function forces(t) {
+  const rows = sets(t.force, t.force?.by_type);
+  return rows.length === 0 ? null : gridOf(t, "force", "Contact forces", rows, [
+    ["\u27e8F_{n}\u27e9", "mean_N"], ["above mean", "strong_share"], ["\u03b1", "alpha"], ["\u03b2", "beta"], ["T eq. 1.5", "beta2_over_product"],
   ]);
 }
 

@@ -59,7 +59,7 @@ export class Sample {
     const known = this.about.frames.map((frame, f) => (frame.texture ? f : -1)).filter((f) => f >= 0);
     if (known.length === 0) return null;
     const nearest = known.reduce((best, f) => (Math.abs(f - k) < Math.abs(best - k) ? f : best));
-    return { ...this.about.frames[nearest].texture, frame: nearest };
+    return { ...this.about.frames[nearest].texture, meanings: this.about.meanings, frame: nearest };
   }
 
   /** The coarse-grained fields of a frame, or of the nearest that has them; null where none has. */

@@ -62,8 +62,6 @@ Estimate neighbours(const View& view) {
   return mean(view.grains, view.grain_block, [&](std::size_t g) { return static_cast<double>(touched[g].size()); });
 }
 
-}  // namespace
-
 /// Every considered grain brings the ends of its own contacts, so that N_AB is half the number of such ends and z of a sample without border is 2
 /// N_c/N_p; contacts with walls are not counted.
 void measure_coordination(const View& view, Texture& texture) {
@@ -105,5 +103,25 @@ void measure_coordination(const View& view, Texture& texture) {
     z.histogram[k] += 1.0 / static_cast<double>(view.grains.size());
   }
 }
+
+constexpr Declared<Coordination> coordination_numbers[] = {
+    {"rattlers", "", "Share of grains with fewer than two contacts that carry force", &Coordination::rattlers},
+    {"unlike_contacts_twice", "", "2 (N_XX + N_XY)/N_X (T 4.3.1)", &Coordination::doubled},
+    {"parts_of_z", "", "2 N_AB over all grains (T 5.3.1); the parts add up to z", &Coordination::parts},
+    {"share_of_contacts", "", "N_AB over all contacts", &Coordination::share}};
+
+void put_coordination(const Texture& t, Numbers& to, bool /*curves*/) {
+  const Coordination& z = t.coordination;
+  Numbers j = Numbers::tree();
+  for (const auto& [name, value] : z.mean)
+    put(j, name == "all without rattlers" ? "without_rattlers" : name, value, "", "Mean number of contacts a grain, of the pair or set that the name says");
+  put(j, z, coordination_numbers);
+  j["histogram"] = z.histogram;
+  to["coordination"] = j;
+}
+
+}  // namespace
+
+extern const Statistic coordination{measure_coordination, put_coordination};
 
 }  // namespace arenite::texture

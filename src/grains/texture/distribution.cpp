@@ -84,6 +84,43 @@ PowerLaw weak_power_law(const std::vector<double>& sorted) {
   return law;
 }
 
+namespace {
+
+constexpr Declared<Distribution> distribution_numbers[] = {
+    {"fraction_above_mean_of_all", "", "Share of the set above the mean of all", &Distribution::fraction_above_mean_of_all},
+    {"maximum", "", "Largest value over the mean", &Distribution::maximum}};
+
+constexpr Declared<ExponentialTail> tail_numbers[] = {
+    {"beta_line", "", "The same by a straight line through ln of the survival function", &ExponentialTail::line_beta},
+    {"line_r2", "", "Share of that logarithm's variance that the line explains", &ExponentialTail::line_r2},
+    {"tail_count", "", "Values above the mean", &ExponentialTail::count},
+    {"log_likelihood_ratio", "", "ln L(exponential) - ln L(half-Gaussian)", &ExponentialTail::likelihood_ratio},
+    {"p_value", "", "That the exponential's lead is chance (Vuong's test, one-sided)", &ExponentialTail::p_value}};
+
+constexpr Declared<Distribution> relation_numbers[] = {
+    {"k", "", "Height of the pdf at the mean, 1/k = 1/(1 - alpha) + 1/beta", &Distribution::k},
+    {"beta2_over_product", "", "beta^2/((1 - alpha)(2 - alpha)); 1 where T eq. 1.5 holds", &Distribution::relation}};
+
+Numbers numbers_of(const Distribution& d, const DistributionNames& names, bool curves) {
+  Numbers j{{"count", described(d.count, "", "Values of the set")}};
+  put(j, names.mean, d.mean, names.unit, "Mean of the set");
+  put(j, names.share, d.fraction_above_mean, "", "Share above the set's own mean, P_0");
+  put(j, d, distribution_numbers);
+  put(j, "beta", d.tail.beta, "", "Decay of values above the mean, P ~ exp(-beta x), by maximum likelihood");
+  put(j, "beta_error", d.tail.beta.error, "", "Standard error of beta");
+  put(j, d.tail, tail_numbers);
+  put(j, "alpha", d.weak.alpha, "", "Exponent of values below the mean, P ~ x^-alpha, by maximum likelihood");
+  put(j, d, relation_numbers);
+  if (curves) j.update({{"pdf", d.pdf}, {"pdf_over_all", d.pdf_over_all}, {"cumulative", d.cumulative}});
+  return j;
+}
+
+}  // namespace
+
+Numbers numbers(const ByName<Distribution>& sets, const DistributionNames& names, bool curves) {
+  return by_set(sets, names.group, [&](const Distribution& d) { return numbers_of(d, names, curves); });
+}
+
 Distribution distribution(const Items& items, const std::vector<int>& block_of, const std::vector<double>& value, double mean_of_all, double scale) {
   Distribution d;
   d.count = items.size();
@@ -112,6 +149,8 @@ Distribution distribution(const Items& items, const std::vector<int>& block_of, 
   return d;
 }
 
+namespace {
+
 /// Normal forces between grains, pushing and pulling ones apart (T Fig. 1.6, 1.9).
 void measure_forces(const View& view, Texture& texture) {
   if (view.contacts.empty()) {
@@ -135,5 +174,19 @@ void measure_forces(const View& view, Texture& texture) {
   texture.force.tensile_share = mean(view.contacts, view.contact_block, [&](std::size_t c) { return pull[c] > 0 ? 1.0 : 0.0; });
   texture.force.tensile_mean_ratio = view.mean_force > 0 ? mean_pull / view.mean_force : unknown;
 }
+
+void put_forces(const Texture& t, Numbers& to, bool curves) {
+  constexpr DistributionNames names{"mean_N", "N", "strong_share", "by_type"};
+  if (t.force.compressive.empty()) return;
+  Numbers& j = to["force"] = numbers(t.force.compressive, names, curves);
+  put(j, "tensile_share", t.force.tensile_share, "", "Share of contacts that pull");
+  if (t.force.tensile.empty()) return;
+  j["tensile"] = numbers(t.force.tensile, names, curves);
+  put(j["tensile"], "mean_over_compressive_mean", t.force.tensile_mean_ratio, "", "Mean pull over mean push");
+}
+
+}  // namespace
+
+extern const Statistic forces{measure_forces, put_forces};
 
 }  // namespace arenite::texture

@@ -122,8 +122,6 @@ void add_sets(const View& view, const std::string& name, const Items& items, ByN
   if (!weak.empty()) fabric.emplace_back(prefix + "weak", fabric_of(view, weak));
 }
 
-}  // namespace
-
 /// Strong and weak are told apart by the mean force of the whole network; a contact that pulls is weak.
 void measure_fabric(const View& view, Texture& texture) {
   add_sets(view, "all", view.contacts, texture.fabric);
@@ -157,5 +155,50 @@ void measure_threshold(const View& view, Texture& texture) {
     push(curve.above, curve.above_noise, sum.back() - sum[below], sorted.size() - below);
   }
 }
+
+constexpr Declared<Fabric> fabric_numbers[] = {
+    {"contacts", "", "Contacts of the set", &Fabric::contacts},
+    {"a_c", "", "Contact anisotropy 2 (phi_1 - phi_2), T eq. 1.8; 0: contacts in all directions alike", &Fabric::a_c},
+    {"theta_c_deg", "deg", "Direction of most contacts, from x", &Fabric::theta_c_deg},
+    {"phi", "", "Fabric tensor <n (x) n>, T eq. 1.6", &Fabric::phi},
+    {"a_c_signed", "", "a_c cos 2(theta_c - theta_load): positive along the load", &Fabric::a_c_signed},
+    {"a_c_noise", "", "a_c that as many random directions give", &Fabric::noise},
+    {"a_n", "", "Anisotropy of the mean normal force", &Fabric::a_n},
+    {"theta_n_deg", "deg", "Direction of the largest normal forces, from x", &Fabric::theta_n_deg},
+    {"a_t", "", "Anisotropy of the mean tangential force", &Fabric::a_t}};
+
+constexpr Declared<Mode> mode_numbers[] = {{"amplitude", "", "|<exp(i m theta)>| of contact directions", &Mode::amplitude},
+                                           {"phase_deg", "deg", "Direction of its maximum, in [0, 360/m)", &Mode::phase_deg},
+                                           {"noise", "", "Amplitude that as many random directions give", &Mode::noise}};
+
+Numbers set_numbers(const Fabric& f, bool curves) {
+  Numbers j = tree_of(f, fabric_numbers);
+  for (const Mode& mode : f.modes) j["modes"][std::to_string(mode.m)] = tree_of(mode, mode_numbers);
+  if (curves) {
+    j["sectors"] = f.sectors;
+    j["sector_force_N"] = f.sector_force;
+  }
+  return j;
+}
+
+void put_fabric(const Texture& t, Numbers& to, bool curves) {
+  if (t.fabric.empty()) return;
+  to["fabric"] = by_set(t.fabric, "sets", [&](const Fabric& f) { return set_numbers(f, curves); });
+  put(to["fabric"], "load_axis_deg", t.load_axis_deg, "deg", "Direction of the load, from x, that signs refer to");
+}
+
+void put_threshold(const Texture& t, Numbers& to, bool curves) {
+  const ThresholdCurve& curve = t.threshold;
+  if (!curves || curve.threshold.empty()) return;
+  to["fabric"]["threshold"] = {{"force", curve.threshold},
+                               {"a_c_below", curve.below},
+                               {"noise_below", curve.below_noise},
+                               {"a_c_above", curve.above},
+                               {"noise_above", curve.above_noise}};
+}
+
+}  // namespace
+
+extern const Statistic fabric{measure_fabric, put_fabric}, threshold{measure_threshold, put_threshold};
 
 }  // namespace arenite::texture

@@ -26,8 +26,6 @@ Vec2 doubled_axis(const Grains& grains, std::size_t g) {
   return turned(Vec2{difference, product} / apart, turned(by, by));
 }
 
-}  // namespace
-
 /// The fabric of the grains' own directions: the modulus and the phase of <exp(2 i theta)>, by which the tensor <a (x) a> is known.
 void measure_long_axes(const View& view, Texture& texture) {
   const Grains& grains = view.packing.grains;
@@ -55,5 +53,18 @@ void measure_long_axes(const View& view, Texture& texture) {
   found.direction_deg = both[1];
   found.noise = 0.886 / std::sqrt(static_cast<double>(longish.size()));
 }
+
+constexpr Declared<LongAxes> long_axes_numbers[] = {{"grains", "", "Grains with a long axis", &LongAxes::grains},
+                                                    {"noise", "", "Order that as many random directions give", &LongAxes::noise},
+                                                    {"order", "", "|<exp(2 i theta)>| of long axes; 0 at random, 1 all alike", &LongAxes::order},
+                                                    {"direction_deg", "deg", "Direction of most long axes, from x", &LongAxes::direction_deg}};
+
+void put_long_axes(const Texture& t, Numbers& to, bool /*curves*/) {
+  if (t.long_axes.grains > 0) to["long_axes"] = tree_of(t.long_axes, long_axes_numbers);
+}
+
+}  // namespace
+
+extern const Statistic long_axes{measure_long_axes, put_long_axes};
 
 }  // namespace arenite::texture

@@ -8,28 +8,11 @@
 #include "grains/texture/view.hpp"
 
 namespace arenite::texture {
+
+// Each in its own file.
+extern const Statistic grain_stress, solid_fraction, coordination, fabric, threshold, stress, forces, sigma_norm, local_order, long_axes, rev, quality;
+
 namespace {
-
-struct Statistic {
-  const char* name;
-  void (*measure)(const View&, Texture&);
-};
-
-/// Every statistic that there is. Grain stress comes first, because the normalised stress builds on it.
-constexpr Statistic statistics[] = {
-    {"grain stress", measure_grain_stress},
-    {"solid fraction", measure_solid_fraction},
-    {"representative elementary volume", measure_rev},
-    {"coordination", measure_coordination},
-    {"fabric", measure_fabric},
-    {"fabric against force threshold", measure_threshold},
-    {"forces", measure_forces},
-    {"stress", measure_stress},
-    {"normalised stress", measure_sigma_norm},
-    {"local order", measure_local_order},
-    {"long axes", measure_long_axes},
-    {"quality", measure_quality},
-};
 
 void describe_sample(const View& view, Texture& texture) {
   texture.grains = view.packing.grains.size();
@@ -54,6 +37,30 @@ void describe_sample(const View& view, Texture& texture) {
         fmt::format("The sample is too small to leave out {:g} mean diameters along its walls, so it is taken whole.", view.options.border));
 }
 
+void put_sample(const Texture& t, Numbers& to, bool /*curves*/) {
+  to.update({{"grains", described(t.grains, "", "Grains of the sample")},
+             {"contacts", described(t.contacts, "", "Contacts between grains")},
+             {"wall_contacts", described(t.wall_contacts, "", "Contacts with walls")},
+             {"considered",
+              {{"grains", described(t.considered_grains, "", "Grains in the window that statistics are of")},
+               {"contacts", described(t.considered_contacts, "", "Contacts in that window")},
+               {"border_m", described(t.window.border, "m", "Strip left out along walls")}}},
+             {"mean_diameter_m", described(t.mean_diameter, "m", "Mean diameter of grains")}});
+}
+
+constexpr Statistic sample{describe_sample, put_sample};
+
+/// Every statistic that there is, in the order of their numbers. Grain stress comes first, because the normalised stress builds on it.
+constexpr const Statistic* statistics[] = {&sample, &grain_stress, &solid_fraction, &coordination, &fabric, &threshold, &stress,
+                                           &forces, &sigma_norm,   &local_order,    &long_axes,    &rev,    &quality};
+
+Numbers rows(const PerGrain& g) {
+  Numbers j{{"considered", g.considered}, {"rattler", g.rattler}, {"contacts", g.contacts}, {"sigma_norm", g.sigma_norm}, {"psi6", g.psi6}};
+  if (!g.sigma_hyd.empty()) j["sigma_hyd_Pa"] = g.sigma_hyd;
+  if (!g.sigma.empty()) j["sigma_Pa"] = g.sigma;
+  return j;
+}
+
 /// A grain wider than a periodic cell covers itself, and the cell as often as it pleases.
 void check_widths(const Packing& packing) {
   const Domain& d = packing.domain;
@@ -75,9 +82,51 @@ Texture measure(const Packing& packing, const Options& options) {
     throw InputError(fmt::format("sigma_hyd has {} values for {} grains; give one a grain, NaN where it is not known", measured, packing.grains.size()));
   Texture texture;
   const View view(packing, options);
-  describe_sample(view, texture);
-  for (const Statistic& statistic : statistics) statistic.measure(view, texture);
+  for (const Statistic* statistic : statistics) statistic->measure(view, texture);
   return texture;
+}
+
+Numbers numbers(const Texture& t, bool curves) {
+  Numbers j = Numbers::tree();
+  for (const Statistic* statistic : statistics)
+    if (statistic->put) statistic->put(t, j, curves);
+  j.update(t.more);
+  j["notes"] = t.notes;
+  if (curves) j["by_grain"] = rows(t.per_grain);
+  return j;
+}
+
+std::string to_text(const Texture& t) {
+  return arenite::to_text(numbers(t), {"border_m",
+                                       "load_axis_deg",
+                                       "phi",
+                                       "modes",
+                                       "a_n",
+                                       "theta_n_deg",
+                                       "a_t",
+                                       "a_c_signed",
+                                       "histogram",
+                                       "unlike_contacts_twice",
+                                       "parts_of_z",
+                                       "share_of_contacts",
+                                       "fraction_above_mean_of_all",
+                                       "beta_error",
+                                       "beta_line",
+                                       "line_r2",
+                                       "tail_count",
+                                       "log_likelihood_ratio",
+                                       "p_value",
+                                       "k",
+                                       "beta2_over_product",
+                                       "in_window",
+                                       "sum_over_grains",
+                                       "from_walls_and_weight",
+                                       "triangular_share",
+                                       "doubled_rows",
+                                       "negative_forces",
+                                       "negative_share",
+                                       " strong",
+                                       " weak"});
 }
 
 void forget_forces(Texture& t) {

@@ -63,8 +63,6 @@ void measure_friction(const View& view, Quality& quality) {
   quality.sliding_share = static_cast<double>(sliding) / static_cast<double>(ratios.size());
 }
 
-}  // namespace
-
 /// What tells measured networks from packings at rest: reported, never repaired.
 void measure_quality(const View& view, Texture& texture) {
   Quality& quality = texture.quality;
@@ -87,5 +85,19 @@ void measure_quality(const View& view, Texture& texture) {
                     "depend on where moments are taken.",
                     quality.median_imbalance));
 }
+
+constexpr Declared<Quality> quality_numbers[] = {
+    {"doubled_rows", "", "Contacts that stood twice and were merged", &Quality::doubled_rows},
+    {"negative_forces", "", "Contacts with negative normal force", &Quality::negative_forces},
+    {"negative_share", "", "Share of contacts with negative normal force", &Quality::negative_share},
+    {"median_imbalance", "", "Median |sum F| of grains with at least 3 contacts over the mean force", &Quality::median_imbalance},
+    {"friction_ratio_max", "", "Largest |F_t|/F_n of contacts that push", &Quality::friction_ratio_max},
+    {"sliding_share", "", "Share of contacts within 0.001 of the largest |F_t|/F_n", &Quality::sliding_share}};
+
+void put_quality(const Texture& t, Numbers& to, bool /*curves*/) { to["quality"] = tree_of(t.quality, quality_numbers); }
+
+}  // namespace
+
+extern const Statistic quality{measure_quality, put_quality};
 
 }  // namespace arenite::texture

@@ -5,6 +5,7 @@
 #include "grains/texture/view.hpp"
 
 namespace arenite::texture {
+namespace {
 
 /// Disk areas cut by the window over the window's area; an overlap counts in both disks. Error from equal blocks.
 void measure_solid_fraction(const View& view, Texture& texture) {
@@ -26,7 +27,9 @@ void measure_solid_fraction(const View& view, Texture& texture) {
   texture.solid_fraction = {covered / blocks.bounds.area(), standard_error(fraction)};
 }
 
-namespace {
+void put_solid_fraction(const Texture& t, Numbers& to, bool /*curves*/) {
+  put(to, "solid_fraction", t.solid_fraction, "", "Area of grains over area of the sample");
+}
 
 /// Solid fractions of windows of the box's shape, `side` of its side long, at random places in the whole box.
 std::vector<double> fractions(const Packing& packing, double side, int places, RandomStream random) {
@@ -69,6 +72,16 @@ void measure_rev(const View& view, Texture& texture) {
     texture.rev.error.push_back(std::hypot(deviation / std::sqrt(static_cast<double>(places)), texture.solid_fraction.error));
   }
 }
+
+namespace {
+
+void put_rev(const Texture& t, Numbers& to, bool /*curves*/) {
+  if (!t.rev.mean.empty()) to["rev"] = {{"area_share", t.rev.area_share}, {"mean", t.rev.mean}, {"deviation", t.rev.deviation}, {"error", t.rev.error}};
+}
+
+}  // namespace
+
+extern const Statistic solid_fraction{measure_solid_fraction, put_solid_fraction}, rev{measure_rev, put_rev};
 
 std::vector<double> window_fractions(const Packing& packing, double area_share, int places, std::uint64_t seed) {
   const geometry::Rectangle box = box_of(packing.domain);

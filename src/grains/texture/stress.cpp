@@ -144,6 +144,20 @@ Tensor2 wall_moment(const Packing& packing, Vec2 gravity) {
 
 double deviator(const Tensor2& s) { return 0.5 * std::hypot(s.xx - s.yy, s.xy + s.yx); }
 
+/// By the internal moment of a grain.
+Tensor2 stress_of(const Packing& packing, std::size_t grain, const Tensor2& moment) {
+  const double r = packing.grains.radius[grain];
+  return 1 / (std::numbers::pi * r * r * packing.domain.thickness) * moment;
+}
+
+std::vector<Tensor2> grain_stresses(const Packing& packing) {
+  std::vector<Tensor2> stresses = grain_moments(packing);
+  for (std::size_t g = 0; g < stresses.size(); ++g) stresses[g] = stress_of(packing, g, stresses[g]);
+  return stresses;
+}
+
+namespace {
+
 void measure_stress(const View& view, Texture& texture) {
   Stress& stress = texture.stress;
   split_by_strength(view, stress);
@@ -162,18 +176,6 @@ void measure_stress(const View& view, Texture& texture) {
   stress.deviator = deviator(s);
   const double axis = 0.5 * std::atan2(-shear, -difference) * 180 / std::numbers::pi;
   stress.axis_deg = axis < 0 ? axis + 180 : axis;
-}
-
-/// By the internal moment of a grain.
-Tensor2 stress_of(const Packing& packing, std::size_t grain, const Tensor2& moment) {
-  const double r = packing.grains.radius[grain];
-  return 1 / (std::numbers::pi * r * r * packing.domain.thickness) * moment;
-}
-
-std::vector<Tensor2> grain_stresses(const Packing& packing) {
-  std::vector<Tensor2> stresses = grain_moments(packing);
-  for (std::size_t g = 0; g < stresses.size(); ++g) stresses[g] = stress_of(packing, g, stresses[g]);
-  return stresses;
 }
 
 /// Stress of every grain over its own volume (T eq. 1.11). The normalised stress needs no length, since it cancels.
@@ -207,5 +209,28 @@ void measure_sigma_norm(const View& view, Texture& texture) {
     if (const Items items = known(all, texture.per_grain.sigma_norm); !items.empty())
       texture.sigma_norm.sets.emplace_back(name, distribution(items, view.grain_block, texture.per_grain.sigma_norm, 1.0, mean));
 }
+
+constexpr Declared<Stress> stress_numbers[] = {
+    {"in_window", "Pa", "Stress of the grains in the window, tension positive", &Stress::inner},
+    {"sum_over_grains", "Pa", "Stress as the sum over grains", &Stress::grains},
+    {"from_walls_and_weight", "Pa", "Stress from the forces on walls and from weight; the same in equilibrium", &Stress::walls},
+    {"pressure_Pa", "Pa", "Mean of the principal stresses, compression positive", &Stress::pressure},
+    {"deviator_Pa", "Pa", "Half the difference of the principal stresses", &Stress::deviator},
+    {"axis_of_compression_deg", "deg", "Direction of greatest compression, from x", &Stress::axis_deg},
+    {"strong_share_of_pressure", "", "Share of the pressure that contacts above the mean force carry", &Stress::strong_pressure_share},
+    {"strong_share_of_deviator", "", "Share of the deviator that contacts above the mean force carry", &Stress::strong_deviator_share}};
+
+void put_stress(const Texture& t, Numbers& to, bool /*curves*/) {
+  put(to, "stress", t.stress.whole, "Pa", "Mean stress of the sample, tension positive");
+  if (Numbers details = tree_of(t.stress, stress_numbers); !details.empty()) to["stress_details"] = std::move(details);
+}
+
+void put_sigma_norm(const Texture& t, Numbers& to, bool curves) {
+  if (!t.sigma_norm.sets.empty()) to["sigma_norm"] = numbers(t.sigma_norm.sets, {"mean_Pa", "Pa", "P0", "by_material"}, curves);
+}
+
+}  // namespace
+
+extern const Statistic grain_stress{measure_grain_stress}, stress{measure_stress, put_stress}, sigma_norm{measure_sigma_norm, put_sigma_norm};
 
 }  // namespace arenite::texture

@@ -189,6 +189,7 @@ struct Texture {
   LongAxes long_axes;  ///< of grains that are no disks
   PerGrain per_grain;
   Quality quality;
+  Numbers more = Numbers::tree();  ///< of statistics whose values nothing but tables and files reads
   std::vector<std::string> notes;  ///< what could not be computed, and why
 };
 
@@ -207,7 +208,7 @@ void forget_forces(Texture& texture);
 /// The statistics as JSON, each as {"value", "error"}; unknown ones are left out. `curves` adds histograms, distributions, REV and the rows by grain.
 Numbers numbers(const Texture& texture, bool curves = false);
 
-/// The main statistics as lines of text, value +- error.
+/// The main statistics as a table: name, value +- error, unit, meaning.
 std::string to_text(const Texture& texture);
 
 /// Sum over contacts, walls included, of f (x) l, with f on grain i and l from i to j (or to the wall), N m. Divided by the volume of the box it is

@@ -12,12 +12,16 @@
 
 namespace arenite::texture {
 
+using statistics::Declared;
+using statistics::described;
 using statistics::exponential_tail;
 using statistics::Items;
 using statistics::jackknife;
 using statistics::jackknife_of_sums;
 using statistics::mean;
+using statistics::put;
 using statistics::standard_error;
+using statistics::tree_of;
 
 /// A rectangle cut into k x k equal blocks. Neighbouring grains and contacts are not independent, so errors come from the scatter between blocks, not
 /// between grains.
@@ -102,18 +106,30 @@ PowerLaw weak_power_law(const std::vector<double>& sorted);
 /// into its unit, NaN where that cannot be known.
 Distribution distribution(const Items& items, const std::vector<int>& block_of, const std::vector<double>& value, double mean_of_all, double scale = 1);
 
-// One function a statistic. Each fills its own part of the texture; what it cannot compute it leaves unknown, with a note that says why.
-void measure_grain_stress(const View& view, Texture& texture);
-void measure_solid_fraction(const View& view, Texture& texture);
+/// The numbers of the set "all" with those of the others in a group.
+template <class T, class Make> Numbers by_set(const ByName<T>& sets, const char* group, const Make& make) {
+  Numbers j = Numbers::tree();
+  for (const auto& [name, set] : sets)
+    if (name == "all") j.update(make(set));
+    else j[group][name] = make(set);
+  return j;
+}
+
+/// What a kind of values calls its mean and the share above it.
+struct DistributionNames {
+  const char *mean, *unit, *share, *group;
+};
+Numbers numbers(const ByName<Distribution>& sets, const DistributionNames& names, bool curves);
+
+/// The REV study of texture.hpp by itself.
 void measure_rev(const View& view, Texture& texture);
-void measure_coordination(const View& view, Texture& texture);
-void measure_fabric(const View& view, Texture& texture);
-void measure_threshold(const View& view, Texture& texture);
-void measure_forces(const View& view, Texture& texture);
-void measure_stress(const View& view, Texture& texture);
-void measure_sigma_norm(const View& view, Texture& texture);
-void measure_local_order(const View& view, Texture& texture);
-void measure_long_axes(const View& view, Texture& texture);
-void measure_quality(const View& view, Texture& texture);
+
+/// A statistic, one file each; the list is in measure.cpp. What it cannot compute it leaves unknown, with a note that says why.
+struct Statistic {
+  /// Fills its part of the texture, or puts its numbers among Texture::more where nothing else needs them.
+  void (*measure)(const View& view, Texture& texture);
+  /// Puts what it has filled among the numbers, `curves` with histograms and lists; null where it has put them there itself.
+  void (*put)(const Texture& texture, Numbers& to, bool curves) = nullptr;
+};
 
 }  // namespace arenite::texture

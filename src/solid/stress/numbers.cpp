@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <cmath>
 
 #include "solid/stress/stress.hpp"
@@ -9,9 +7,7 @@
 namespace arenite::stress {
 namespace {
 
-using statistics::curve;
 using statistics::Declared;
-using statistics::matrix;
 using statistics::put;
 
 constexpr Declared<NodeCounts> node_numbers[] = {{"nodes", "", "Nodes of particles and matrix that count", &NodeCounts::nodes},
@@ -52,8 +48,8 @@ Numbers distribution(const Distribution& d, bool curves) {
   if (std::isfinite(d.peak.at)) j["peak"] = {{"at", d.peak.at}, {"height", d.peak.height}};
   if (!d.even_pdf.density.empty()) j["even_pdf"] = even(d.even_pdf);
   if (!d.own_even_pdf.density.empty()) j["own_even_pdf"] = even(d.own_even_pdf);
-  if (curves && !d.pdf.x.empty()) j["pdf"] = curve(d.pdf);
-  if (curves && !d.own_pdf.x.empty()) j["own_pdf"] = curve(d.own_pdf);
+  if (curves && !d.pdf.x.empty()) j["pdf"] = d.pdf;
+  if (curves && !d.own_pdf.x.empty()) j["own_pdf"] = d.own_pdf;
   return j;
 }
 
@@ -73,7 +69,7 @@ Numbers grains(const GrainStresses& g, bool rows) {
   Numbers centres = Numbers::list(), stresses = Numbers::list();
   for (std::size_t i = 0; i < g.nodes.size(); ++i) {
     centres.push_back({g.centre[i].x, g.centre[i].y});
-    stresses.push_back(matrix(g.stress[i]));
+    stresses.push_back(g.stress[i]);
   }
   j["by_grain"] = {{"nodes", g.nodes}, {"whole", g.whole}, {"centre_m", centres}, {"sigma_Pa", stresses}};
   return j;
@@ -85,21 +81,6 @@ Numbers options(const StressOptions& o) {
           {"leave_out_unloaded", o.leave_out_unloaded},
           {"sample_mean_over", o.mean_over_area ? "area" : "particles and matrix"},
           {"blocks", o.blocks}};
-}
-
-using statistics::Lines;
-using statistics::with_error;
-
-void put_set(Lines& lines, const std::string& what, const Distribution& d) {
-  if (d.relative_mean.error > 1e-12) lines.put("mean, " + what, d.relative_mean, "of the sample's");
-  lines.put("variance, " + what, d.variance);
-  lines.put("fraction above the mean, " + what, d.fraction_above_mean);
-  if (const Estimate* q = statistics::find(d.quantiles, "99.9 %")) lines.put("99.9 % quantile, " + what, *q);
-  lines.put("excess kurtosis, " + what, d.excess_kurtosis);
-  if (std::isfinite(d.tail.slope.value))
-    lines.put("slope of the tail, " + what, fmt::format("{} between {:.3g} and {:.3g} own means", with_error(d.tail.slope), d.tail.low, d.tail.high));
-  if (std::isfinite(d.q_gaussian.q.value))
-    lines.put("q of the q-Gaussian, " + what, fmt::format("{}, R^2 {:.3f}", with_error(d.q_gaussian.q), d.q_gaussian.r2));
 }
 
 }  // namespace
@@ -114,16 +95,8 @@ Numbers numbers(const Statistics& s, bool curves) {
 }
 
 std::string to_text(const Statistics& s) {
-  Lines lines;
-  lines.put("nodes of particles and matrix", fmt::format("{}", s.nodes));
-  for (const auto& c : s.components) {
-    const std::string stress = name_of(c.component);
-    const auto [unit, scale] = statistics::stress_unit(std::abs(c.sample_mean.value));
-    lines.put("mean " + stress, c.sample_mean, unit, scale);
-    for (const auto& [name, set] : c.sets) put_set(lines, name == "all" ? stress : stress + " in " + name, set);
-  }
-  for (const auto& note : s.notes) lines.note(note);
-  return lines.text();
+  return arenite::to_text(numbers(s), {"options", "quantiles", "own_variance", "mean_over_nodes_Pa", "mean_over_area_Pa", "line_slope", "line_r2",
+                                       "log_likelihood_ratio", "p_value", "centre", "peak"});
 }
 
 }  // namespace arenite::stress

@@ -103,7 +103,7 @@ Statistics measure(const PhaseMap& map, const StressField& field, const StressOp
 /// The statistics as JSON, each as {"value", "error"}; unknown ones are left out. `curves` adds pdfs and the rows by grain.
 Numbers numbers(const Statistics& statistics, bool curves = false);
 
-/// The main statistics as lines of text, value +- error.
+/// The main statistics as a table: name, value +- error, unit, meaning.
 std::string to_text(const Statistics& statistics);
 
 }  // namespace arenite::stress

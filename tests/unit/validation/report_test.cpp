@@ -56,7 +56,7 @@ TEST(LedgerReport, JsonHasNoNumberThatIsNotKnown) {
 TEST(LedgerReport, ChangedVerdictsAreTold) {
   const std::string same = ledger_verdicts(three_claims(), true);
   EXPECT_TRUE(changed_verdicts(three_claims(), same, "f", true).empty());
-  const std::string other = R"({"of": "the small studies, for the test alone: not the ledger", "T1": "reproduced", "T3": "undecided"})";
+  const std::string other = "claim,verdict\nof,\"the small studies, for the test alone: not the ledger\"\nT1,reproduced\nT3,undecided\n";
   const auto changes = changed_verdicts(three_claims(), other, "f", true);
   ASSERT_EQ(changes.size(), 3u);
   EXPECT_EQ(changes[0], "T1: trend reproduced, numbers not now, reproduced in f");
@@ -66,11 +66,11 @@ TEST(LedgerReport, ChangedVerdictsAreTold) {
 
 TEST(LedgerReport, VerdictsOfSmallStudiesAreNotTakenForTheLedger) {
   const std::string small = ledger_verdicts(three_claims(), true);
-  EXPECT_NE(small.find("\"of\": \"the small studies, for the test alone: not the ledger\""), std::string::npos);
+  EXPECT_NE(small.find("of,\"the small studies, for the test alone: not the ledger\"\n"), std::string::npos);
   EXPECT_THROW(changed_verdicts(three_claims(), small, "f", false), InputError);
   EXPECT_THROW(changed_verdicts(three_claims(), ledger_verdicts(three_claims(), false), "f", true), InputError);
   EXPECT_THROW(changed_verdicts(three_claims(), "[]", "f", true), InputError);
-  EXPECT_THROW(changed_verdicts(three_claims(), R"({"T1": {"stated": "holds"}})", "f", true), InputError);
+  EXPECT_THROW(changed_verdicts(three_claims(), "claim,verdict\nT1,holds\n", "f", true), InputError);
 }
 
 TEST(LedgerReport, ThePageHasOneRowAClaimAndSectionsOnlyForWhatIsNotReproduced) {

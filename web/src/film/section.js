@@ -24,7 +24,7 @@ export function filmSection(film, page) {
   page.watch(["theme"], () => state.set({ theme: page.get("theme") }));
   const { panel, view } = available(film).length ? filmPanel(film, state) : { panel: h("section", { class: "card" }, h("p", { class: "nothing" }, "This film has no maps.")), view: null };
   const cards = filmFigures.filter((figure) => figure.when({}, film)).map((figure) => figureCard(figure, film, state));
-  const element = h("div", {}, h("main", {}, panel, h("div", { class: "results" }, filmHeadlines(film), h("div", { class: "figures" }, cards), missing(film))), [comparisonNumbers(film), film.numbers?.texture && textureCard("Microstructure and forces", film.numbers.texture, film.materials), resultNumbers(film)]);
+  const element = h("div", {}, h("main", {}, panel, h("div", { class: "results" }, filmHeadlines(film), h("div", { class: "figures" }, cards), missing(film))), [comparisonNumbers(film), film.numbers?.texture && textureCard("Microstructure and forces", { ...film.numbers.texture, meanings: film.about.texture_meanings }, film.materials), resultNumbers(film)]);
   return { element, state, view, film };
 }
 
