@@ -181,7 +181,10 @@ void rename_former_runs(const fs::path& out, const Study& study) {
 void write_runs(const std::filesystem::path& file, const Study& study) {
   std::string text = fmt::format("{}\nmade\t{}\n", first_line, made_with(study));
   for (const auto& [path, hash] : study.inputs) text += fmt::format("input\t{}\t{}\n", path, hash);
-  text += fmt::format("title\t{}\n", toml_literal(recipe::Node{.kind = recipe::Node::Kind::text, .text = study.title}));
+  recipe::Node title;
+  title.kind = recipe::Node::Kind::text;
+  title.text = study.title;
+  text += fmt::format("title\t{}\n", toml_literal(title));
   for (const auto& key : study.keys) text += fmt::format("key\t{}\n", key);
   for (const auto& run : study.runs) text += line_of(run);
   io::write_atomically(file, text + "end\n");

@@ -81,9 +81,10 @@ Numbers support(const peridynamics::Support& s) {
 
 Numbers as_asked(const recipe::Load& load) {
   const peridynamics::Stiffness e = load.stiffness.resolved();
-  return {{"loading", recipe::word_of(load.loading)},
-          {"axis", recipe::word_of(load.axis)},
-          {"stiffness_Pa", {{"matrix", e.matrix}, {"interface", e.interface}, {"particle", e.particle}}}};
+  return {
+      {"loading", recipe::word_of(load.loading)},
+      {"axis", recipe::word_of(load.axis)},
+      {"stiffness_Pa", described({{"matrix", e.matrix}, {"interface", e.interface}, {"particle", e.particle}}, "Pa", "Young's modulus given to these bonds")}};
 }
 
 /// Of Young's modulus, by the phases' shares. The lattice's Poisson's ratio is 1/3.
@@ -165,7 +166,8 @@ void add_load(Numbers& j, const recipe::Load& load, const peridynamics::LoadRepo
   if (report.ending == peridynamics::Ending::solved) {
     j["modulus_Pa"] = described(report.modulus, "Pa", "Apparent modulus, mean stress over strain");
     if (load.loading != peridynamics::Loading::shear) j["poisson"] = described(report.poisson, "", "Apparent Poisson's ratio, of the middle half");
-    if (j.contains("phases")) j["modulus_bounds_Pa"] = bounds(j["phases"], load.stiffness.resolved());
+    if (j.contains("phases"))
+      j["modulus_bounds_Pa"] = described(bounds(j["phases"], load.stiffness.resolved()), "Pa", "Bound of Young's modulus by the phases' shares");
   }
   if (moduli)
     j["moduli"] = {{"E_x_Pa", described(moduli->young_x, "Pa", "Young's modulus along x")},

@@ -59,7 +59,7 @@ TEST(Cemented, ExampleGoesFromSamplingToStressesByPhase) {
   EXPECT_TRUE(j.contains("texture"));
   const auto text = arenite("show --all " + (folder / "out").string());
   ASSERT_EQ(text.status, 0) << text.err;
-  for (const char* words : {"S_m", "apparent modulus", "Node stresses, sigma_yy", "matrix"}) EXPECT_NE(text.out.find(words), std::string::npos) << words;
+  for (const char* words : {"S_m", "Apparent modulus", "stress.sigma_yy.sample_mean_Pa", "matrix"}) EXPECT_NE(text.out.find(words), std::string::npos) << words;
 }
 
 TEST(Cemented, StoredStagesAreReusedAndDamagedOnesMadeAgainWithTheSameBytes) {
