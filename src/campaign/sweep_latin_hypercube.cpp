@@ -73,9 +73,16 @@ std::optional<Interval> read_interval(const Assignment& entry, recipe::Reading& 
 
 recipe::Node value_at(const Interval& interval, double share, const recipe::Place& place) {
   const double at = interval.logarithmic ? interval.low * std::pow(interval.high / interval.low, share) : interval.low + share * (interval.high - interval.low);
-  if (interval.whole) return {.kind = recipe::Node::Kind::integer, .integer = static_cast<std::int64_t>(std::llround(at)), .place = place};
-  if (!interval.unit.empty()) return {.kind = recipe::Node::Kind::text, .text = fmt::format("{:.9g} {}", at, interval.unit), .place = place};
-  recipe::Node value = recipe::parse_value(fmt::format("{:.9g}", at));
+  recipe::Node value;
+  if (interval.whole) {
+    value.kind = recipe::Node::Kind::integer;
+    value.integer = static_cast<std::int64_t>(std::llround(at));
+  } else if (!interval.unit.empty()) {
+    value.kind = recipe::Node::Kind::text;
+    value.text = fmt::format("{:.9g} {}", at, interval.unit);
+  } else {
+    value = recipe::parse_value(fmt::format("{:.9g}", at));
+  }
   value.place = place;
   return value;
 }
