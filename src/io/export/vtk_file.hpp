@@ -4,6 +4,8 @@
 #include <variant>
 #include <vector>
 
+#include "core/vec.hpp"
+
 namespace arenite::io {
 
 /// One array of a VTK file: a value of `components` numbers for every point or cell.
