@@ -75,7 +75,8 @@ std::vector<geometry::Pair> pairs_within(const Grains& grains, const Domain& dom
   const auto key = [](const geometry::Pair& p) { return std::pair(p.i, p.j); };
   std::erase_if(pairs, [](const geometry::Pair& p) { return p.i == p.j; });
   std::ranges::sort(pairs, {}, key);
-  pairs.erase(std::ranges::unique(pairs, {}, key).begin(), pairs.end());
+  const auto same = [&](const geometry::Pair& p, const geometry::Pair& q) { return key(p) == key(q); };
+  pairs.erase(std::unique(pairs.begin(), pairs.end(), same), pairs.end());
   return pairs;
 }
 
