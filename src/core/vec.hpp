@@ -46,6 +46,10 @@ template <int D> constexpr double dot(Vec<D> a, Vec<D> b) {
   if constexpr (D == 2) return a.x * b.x + a.y * b.y;
   else return a.x * b.x + a.y * b.y + a.z * b.z;
 }
+template <int D> bool is_finite(Vec<D> a) {
+  if constexpr (D == 2) return std::isfinite(a.x) && std::isfinite(a.y);
+  else return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
+}
 template <int D> double norm(Vec<D> a) { return std::sqrt(dot(a, a)); }
 /// Out-of-plane component of the cross product.
 constexpr double cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }

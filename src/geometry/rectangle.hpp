@@ -25,6 +25,17 @@ inline Rectangle bounds(std::span<const Vec2> points) {
   return box;
 }
 
+/// The same around disks; upside down if there is none.
+inline Rectangle bounds(std::span<const Vec2> centres, std::span<const double> radii) {
+  Rectangle box{INFINITY, -INFINITY, INFINITY, -INFINITY};
+  for (std::size_t i = 0; i < centres.size(); ++i) {
+    const auto [x, y] = centres[i];
+    const double r = radii[i];
+    box = {std::min(box.x_min, x - r), std::max(box.x_max, x + r), std::min(box.y_min, y - r), std::max(box.y_max, y + r)};
+  }
+  return box;
+}
+
 /// The point of the segment from a to b that is nearest to a place.
 inline Vec2 nearest_on_segment(Vec2 a, Vec2 b, Vec2 place) {
   const Vec2 along = b - a;

@@ -88,7 +88,7 @@ void check(const Packing& packing, const Cement& cement) {
   const Grains& g = packing.grains;
   if (packing.domain.tilt != 0) report(fmt::format("the periodic cell is sheared by {:g} m; cement and grid need an upright one", packing.domain.tilt));
   for (std::size_t i = 0; i < g.size(); ++i)
-    if (!std::isfinite(g.position[i].x) || !std::isfinite(g.position[i].y) || !(g.radius[i] > 0) || !std::isfinite(g.radius[i]))
+    if (!is_finite(g.position[i]) || !(g.radius[i] > 0) || !std::isfinite(g.radius[i]))
       report(fmt::format("grain {} has centre ({:g}, {:g}) m and radius {:g} m; give finite numbers and a positive radius", i, g.position[i].x, g.position[i].y,
                          g.radius[i]));
   const auto pair = [&](const char* what, std::size_t k, std::int32_t i, std::int32_t j) {

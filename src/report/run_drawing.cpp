@@ -7,6 +7,7 @@
 
 #include "campaign/virtual_film.hpp"
 #include "core/mapped.hpp"
+#include "geometry/rectangle.hpp"
 #include "io/disk/file.hpp"
 #include "report/run_means.hpp"
 #include "report/study_page.hpp"
@@ -36,25 +37,19 @@ Numbers contacts_json(const Contacts& contacts) {
 
 /// What is drawn of grains, in metres.
 struct Disks {
-  std::vector<double> x, y, radius;
+  std::vector<Vec2> centre;
+  std::vector<double> radius;
   std::vector<std::int32_t> material;
   std::vector<std::uint8_t> zone;
 };
 
 Numbers disks_json(const Disks& disks) {
-  double left = INFINITY, right = -INFINITY, bottom = INFINITY, top = -INFINITY;
-  for (std::size_t g = 0; g < disks.x.size(); ++g) {
-    left = std::min(left, disks.x[g] - disks.radius[g]);
-    right = std::max(right, disks.x[g] + disks.radius[g]);
-    bottom = std::min(bottom, disks.y[g] - disks.radius[g]);
-    top = std::max(top, disks.y[g] + disks.radius[g]);
-  }
-  const auto from = [](double origin) { return [origin](double at) { return in_mm(at - origin); }; };
+  const geometry::Rectangle box = geometry::bounds(disks.centre, disks.radius);
   std::vector<std::uint8_t> zone = disks.zone;
-  zone.resize(disks.x.size(), 0);
-  return {{"size", {in_mm(right - left), in_mm(top - bottom)}},
-          {"x", mapped(disks.x, from(left))},
-          {"y", mapped(disks.y, from(bottom))},
+  zone.resize(disks.centre.size(), 0);
+  return {{"size", {in_mm(box.width()), in_mm(box.height())}},
+          {"x", mapped(disks.centre, [&](Vec2 at) { return in_mm(at.x - box.x_min); })},
+          {"y", mapped(disks.centre, [&](Vec2 at) { return in_mm(at.y - box.y_min); })},
           {"r", mapped(disks.radius, in_mm)},
           {"material", disks.material},
           {"glued", mapped(zone, [](std::uint8_t z) { return z != 0 ? 1 : 0; })}};
@@ -75,7 +70,7 @@ Numbers windows_of(const fs::path& run, double share) {
 
 Numbers sample_drawing(const workflow::FinalState& state, FigureKind kind) {
   const Grains& grains = state.packing.grains;
-  Numbers j = disks_json({mapped(grains.position, &Vec2::x), mapped(grains.position, &Vec2::y), grains.radius, grains.material, grains.zone});
+  Numbers j = disks_json({grains.position, grains.radius, grains.material, grains.zone});
   j["materials"] = mapped(state.packing.materials, &Material::name);
   if (kind == FigureKind::forces) j.update(contacts_json(state.packing.contacts));
   if (kind == FigureKind::stresses) j["stress"] = stress_json(state.texture.per_grain.sigma_norm);
@@ -87,8 +82,10 @@ Numbers film_drawing(const Numbers& film) {
     throw InputError("what is kept of the film holds no grains; remove virtual-film.hdf5 (or virtual-film.json) of this run, and make the film again");
   const Numbers& found = film["found"];
   const auto list = [&](const char* name) { return found[name].get<std::vector<double>>(); };
-  Numbers j =
-      disks_json({list("x"), list("y"), list("radius"), found["material"].get<std::vector<std::int32_t>>(), found["zone"].get<std::vector<std::uint8_t>>()});
+  const std::vector<double> x = list("x"), y = list("y");
+  std::vector<Vec2> centre;
+  for (std::size_t g = 0; g < x.size(); ++g) centre.push_back({x[g], y[g]});
+  Numbers j = disks_json({centre, list("radius"), found["material"].get<std::vector<std::int32_t>>(), found["zone"].get<std::vector<std::uint8_t>>()});
   j["stress"] = stress_json(list("sigma_norm"));
   return j;
 }

@@ -58,7 +58,7 @@ std::string contact_dump(const ExportFrame& from) {
     fmt::format_to(Text(rows), "{} {} {} {} 0 {} {} 0 {} {} {} {}", packing.grains.id[static_cast<std::size_t>(c.i[k])],
                    packing.grains.id[static_cast<std::size_t>(c.j[k])], normal.x, normal.y, tangential.x, tangential.y, contact_type(packing, k),
                    c.fn[k] > mean ? 1 : 0, int{c.glued[k]}, c.arm_i[k] + c.arm_j[k]);
-    for (const auto& column : contact_columns) fmt::format_to(Text(rows), " {}", column.of(c)[k]);
+    for (const auto& column : contact_columns) fmt::format_to(Text(rows), " {}", column.at(c, k));
     rows += '\n';
     ++count;
   }

@@ -32,7 +32,7 @@ std::optional<NumberType> pixel_of(std::string_view type) {
 }
 
 /// "(100, 240, 320)", or "(240, 320)" for one frame.
-std::vector<std::int64_t> shape_of(std::string_view text, const std::string& file) {
+std::vector<std::int64_t> shape_in(std::string_view text, const std::string& file) {
   std::vector<std::int64_t> shape;
   text = text.substr(0, text.find(')'));
   for (std::size_t i = 0; i < text.size();) {
@@ -51,13 +51,13 @@ std::vector<std::int64_t> shape_of(std::string_view text, const std::string& fil
   return shape;
 }
 
-constexpr std::size_t header_size = 128;
-static_assert(header_size - 10 == 'v');
+constexpr std::size_t array_header_size = 128;
+static_assert(array_header_size - 10 == 'v');
 
 std::string npy_header(const FilmInfo& info, std::size_t frames) {
   std::string text("\x93NUMPY\x01\0v\0", 10);
   text += fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': ({}, {}, {}), }}", info.floating ? "<f4" : "<u2", frames, info.height, info.width);
-  text.resize(header_size - 1, ' ');
+  text.resize(array_header_size - 1, ' ');
   return text + '\n';
 }
 
@@ -80,7 +80,7 @@ FilmPointer open_npy(const Bytes& bytes, const FilmChoice& choice) {
   if (!pixel || (type[4] != '\'' && type[4] != '"'))
     refuse(file, "holds numbers of a type that is no pixel ({}); save u1, u2, i2, u4, i4, f4 or f8", type.substr(0, 8));
   if (order.starts_with("True")) refuse(file, "holds its columns first; save it with numpy.ascontiguousarray");
-  const auto shape = shape_of(value_of(header, "shape", file), file);
+  const auto shape = shape_in(value_of(header, "shape", file), file);
   FilmInfo info;
   info.format = "npy";
   take_shape(info, file, shape, *pixel, choice);

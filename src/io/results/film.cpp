@@ -104,7 +104,7 @@ void transfer_forces(const Hdf5Group& at, FilmResult& r, Shape shape) {
   group.optional_image("picture", r.fit.picture, shape, "K");
 }
 
-void transfer_result(const Hdf5Group& at, FilmResult& r) {
+void transfer_film_result(const Hdf5Group& at, FilmResult& r) {
   transfer_origin(at, r);
   transfer_film(at, r);
   const Shape shape{r.film.height, r.film.width};
@@ -121,10 +121,10 @@ void transfer_result(const Hdf5Group& at, FilmResult& r) {
 
 }  // namespace
 
-void write_film_result(const std::filesystem::path& path, const FilmResult& result) { write_result_file(path, "film", transfer_result, result); }
+void write_film_result(const std::filesystem::path& path, const FilmResult& result) { write_result_file(path, "film", transfer_film_result, result); }
 
 FilmResult read_film_result(const std::filesystem::path& path) {
-  FilmResult result = read_result_file(path, "film", transfer_result);
+  FilmResult result = read_result_file(path, "film", transfer_film_result);
   result.grains.material = result.packing.grains.material;
   return result;
 }

@@ -37,6 +37,7 @@ template <class Owner> struct Column {
   constexpr Column(const char* n, const char* u, std::vector<double> Owner::*of) : name(n), unit(u), numbers(of) {}
   constexpr Column(const char* n, const char* u, std::vector<Vec2> Owner::*of, double Vec2::*along) : name(n), unit(u), vectors(of), axis(along) {}
 
+  double at(const Owner& owner, std::size_t row) const { return numbers ? (owner.*numbers)[row] : (owner.*vectors)[row].*axis; }
   std::vector<double> of(const Owner& owner) const { return numbers ? owner.*numbers : mapped(owner.*vectors, axis); }
   void set(Owner& owner, std::vector<double> values) const {
     if (numbers) {

@@ -5,6 +5,7 @@
 
 #include "core/problems.hpp"
 #include "geometry/outline.hpp"
+#include "geometry/rectangle.hpp"
 #include "model/cement.hpp"
 #include "solid/cement/cement.hpp"
 #include "solid/grid/grid.hpp"
@@ -168,12 +169,7 @@ geometry::Rectangle sample_of(const Packing& packing) {
   const Domain& d = packing.domain;
   if (d.width() > 0 && d.height() > 0) return {d.wall[left].position, d.wall[right].position, d.wall[bottom].position, d.wall[top].position};
   const Grains& g = packing.grains;
-  if (g.size() == 0) return {};
-  geometry::Rectangle box{INFINITY, -INFINITY, INFINITY, -INFINITY};
-  for (std::size_t i = 0; i < g.size(); ++i)
-    box = {std::min(box.x_min, g.position[i].x - g.radius[i]), std::max(box.x_max, g.position[i].x + g.radius[i]),
-           std::min(box.y_min, g.position[i].y - g.radius[i]), std::max(box.y_max, g.position[i].y + g.radius[i])};
-  return box;
+  return g.size() == 0 ? geometry::Rectangle{} : geometry::bounds(g.position, g.radius);
 }
 
 }  // namespace

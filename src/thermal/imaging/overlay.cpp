@@ -5,6 +5,7 @@
 
 #include "core/median.hpp"
 #include "core/problems.hpp"
+#include "geometry/rectangle.hpp"
 #include "thermal/imaging/disk_model.hpp"
 
 namespace arenite::imaging {
@@ -23,14 +24,10 @@ struct Cover {
 };
 
 Cover cover_of(const PictureGrains& g) {
-  double left = 1e300, right = -1e300, top = 1e300, bottom = -1e300;
-  for (std::size_t i = 0; i < g.size(); ++i) {
-    left = std::min(left, g.centre[i].x - g.radius[i]), right = std::max(right, g.centre[i].x + g.radius[i]);
-    top = std::min(top, g.centre[i].y - g.radius[i]), bottom = std::max(bottom, g.centre[i].y + g.radius[i]);
-  }
-  Cover c{static_cast<int>(std::floor(left - beyond)), static_cast<int>(std::floor(top - beyond)), 0, 0, {}};
-  c.width = static_cast<int>(std::ceil(right + beyond)) - c.x0 + 1;
-  c.height = static_cast<int>(std::ceil(bottom + beyond)) - c.y0 + 1;
+  const geometry::Rectangle box = geometry::bounds(g.centre, g.radius);
+  Cover c{static_cast<int>(std::floor(box.x_min - beyond)), static_cast<int>(std::floor(box.y_min - beyond)), 0, 0, {}};
+  c.width = static_cast<int>(std::ceil(box.x_max + beyond)) - c.x0 + 1;
+  c.height = static_cast<int>(std::ceil(box.y_max + beyond)) - c.y0 + 1;
   c.value.assign(static_cast<std::size_t>(c.width) * static_cast<std::size_t>(c.height), 0.0f);
   for (std::size_t i = 0; i < g.size(); ++i) {
     const double reach = g.radius[i] + 2;

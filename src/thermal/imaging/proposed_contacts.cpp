@@ -18,7 +18,7 @@ void check_errors(const std::vector<double>& errors, std::size_t grains, const c
 
 void check(const Grains& grains, const GrainErrors& errors, const ContactTolerance& tolerance) {
   for (std::size_t g = 0; g < grains.size(); ++g)
-    if (!std::isfinite(grains.position[g].x) || !std::isfinite(grains.position[g].y) || !(grains.radius[g] > 0) || !std::isfinite(grains.radius[g]))
+    if (!is_finite(grains.position[g]) || !(grains.radius[g] > 0) || !std::isfinite(grains.radius[g]))
       throw refusal("grain {} has no place or no positive radius", grains.id[g]);
   check_errors(errors.position, grains.size(), "position");
   check_errors(errors.radius, grains.size(), "radius");

@@ -20,12 +20,11 @@ constexpr double outlier = 4;  // standard deviations
 void check(const PictureGrains& grains, const char* which) {
   if (grains.size() < 3) throw refusal("the {} picture shows {} grains; three are needed to lay one picture on another", which, grains.size());
   for (std::size_t k = 0; k < grains.size(); ++k)
-    if (!std::isfinite(grains.centre[k].x) || !std::isfinite(grains.centre[k].y) || !(grains.radius[k] > 0))
-      throw refusal("grain {} of the {} picture has no place or no positive radius", k, which);
+    if (!is_finite(grains.centre[k]) || !(grains.radius[k] > 0)) throw refusal("grain {} of the {} picture has no place or no positive radius", k, which);
 }
 
 double distance(const PictureGrains& from, const PictureGrains& to, const Similarity& t, const std::pair<std::int32_t, std::int32_t>& pair) {
-  return norm(t(place(from, pair.first)) - place(to, pair.second));
+  return norm(t(from.centre[pair.first]) - to.centre[pair.second]);
 }
 
 /// Leaves out pairs that lie far off against the median, which is another grain or one that was found badly.
@@ -47,9 +46,9 @@ void tell_errors(const PictureGrains& from, const PictureGrains& to, Registratio
   for (const auto& pair : r.pairs) {
     r.residual.push_back(distance(from, to, r.transform, pair));
     squares += r.residual.back() * r.residual.back();
-    middle += (1 / n) * place(from, pair.first);
+    middle += (1 / n) * from.centre[pair.first];
   }
-  for (const auto& pair : r.pairs) spread += dot(place(from, pair.first) - middle, place(from, pair.first) - middle);
+  for (const auto& pair : r.pairs) spread += dot(from.centre[pair.first] - middle, from.centre[pair.first] - middle);
   r.rms = std::sqrt(squares / (2 * n));
   const double error = std::sqrt(squares / std::max(1.0, 2 * n - 4));
   r.scale_error = error / std::sqrt(spread);

@@ -37,7 +37,7 @@ RegistrationSearch::Pairs RegistrationSearch::matches(const Similarity& t, std::
   std::vector<std::pair<double, std::pair<std::int32_t, std::int32_t>>> all;
   for (const std::int32_t a : of) {
     const std::int32_t b = partner(t, a);
-    if (b >= 0) all.push_back({norm(t(place(from_, a)) - place(to_, b)), {a, b}});
+    if (b >= 0) all.push_back({norm(t(from_.centre[a]) - to_.centre[b]), {a, b}});
   }
   std::sort(all.begin(), all.end());
   std::vector<char> taken(to_.size(), 0);
@@ -51,8 +51,8 @@ RegistrationSearch::Pairs RegistrationSearch::matches(const Similarity& t, std::
 Similarity RegistrationSearch::fit(const Pairs& pairs, bool mirrored) const {
   std::vector<Vec2> a, b;
   for (const auto& [i, j] : pairs) {
-    a.push_back(place(from_, i));
-    b.push_back(place(to_, j));
+    a.push_back(from_.centre[i]);
+    b.push_back(to_.centre[j]);
   }
   return fit_similarity(a, b, mirrored);
 }
@@ -69,11 +69,11 @@ bool RegistrationSearch::alike(double scale, std::size_t a, std::size_t b) const
 
 std::int32_t RegistrationSearch::partner(const Similarity& t, std::int32_t a) const {
   const auto k = static_cast<std::size_t>(a);
-  const Vec2 moved = t(place(from_, k));
+  const Vec2 moved = t(from_.centre[k]);
   const std::int32_t b = to_grid_.nearest(moved, reach_of_match * t.scale * from_.radius[k]);
   if (b < 0) return -1;
   const auto at = static_cast<std::size_t>(b);
-  if (!alike(t.scale, k, at) || norm(moved - place(to_, at)) > reach_of_match * to_.radius[at]) return -1;
+  if (!alike(t.scale, k, at) || norm(moved - to_.centre[at]) > reach_of_match * to_.radius[at]) return -1;
   return b;
 }
 
@@ -82,7 +82,7 @@ std::int32_t RegistrationSearch::partner(const Similarity& t, std::int32_t a) co
 double RegistrationSearch::score(const Similarity& t, const Pairs& pairs) const {
   double sum = 0;
   for (const auto& [a, b] : pairs) {
-    const double r = to_.radius[static_cast<std::size_t>(b)], off = norm(t(place(from_, a)) - place(to_, b)) / r;
+    const double r = to_.radius[static_cast<std::size_t>(b)], off = norm(t(from_.centre[a]) - to_.centre[b]) / r;
     sum += std::log(reach_of_match * reach_of_match / (off * off + sharpest * sharpest));
   }
   return sum;
@@ -101,7 +101,7 @@ bool RegistrationSearch::same(const Similarity& s, const Similarity& t) const {
 std::vector<std::int32_t> RegistrationSearch::around(Vec2 middle) const {
   std::vector<std::int32_t> index = all();
   std::sort(index.begin(), index.end(), [&](std::int32_t a, std::int32_t b) {
-    const Vec2 u = place(from_, a) - middle, v = place(from_, b) - middle;
+    const Vec2 u = from_.centre[a] - middle, v = from_.centre[b] - middle;
     return std::pair(dot(u, u), a) < std::pair(dot(v, v), b);
   });
   return index;
@@ -113,7 +113,7 @@ std::size_t RegistrationSearch::other_end(std::size_t first) const {
   std::size_t best = first;
   double off = INFINITY;
   for (std::size_t k = 0; k < from_.size(); ++k) {
-    const double away = norm(place(from_, k) - place(from_, first));
+    const double away = norm(from_.centre[k] - from_.centre[first]);
     if (k == first || !(away > 0) || std::abs(away - wanted) >= off) continue;
     best = k;
     off = std::abs(away - wanted);
@@ -131,7 +131,7 @@ std::pair<double, double> RegistrationSearch::scales(std::size_t a, std::size_t 
 void RegistrationSearch::try_base(std::size_t a0, Candidate& best) const {
   const std::size_t a1 = other_end(a0);
   if (a1 == a0) return;
-  const Vec2 ends[2] = {place(from_, a0), place(from_, a1)};
+  const Vec2 ends[2] = {from_.centre[a0], from_.centre[a1]};
   const double length = norm(ends[1] - ends[0]);
   const std::vector<std::int32_t> order = around(0.5 * (ends[0] + ends[1]));
   best.score.clear();  // the best so far is to be beaten among the grains around this base, too
@@ -139,11 +139,11 @@ void RegistrationSearch::try_base(std::size_t a0, Candidate& best) const {
     if (!best.pairs.empty()) best.score.push_back(score(best.transform, matches(best.transform, std::span(order).first(reach))));
   for (std::size_t b0 = 0; b0 < to_.size(); ++b0) {
     const auto [low, high] = scales(a0, b0);
-    to_grid_.within(place(to_, b0), high * length, [&, low = low](std::int32_t k, double square) {
+    to_grid_.within(to_.centre[b0], high * length, [&, low = low](std::int32_t k, double square) {
       const auto b1 = static_cast<std::size_t>(k);
       const double scale = std::sqrt(square) / length;
       if (scale < low || scale == 0 || !alike(scale, a0, b0) || !alike(scale, a1, b1)) return;
-      const Vec2 targets[2] = {place(to_, b0), place(to_, b1)};
+      const Vec2 targets[2] = {to_.centre[b0], to_.centre[b1]};
       if (options_.mirror != Mirror::yes) grow(fit_similarity(ends, targets, false), order, best);
       if (options_.mirror != Mirror::no) grow(fit_similarity(ends, targets, true), order, best);
     });

@@ -13,8 +13,6 @@
 
 namespace arenite::imaging {
 
-inline Vec2 place(const PictureGrains& grains, std::size_t k) { return grains.centre[k]; }
-inline Vec2 place(const PictureGrains& grains, std::int32_t k) { return place(grains, static_cast<std::size_t>(k)); }
 inline double mean_radius(const PictureGrains& grains) {
   return std::accumulate(grains.radius.begin(), grains.radius.end(), 0.0) / static_cast<double>(grains.size());
 }
@@ -25,7 +23,7 @@ class CentreGrid {
   explicit CentreGrid(const PictureGrains& grains)
       : grains_(grains),
         grid_(grid_over(grains)),
-        cells_(grid_.size(), 0, grains.size(), [&](std::size_t k) { return grid_.cell(place(grains, k)); }) {}
+        cells_(grid_.size(), 0, grains.size(), [&](std::size_t k) { return grid_.cell(grains.centre[k]); }) {}
 
   /// Calls visit(index, squared distance) for every place no farther than `reach`.
   template <class Visit> void within(Vec2 p, double reach, Visit visit) const {
@@ -33,7 +31,7 @@ class CentreGrid {
     for (std::int32_t row = grid_.along(1, p.y - reach); row <= grid_.along(1, p.y + reach); ++row)
       for (std::int32_t k = cells_.first[at(p.x - reach, row)]; k < cells_.first[at(p.x + reach, row) + 1]; ++k) {
         const std::int32_t item = cells_.item[static_cast<std::size_t>(k)];
-        const Vec2 away = place(grains_, item) - p;
+        const Vec2 away = grains_.centre[item] - p;
         if (const double square = dot(away, away); square <= reach * reach) visit(item, square);
       }
   }

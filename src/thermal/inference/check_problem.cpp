@@ -16,7 +16,7 @@ void check_grains(const Packing& packing, Problems& problems) {
   const Grains& grains = packing.grains;
   if (!(packing.domain.thickness > 0)) problems.add("the thickness of the sample is not known; give the cylinders' length");
   for (std::size_t g = 0; g < grains.size(); ++g)
-    if (!(grains.radius[g] > 0) || !std::isfinite(grains.position[g].x) || !std::isfinite(grains.position[g].y)) {
+    if (!(grains.radius[g] > 0) || !is_finite(grains.position[g])) {
       problems.add("grain {} has no finite place and positive radius; correct or remove it", grains.id[g]);
       return;
     }

@@ -8,27 +8,14 @@
 #include "core/error.hpp"
 #include "recipe/recipe.hpp"
 #include "support/temporary_folder.hpp"
+#include "unit/recipe/smallest_recipe.hpp"
 
 namespace arenite::recipe {
 namespace {
 
 namespace fs = std::filesystem;
 
-const std::string whole = R"(seed = 3
-[container]
-width = "350 mm"
-thickness = "60 mm"
-[materials.POM]
-density = "1410 kg/m^3"
-stiffness = "27.35 kN/mm"
-[[populations]]
-material = "POM"
-count = 10
-diameter = "16.4 mm"
-[[stages]]
-name = "load"
-bottom = { force = "50 kN" }
-[[stages]]
+const std::string whole = "seed = 3\n" + smallest + R"([[stages]]
 name = "more"
 bottom = { force = "60 kN" }
 )";

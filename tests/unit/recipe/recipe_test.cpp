@@ -9,24 +9,10 @@
 
 #include "core/error.hpp"
 #include "model/packing.hpp"
+#include "unit/recipe/smallest_recipe.hpp"
 
 namespace arenite::recipe {
 namespace {
-
-const std::string smallest = R"([container]
-width = "350 mm"
-thickness = "60 mm"
-[materials.POM]
-density = "1410 kg/m^3"
-stiffness = "27.35 kN/mm"
-[[populations]]
-material = "POM"
-count = 10
-diameter = "16.4 mm"
-[[stages]]
-name = "load"
-bottom = { force = "50 kN" }
-)";
 
 Recipe parsed(const std::string& text, const std::vector<std::string>& overrides = {}) { return parse_recipe(text, "r.toml", overrides); }
 

@@ -14,8 +14,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-bool is_finite(Vec2 v) { return std::isfinite(v.x) && std::isfinite(v.y); }
-
 /// Whether two elements follow each other along one boundary, perhaps with a third between them that was skipped within a step.
 bool follow(const Sample& s, std::int32_t j, std::int32_t k) {
   const Boundary& boundary = boundary_of(s, j);
@@ -40,7 +38,7 @@ void check_boundaries(Problems& problems, const Domain& domain) {
   for (const Boundary& boundary : domain.boundaries) {
     const std::size_t n = boundary.points.size(), least = boundary.closed ? 3 : 2;
     problems.unless(n >= least, "boundary \"{}\" needs {} points or more", boundary.name, least);
-    bool sound = std::all_of(boundary.points.begin(), boundary.points.end(), is_finite);
+    bool sound = std::all_of(boundary.points.begin(), boundary.points.end(), is_finite<2>);
     for (std::size_t p = 0; p + (boundary.closed ? 0 : 1) < n; ++p) sound = sound && boundary.points[p] != boundary.points[(p + 1) % n];
     problems.unless(sound, "each point of boundary \"{}\" must be a place other than the one before", boundary.name);
   }
