@@ -63,7 +63,6 @@ class PlainFilmWriter : public FilmWriter {
   }
   void finish() override {
     file_.overwrite(0, form_.header(info_, frames_));
-    if (form_.write_behind != nullptr) form_.write_behind(info_, frames_, file_);
     file_.commit();
   }
 

@@ -104,12 +104,11 @@ void take_pixels(const PlainLayout& layout, const char* from, std::size_t count,
 /// The pixels of some frames of a block as they lie in memory. Throws std::invalid_argument for a block that is not of this film.
 std::string_view pixel_bytes(const FilmInfo& info, const FrameBlock& block);
 
-/// What stands before all frames, before each (or null) and behind them (or null); the frames themselves are written as they lie in memory. The header
-/// says how many frames there are, which is known at the end, so it is written again then and must be as long for any number.
+/// What stands before all frames and before each (or null); the frames themselves are written as they lie in memory. The header says how many frames
+/// there are, which is known at the end, so it is written again then and must be as long for any number.
 struct FilmForm {
   std::string (*header)(const FilmInfo&, std::size_t frames);
   std::string (*before)(const FilmInfo&, std::size_t frame) = nullptr;
-  void (*write_behind)(const FilmInfo&, std::size_t frames, AtomicFile& file) = nullptr;
 };
 FilmWriterPointer create_plain_film(const std::filesystem::path& path, const FilmInfo& info, const FilmForm& form);
 

@@ -142,95 +142,63 @@ class TiffFilm : public KnownFilm {
   std::vector<char> buffer_;
 };
 
-enum Type : std::uint16_t { ascii = 2, short_ = 3, long_ = 4, long8 = 16 };
+/// A page a frame, one strip each; 64-bit places where the film may outgrow those of 32 bits.
+class TiffFilmWriter : public FilmWriter {
+ public:
+  TiffFilmWriter(const std::filesystem::path& path, const FilmInfo& info) : file_(path), name_(path.string()), info_(info) {
+    constexpr std::int64_t most = 0xffffffff, most_a_directory = 4096;
+    const auto frame = static_cast<std::int64_t>(info.pixels() * (info.floating ? 4 : 2));
+    const bool small = info.frames > 0 && info.frames <= most / (frame + most_a_directory);
+    tiff_ = create_tiff(file_.beside(), !small);
+    if (!tiff_) refuse();
+  }
 
-struct Entry {
-  std::uint16_t tag;
-  Type type;
-  std::uint64_t value = 0;
-  std::string text = {};  ///< with its zero
-};
-
-/// A directory at this place of the file, whose texts lie right behind it. Entries come in the order of their tags.
-std::string directory_bytes(const std::vector<Entry>& entries, bool large, std::uint64_t at, bool last) {
-  const auto place = [large](std::string& out, std::uint64_t value) {
-    large ? append<std::uint64_t>(out, value) : append<std::uint32_t>(out, static_cast<std::uint32_t>(value));
-  };
-  const std::uint64_t tail = at + (large ? 8 + 20 * entries.size() + 8 : 2 + 12 * entries.size() + 4);
-  std::string out, texts;
-  large ? append<std::uint64_t>(out, entries.size()) : append<std::uint16_t>(out, static_cast<std::uint16_t>(entries.size()));
-  for (const Entry& entry : entries) {
-    append<std::uint16_t>(out, entry.tag);
-    append<std::uint16_t>(out, entry.type);
-    place(out, entry.text.empty() ? 1 : entry.text.size());
-    if (entry.text.empty()) {
-      place(out, entry.value);
-    } else if (const std::size_t inside = large ? 8 : 4; entry.text.size() <= inside) {
-      out += entry.text + std::string(inside - entry.text.size(), '\0');
-    } else {
-      place(out, tail + texts.size());
-      texts += entry.text;
+  void append(const FrameBlock& block) override {
+    const std::string_view bytes = pixel_bytes(info_, block);
+    const std::size_t size = info_.pixels() * (info_.floating ? 4 : 2);
+    for (std::size_t i = 0; i < block.frames; ++i) {
+      describe_page();
+      const auto written = TIFFWriteRawStrip(tiff_.get(), 0, const_cast<char*>(bytes.data() + i * size), static_cast<tmsize_t>(size));
+      if (written != static_cast<tmsize_t>(size) || TIFFWriteDirectory(tiff_.get()) != 1) refuse();
+      ++frames_;
     }
   }
-  if ((tail + texts.size()) % 2 != 0) texts += '\0';  // directories begin at even places
-  place(out, last ? 0 : tail + texts.size());
-  return out + texts;
-}
 
-constexpr std::uint64_t start = 16;
-
-/// All pixels one after the other, then the directories of all pages: whether they need 64 bits is known by then.
-struct Places {
-  std::uint64_t frame, directories;  ///< bytes of one frame; where directories begin
-  bool large;
-};
-Places places_of(const FilmInfo& info, std::uint64_t frames) {
-  const std::uint64_t frame = info.pixels() * (info.floating ? 4 : 2), pixels = frame * frames, at = start + pixels + pixels % 2;
-  constexpr std::uint64_t most_a_page = 4096;
-  const std::uint64_t announced = static_cast<std::uint64_t>(std::max<std::int64_t>(info.frames, 0));
-  return {frame, at, at > 0xffffffffU || std::max(frames, announced) * (frame + most_a_page) > 0xffffffffU};
-}
-
-std::string tiff_header(const FilmInfo& info, std::size_t frames) {
-  const Places places = places_of(info, frames);
-  std::string out = "II";
-  append<std::uint16_t>(out, places.large ? 43 : 42);
-  append<std::uint32_t>(out, places.large ? 8 : static_cast<std::uint32_t>(places.directories));
-  append<std::uint64_t>(out, places.large ? places.directories : 0);
-  return out;
-}
-
-void write_directories(const FilmInfo& info, std::size_t frames, AtomicFile& file) {
-  auto [size, at, large] = places_of(info, frames);
-  if (size * frames % 2 != 0) file.write(std::string(1, '\0'));
-  for (std::size_t i = 0; i < frames; ++i) {
-    std::string notes = i == 0 ? film_notes(info) : "";
-    if (i < info.time.size()) notes += fmt::format("time = {:.9f}\n", info.time[i]);
-    const auto width = static_cast<std::uint64_t>(info.width), height = static_cast<std::uint64_t>(info.height);
-    const Type of_place = large ? long8 : long_;
-    std::vector<Entry> entries{{256, long_, width},
-                               {257, long_, height},
-                               {258, short_, info.floating ? 32U : 16U},
-                               {259, short_, 1},   // not compressed
-                               {262, short_, 1}};  // black is the smallest
-    if (!notes.empty()) entries.push_back({270, ascii, 0, notes + '\0'});
-    entries.insert(entries.end(), {{273, of_place, start + i * size},  // one strip
-                                   {277, short_, 1},
-                                   {278, long_, height},
-                                   {279, of_place, size},
-                                   {339, short_, info.floating ? 3U : 1U}});
-    const std::string bytes = directory_bytes(entries, large, at, i + 1 == frames);
-    file.write(bytes);
-    at += bytes.size();
+  void finish() override {
+    if (TIFFFlush(tiff_.get()) != 1) refuse();
+    tiff_.reset();
+    file_.commit();
   }
-}
+
+ private:
+  [[noreturn]] void refuse() const { arenite::refuse(name_, "cannot be written as TIFF; check that the disk has space"); }
+
+  void describe_page() {
+    TIFF* const tiff = tiff_.get();
+    TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, static_cast<std::uint32_t>(info_.width));
+    TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, static_cast<std::uint32_t>(info_.height));
+    TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE, info_.floating ? 32 : 16);
+    TIFFSetField(tiff, TIFFTAG_SAMPLEFORMAT, info_.floating ? SAMPLEFORMAT_IEEEFP : SAMPLEFORMAT_UINT);
+    TIFFSetField(tiff, TIFFTAG_COMPRESSION, COMPRESSION_NONE);
+    TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK);
+    TIFFSetField(tiff, TIFFTAG_SAMPLESPERPIXEL, 1);
+    TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, static_cast<std::uint32_t>(info_.height));
+    std::string notes = frames_ == 0 ? film_notes(info_) : "";
+    if (frames_ < info_.time.size()) notes += fmt::format("time = {:.9f}\n", info_.time[frames_]);
+    if (!notes.empty()) TIFFSetField(tiff, TIFFTAG_IMAGEDESCRIPTION, notes.c_str());
+  }
+
+  AtomicFile file_;
+  std::string name_;
+  FilmInfo info_;
+  Tiff tiff_{nullptr, TIFFClose};
+  std::size_t frames_ = 0;
+};
 
 }  // namespace
 
 FilmPointer open_tiff_film(const Bytes& bytes, const FilmChoice& choice) { return std::make_unique<TiffFilm>(bytes, choice); }
 
-FilmWriterPointer create_tiff_film(const std::filesystem::path& path, const FilmInfo& info) {
-  return create_plain_film(path, info, {tiff_header, nullptr, write_directories});
-}
+FilmWriterPointer create_tiff_film(const std::filesystem::path& path, const FilmInfo& info) { return std::make_unique<TiffFilmWriter>(path, info); }
 
 }  // namespace arenite::io

@@ -147,6 +147,17 @@ int complain(TIFF*, void* user, const char*, const char* format, va_list argumen
   return 1;
 }
 
+using TiffOptions = std::unique_ptr<TIFFOpenOptions, void (*)(TIFFOpenOptions*)>;
+
+int say_nothing(TIFF*, void*, const char*, const char*, va_list) { return 1; }
+
+TiffOptions options_with(TIFFErrorHandlerExtR complain, TiffSource* to) {
+  TiffOptions options(TIFFOpenOptionsAlloc(), TIFFOpenOptionsFree);
+  TIFFOpenOptionsSetErrorHandlerExtR(options.get(), complain, to);
+  TIFFOpenOptionsSetWarningHandlerExtR(options.get(), say_nothing, nullptr);
+  return options;
+}
+
 }  // namespace
 
 Image read_tiff(const std::string& bytes, const std::string& file, const ImageChoice& choice) {
@@ -165,16 +176,17 @@ void TiffSource::refuse_damaged() const {
 }
 
 Tiff open_tiff(TiffSource& source, std::int64_t most_at_once) {
-  const std::unique_ptr<TIFFOpenOptions, void (*)(TIFFOpenOptions*)> options(TIFFOpenOptionsAlloc(), TIFFOpenOptionsFree);
+  const TiffOptions options = options_with(complain, &source);
   TIFFOpenOptionsSetMaxSingleMemAlloc(options.get(), most_at_once);
-  TIFFOpenOptionsSetErrorHandlerExtR(options.get(), complain, &source);
-  TIFFOpenOptionsSetWarningHandlerExtR(
-      options.get(), [](TIFF*, void*, const char*, const char*, va_list) { return 1; }, nullptr);
   // "m": no mapping into memory, for the bytes come through us.
   return {TIFFClientOpenExt(
               "picture", "rm", &source, read_bytes, [](thandle_t, void*, tmsize_t) -> tmsize_t { return 0; }, seek, [](thandle_t) { return 0; },
               [](thandle_t h) -> toff_t { return static_cast<TiffSource*>(h)->bytes->size(); }, nullptr, nullptr, options.get()),
           TIFFClose};
+}
+
+Tiff create_tiff(const std::filesystem::path& path, bool large) {
+  return {TIFFOpenExt(path.c_str(), large ? "wl8" : "wl", options_with(say_nothing, nullptr).get()), TIFFClose};
 }
 
 }  // namespace arenite::io

@@ -2,6 +2,7 @@
 #include <tiffio.h>
 
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -28,6 +29,9 @@ using Tiff = std::unique_ptr<TIFF, void (*)(TIFF*)>;
 /// For reading; null for what is no TIFF. `source` must outlive it. At most `most_at_once` bytes of memory are asked for in one piece, whatever a tag
 /// says.
 Tiff open_tiff(TiffSource& source, std::int64_t most_at_once = std::int64_t{1} << 30);
+
+/// For writing, from the start; null where the system refuses. libtiff's own words are not heard: it prints them.
+Tiff create_tiff(const std::filesystem::path& path, bool large);
 
 template <class T> T tiff_field(TIFF* tiff, std::uint32_t tag) {
   T value = 0;
