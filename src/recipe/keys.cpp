@@ -81,10 +81,10 @@ void declare(Visitor& v, PackingParameters& packing) {
 }
 
 void declare(Visitor& v, Region& region, const ContainerParameters& frame) {
-  v.number({"x", "Centre, from the left side.", true}, region.x, "mm", range::not_negative);
-  v.number({"y", "Centre, from the bottom.", true}, region.y, "mm", range::not_negative);
-  v.require(frame.width <= 0 || region.x <= frame.width, {"x"}, "must lie inside the container");
-  v.require(frame.height <= 0 || region.y <= frame.height, {"y"}, "must lie inside the container");
+  v.number({"x", "Centre, from the left side.", true}, region.centre.x, "mm", range::not_negative);
+  v.number({"y", "Centre, from the bottom.", true}, region.centre.y, "mm", range::not_negative);
+  v.require(frame.width <= 0 || region.centre.x <= frame.width, {"x"}, "must lie inside the container");
+  v.require(frame.height <= 0 || region.centre.y <= frame.height, {"y"}, "must lie inside the container");
   v.integer({"count", "The grains nearest to the centre, this many, instead of a shape."}, region.count, {1, 100'000'000});
   v.when(!region.count, "no count", [&](Visitor& inner) {
     inner.choice({"shape", "Outline; grains whose centre lies inside are glued."}, region.shape,

@@ -120,7 +120,7 @@ Grains draw_grains(const std::vector<Population>& populations, const Materials& 
 }
 
 std::int64_t mark_region(Grains& grains, const Domain& domain, const Region& region) {
-  const Vec2 centre{domain.wall[left].position + region.x, domain.wall[bottom].position + region.y};
+  const Vec2 centre = domain.corner() + region.centre;
   std::vector<Vec2> d(grains.size());
   for (std::size_t i = 0; i < grains.size(); ++i) d[i] = domain.nearest_image(grains.position[i] - centre);
   std::fill(grains.zone.begin(), grains.zone.end(), std::uint8_t{0});

@@ -32,10 +32,10 @@ std::vector<double> circle_radii(const Grains& grains);
 struct Region {
   enum class Shape { circle, rectangle };
   Shape shape = Shape::circle;
-  double x = 0, y = 0;                ///< centre, m from the container's lower left corner
+  Vec2 centre;                        ///< m from the container's lower left corner
   double radius = 0;                  ///< circle
   double width = 0, height = 0;       ///< rectangle
-  std::optional<std::int64_t> count;  ///< the nearest grains to (x, y), that many, instead of a shape
+  std::optional<std::int64_t> count;  ///< the grains nearest to the centre, that many, instead of a shape
   bool operator==(const Region&) const = default;
 };
 

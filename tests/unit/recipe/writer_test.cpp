@@ -141,7 +141,7 @@ Recipe any_recipe() {
   recipe.integration.rotations = *rc::gen::arbitrary<bool>();
   recipe.integration.kernel = *rc::gen::element<std::string>("auto", "portable", "avx2", "avx512");
   const bool has_adhesion = contact.adheres();
-  if (has_adhesion) recipe.glued = maybe(Region{Region::Shape::rectangle, 0.1, 0.1, 0, any_number(0.01), any_number(0.01), {}});
+  if (has_adhesion) recipe.glued = maybe(Region{Region::Shape::rectangle, {0.1, 0.1}, 0, any_number(0.01), any_number(0.01), {}});
   for (int i = 0; i < *rc::gen::inRange(1, 4); ++i) recipe.stages.push_back(any_stage(i, has_adhesion));
   if (*rc::gen::arbitrary<bool>()) sample_two_classes(recipe);
   recipe.cement = maybe(any_cement());

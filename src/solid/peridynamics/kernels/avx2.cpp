@@ -16,6 +16,8 @@ struct Avx2 {
   static constexpr int bytes = 32, sum_lanes = 4;
   static __m256d fma(__m256d a, __m256d b, __m256d c) { return _mm256_fmadd_pd(a, b, c); }
   static __m256 fma(__m256 a, __m256 b, __m256 c) { return _mm256_fmadd_ps(a, b, c); }
+  template <std::size_t k> static __m256d doubles(__m256d a) { return a; }
+  template <std::size_t k> static __m256d doubles(__m256 a) { return _mm256_cvtps_pd(_mm256_extractf128_ps(a, k)); }
   template <int lanes> struct Words {
     Vector<std::int32_t, 4 * lanes> w;
     explicit Words(const std::uint32_t* p) { std::memcpy(&w, p, sizeof w); }

@@ -17,6 +17,8 @@ struct Avx512 {
   static __m512d fma(__m512d a, __m512d b, __m512d c) { return _mm512_fmadd_pd(a, b, c); }
   static __m512 fma(__m512 a, __m512 b, __m512 c) { return _mm512_fmadd_ps(a, b, c); }
   static __m256d fma(__m256d a, __m256d b, __m256d c) { return _mm256_fmadd_pd(a, b, c); }
+  template <std::size_t k> static __m256d doubles(__m512d a) { return _mm512_extractf64x4_pd(a, k); }
+  template <std::size_t k> static __m256d doubles(__m512 a) { return _mm256_cvtps_pd(_mm512_extractf32x4_ps(a, k)); }
   template <int lanes> struct Words {
     __m512i w;
     explicit Words(const std::uint32_t* p) {

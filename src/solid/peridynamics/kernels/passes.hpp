@@ -10,8 +10,8 @@ namespace arenite::peridynamics {
 template <class T, int bytes> struct VectorOf { typedef T type __attribute__((vector_size(bytes))); };
 template <class T, int bytes> using Vector = typename VectorOf<T, bytes>::type;
 
-/// As many numbers as a vector of the machine holds. `Machine` says how wide its vectors are (`bytes`), how many doubles a sum is kept in (`sum_lanes`),
-/// how a b + c is rounded (`fma`), and how one of four moduli is found for every lane (`Words`, `Table`). Each is a type of its own source, in an unnamed
+/// As many numbers as a vector of the machine holds. `Machine` says how wide its vectors are (`bytes`), how many doubles a sum is kept in (`sum_lanes`)
+/// and how a vector is cut into as many (`doubles`), how a b + c is rounded (`fma`), and how one of four moduli is found for every lane (`Words`, `Table`). Each is a type of its own source, in an unnamed
 /// namespace, so that nothing compiled for one processor is ever linked into another's loops.
 template <class Machine, class T> struct Lanes {
   using Scalar = T;
@@ -19,14 +19,11 @@ template <class Machine, class T> struct Lanes {
   using V = Vector<T, Machine::bytes>;
   using Words = typename Machine::template Words<lanes>;
   using Table = typename Machine::template Table<Lanes>;
+  typedef V Anywhere __attribute__((aligned(sizeof(T)), may_alias));
   V v;
-  static Lanes load(const T* p) {
-    Lanes l;
-    std::memcpy(&l.v, p, sizeof l.v);
-    return l;
-  }
+  static Lanes load(const T* p) { return {*reinterpret_cast<const Anywhere*>(p)}; }
   static Lanes all(T c) { return {c - V{}}; }
-  void store(T* p) const { std::memcpy(p, &v, sizeof v); }
+  void store(T* p) const { *reinterpret_cast<Anywhere*>(p) = v; }
   friend Lanes operator+(Lanes a, Lanes b) { return {a.v + b.v}; }
   friend Lanes operator-(Lanes a, Lanes b) { return {a.v - b.v}; }
   friend Lanes operator*(Lanes a, Lanes b) { return {a.v * b.v}; }
@@ -52,7 +49,11 @@ template <class Doubles> Doubles load_rough(const float* p) {
 template <class Machine> class Sum {
  public:
   template <class V> void add(V ax, V bx, V ay, V by) {
-    [&]<std::size_t... k>(std::index_sequence<k...>) { ((v_ = Machine::fma(part<k>(ax), part<k>(bx), Machine::fma(part<k>(ay), part<k>(by), v_))), ...); }
+    [&]<std::size_t... k>(std::index_sequence<k...>) {
+      ((v_ = Machine::fma(Machine::template doubles<k>(ax.v), Machine::template doubles<k>(bx.v),
+                          Machine::fma(Machine::template doubles<k>(ay.v), Machine::template doubles<k>(by.v), v_))),
+       ...);
+    }
     (std::make_index_sequence<V::lanes / n>());
   }
   double value() const {
@@ -64,14 +65,7 @@ template <class Machine> class Sum {
 
  private:
   static constexpr int n = Machine::sum_lanes;
-  using D = Vector<double, n * sizeof(double)>;
-
-  template <std::size_t k, class V> static D part(V a) {
-    Vector<typename V::Scalar, n * sizeof(typename V::Scalar)> p;
-    std::memcpy(&p, reinterpret_cast<const char*>(&a.v) + k * sizeof p, sizeof p);
-    return __builtin_convertvector(p, D);
-  }
-  D v_{};
+  Vector<double, n * sizeof(double)> v_{};
 };
 
 /// The passes of Kernels for one machine and one law.
