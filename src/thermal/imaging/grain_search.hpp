@@ -76,7 +76,7 @@ class SearchRounds {
   std::vector<Circle> candidates() const;
   double inset(double ring) const;
   std::size_t nearest_class(double radius) const;
-  bool collides(double x, double y, double radius) const;
+  bool collides(const Circle& circle) const;
   bool was_refused(const Circle& circle) const;
   std::size_t add(std::vector<Circle> candidates, int round);
   void settle(int sweeps);

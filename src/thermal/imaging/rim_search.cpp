@@ -158,7 +158,7 @@ void search_level(const FloatImage& image, double first, double last, double sca
       for (int x = 1; x + 1 < image.width; ++x)
         if ((open.empty() || open[here.index(x, y)] != 0) && here.value[here.index(x, y)] > static_cast<float>(options.least) &&
             is_summit(before, here, after, x, y))
-          found.push_back({(x + 0.5) * scale - 0.5, (y + 0.5) * scale - 0.5, radii[k] * scale, here.value[here.index(x, y)]});
+          found.push_back({{(x + 0.5) * scale - 0.5, (y + 0.5) * scale - 0.5}, radii[k] * scale, here.value[here.index(x, y)]});
     before = std::move(here);
     here = std::move(after);
   }
@@ -173,10 +173,10 @@ void refine(const FloatImage& image, double scale, bool bright, std::vector<Circ
   for (Circle& circle : found) {
     if (circle.radius < coarse * scale) continue;
     if (1.5 * circle.radius / scale > 1.5 * blur || blur == 0) square = blurred(slope.square, blur = 1.5 * circle.radius / scale);
-    int x = static_cast<int>(std::lround((circle.x + 0.5) / scale - 0.5)), y = static_cast<int>(std::lround((circle.y + 0.5) / scale - 0.5));
+    int x = static_cast<int>(std::lround((circle.centre.x + 0.5) / scale - 0.5)), y = static_cast<int>(std::lround((circle.centre.y + 0.5) / scale - 0.5));
     double radius = circle.radius / scale;
     climb(slope, square, noise, x, y, radius);
-    circle = {(x + 0.5) * scale - 0.5, (y + 0.5) * scale - 0.5, radius * scale, circle.score};
+    circle = {{(x + 0.5) * scale - 0.5, (y + 0.5) * scale - 0.5}, radius * scale, circle.score};
   }
 }
 
@@ -186,8 +186,8 @@ bool is_plain(const Slope& slope, double noise, const Circle& circle) {
   double inside = 0, rim = 0, inside_pixels = 1e-9, rim_pixels = 1e-9;
   const auto squared = [](double r) { return r * r; };
   const double core = squared(0.75 * circle.radius), inner = squared(circle.radius - 1.5), outer = squared(circle.radius + 1.5);
-  each_pixel_near({circle.x, circle.y}, circle.radius + 1.5, slope.x.width, slope.x.height, [&](int x, int y, std::size_t at) {
-    const double away = squared(x - circle.x) + squared(y - circle.y), square = static_cast<double>(slope.square.value[at]);
+  each_pixel_near(circle.centre, circle.radius + 1.5, slope.x.width, slope.x.height, [&](int x, int y, std::size_t at) {
+    const double away = squared(x - circle.centre.x) + squared(y - circle.centre.y), square = static_cast<double>(slope.square.value[at]);
     if (away < core) inside += square, ++inside_pixels;
     else if (away > inner && away < outer) rim += square, ++rim_pixels;
   });
