@@ -26,11 +26,7 @@ class GrainField {
   GrainField(double radius, double length, const std::vector<Touch>& touches, const std::vector<double>& force)
       : scale_(1 / (std::numbers::pi * length)),
         over_radius_(1 / radius) {
-    for (const Touch& t : touches) {
-      const auto c = 2 * static_cast<std::size_t>(t.contact);
-      const Vec2 pull = force[c] * t.normal + force[c + 1] * perpendicular(t.normal);
-      touches_.push_back({t.normal, radius * t.normal, pull, force[c]});
-    }
+    for (const Touch& t : touches) touches_.push_back({t.normal, radius * t.normal, t.force_of(force), t.of_contact(force, 0)});
   }
 
   std::size_t size() const { return touches_.size(); }

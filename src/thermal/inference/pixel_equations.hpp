@@ -82,8 +82,8 @@ struct PixelEquations {
 };
 
 /// Adds the equations of all grains' pixels, and hands them back; `model_error` as a share of a grain's signal, `contact_margin` in m.
-std::vector<PixelEquations> add_pixels(NormalEquations& equations, const Unknowns& unknowns, const Placed& placed, const Pixels& pixels,
-                                       const PointSpread& spread, double model_error, double contact_margin);
+std::vector<PixelEquations> add_pixels(ForceEquations& equations, const Placed& placed, const Pixels& pixels, const PointSpread& spread, double model_error,
+                                       double contact_margin);
 
 /// What these leave at the solution x; pixels have as many degrees of freedom as there are beyond `taken`.
 Misfit misfit(const std::vector<PixelEquations>& equations, const std::vector<double>& x, double taken);
