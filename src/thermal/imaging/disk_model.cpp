@@ -54,6 +54,12 @@ void DiskModel::spread(const Disk& disk, double sign) {
   });
 }
 
+void DiskModel::spread_all() {
+  covered_.assign(image_.size(), 0.0F);
+  light_ = covered_;
+  for (const Disk& disk : disks_) spread(disk, 1);
+}
+
 double DiskModel::left(std::size_t pixel) const {
   return static_cast<double>(image_.value[pixel]) - static_cast<double>(light_[pixel]) -
          (1.0 - static_cast<double>(covered_[pixel])) * static_cast<double>(background_[pixel]);
@@ -78,9 +84,8 @@ void DiskModel::refresh() {
   spacing_ = std::clamp(static_cast<int>(12 * median(mapped(disks_, &Disk::radius))), 32, 4096);
   columns_ = image_.width / spacing_ + 2;
   rows_ = image_.height / spacing_ + 2;
-  covered_.assign(image_.size(), 0.0F);
-  light_ = background_ = covered_;
-  for (const Disk& disk : disks_) spread(disk, 1);
+  background_.resize(image_.size());
+  spread_all();
   start_background();
   for (int i = 0; i < 4; ++i) fit_background();
   measure_noise();
@@ -135,10 +140,7 @@ void DiskModel::fit_blur() {
   if (!(bottom > 0)) return;
   const double before = blur_;
   blur_ = std::clamp(blur_ + std::clamp(0.7 * top / bottom, -0.1, 0.1), 0.3, 4.0);
-  if (blur_ == before) return;
-  covered_.assign(image_.size(), 0.0F);
-  light_ = covered_;
-  for (const Disk& disk : disks_) spread(disk, 1);
+  if (blur_ != before) spread_all();
 }
 
 void DiskModel::measure_noise() {

@@ -113,6 +113,7 @@ class DiskModel {
   };
   Cover cover(const Disk& disk, int x, int y) const;
   void spread(const Disk& disk, double sign);
+  void spread_all();
   double left(std::size_t pixel) const;
   double alone(const Disk& disk, Vec2 place) const;
   double step(Disk& disk);

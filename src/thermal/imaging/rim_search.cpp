@@ -144,9 +144,8 @@ bool is_summit(const FloatImage& before, const FloatImage& here, const FloatImag
 }
 
 /// Summits at one level of the pyramid, whose pixels are `scale` wide.
-void search_level(const FloatImage& image, double first, double last, double scale, std::span<const char> open, const RimOptions& options,
-                  std::vector<Circle>& found) {
-  const std::vector<Run> runs = runs_of(open, image.width, image.height);
+void search_level(const FloatImage& image, double first, double last, double scale, const Mask& open, const RimOptions& options, std::vector<Circle>& found) {
+  const std::vector<Run> runs = runs_of(open);
   const Slope slope = slope_of(image, options.bright);
   const float noise = static_cast<float>(noise_level(image)) + texture * steepest(slope) + 1e-30F;
   std::vector<double> radii;
@@ -156,8 +155,7 @@ void search_level(const FloatImage& image, double first, double last, double sca
     FloatImage after = scores_at(slope, radii[k + 1], noise, runs);
     for (int y = 1; y + 1 < image.height; ++y)
       for (int x = 1; x + 1 < image.width; ++x)
-        if ((open.empty() || open[here.index(x, y)] != 0) && here.value[here.index(x, y)] > static_cast<float>(options.least) &&
-            is_summit(before, here, after, x, y))
+        if (open.value[here.index(x, y)] != 0 && here.value[here.index(x, y)] > static_cast<float>(options.least) && is_summit(before, here, after, x, y))
           found.push_back({{(x + 0.5) * scale - 0.5, (y + 0.5) * scale - 0.5}, radii[k] * scale, here.value[here.index(x, y)]});
     before = std::move(here);
     here = std::move(after);
@@ -203,9 +201,9 @@ std::vector<Circle> search_rims(const FloatImage& image, const RimOptions& optio
   std::vector<Circle> found;
   double first = options.smallest;
   std::vector<std::vector<Circle>> of_level(levels.size());
-  std::vector<char> open(options.open.begin(), options.open.end());
+  Mask open = options.open ? *options.open : Mask{image.width, image.height, std::vector<char>(image.size(), 1)};
   for (std::size_t k = 0; k < levels.size(); ++k) {
-    if (k > 0 && !open.empty()) open = halved_open(open, levels[k - 1].width, levels[k - 1].height);
+    if (k > 0) open = halved_open(open);
     const double scale = std::ldexp(1.0, static_cast<int>(k)), last = std::min(options.largest / scale, coarse);
     if (first < last) search_level(levels[k], first, last, scale, open, options, of_level[k]);
     first = std::max(last, first) / 2;

@@ -107,13 +107,13 @@ DiskSearch SearchRounds::finish() {
 }
 
 /// Pixels where a further centre would not collide with the disks found so far.
-std::vector<char> SearchRounds::open_pixels(double smallest) const {
-  std::vector<char> open(image_.size(), 1);
+Mask SearchRounds::open_pixels(double smallest) const {
+  Mask open{image_.width, image_.height, std::vector<char>(image_.size(), 1)};
   const double radius = classes_.size() > 0 ? classes_.mean.front() : smallest;
   for (const auto& disk : model_.disks()) {
     const double away = least_distance(radius, disk.radius);
     each_pixel_near(disk.centre, away, image_.width, image_.height, [&](int x, int y, std::size_t at) {
-      if (square(x - disk.centre.x) + square(y - disk.centre.y) < square(away)) open[at] = 0;
+      if (square(x - disk.centre.x) + square(y - disk.centre.y) < square(away)) open.value[at] = 0;
     });
   }
   return open;
@@ -123,8 +123,8 @@ std::vector<Circle> SearchRounds::candidates() const {
   RimOptions how = range(image_, options_, classes_.mean, bright_);
   how.least = 0.2;
   if (options_.radii.empty()) how.smallest = std::max(how.smallest, least_resolved(model_));
-  const std::vector<char> open = open_pixels(how.smallest);
-  how.open = open;
+  const Mask open = open_pixels(how.smallest);
+  how.open = &open;
   const FloatImage rest = model_.residual();
   std::vector<Circle> seen = search_rims(rest, how);
   if (between_) {
