@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/mapped.hpp"
 #include "core/median.hpp"
 #include "core/problems.hpp"
 #include "geometry/rectangle.hpp"
@@ -71,9 +72,7 @@ double farthest(const PictureGrains& g, Vec2 from) {
 
 /// t, then turned about a place and shifted.
 Similarity turned(Similarity t, double angle, Vec2 about, Vec2 shift) {
-  const double c = std::cos(angle), s = std::sin(angle);
-  const Vec2 d = t.shift - about;
-  t.shift = about + shift + Vec2{c * d.x - s * d.y, s * d.x + c * d.y};
+  t.shift = about + shift + Similarity{1, angle, {}}(t.shift - about);
   t.rotation += angle;
   return t;
 }
@@ -110,19 +109,24 @@ void refine(const PictureGrains& circles, const FloatImage& picture, Overlay& fo
   }
   model.refresh();
   model.fit(10);
-  std::vector<double> away;
-  for (std::size_t i = 0; i < at.size(); ++i) away.push_back(norm(model.disks()[i].centre - at.centre[i]));
+  const std::vector<Vec2> fitted = mapped(model.disks(), &DiskModel::Disk::centre);
+  const auto distances = [&] {
+    std::vector<double> away;
+    for (std::size_t i = 0; i < fitted.size(); ++i) away.push_back(norm(found.transform(circles.centre[i]) - fitted[i]));
+    return away;
+  };
+  std::vector<double> away = distances();
   for (int pass = 0; pass < rounds; ++pass) {
     found.rms = robust_rms(away);
     std::vector<Vec2> from, to;
     for (std::size_t i = 0; i < at.size(); ++i) {
       if (away[i] > overlay_outlier * found.rms * 1.2 + 1e-9) continue;
       from.push_back(circles.centre[i]);
-      to.push_back(model.disks()[i].centre);
+      to.push_back(fitted[i]);
     }
     if (from.size() < 3) return;
     found.transform = fit_similarity(from, to, false);
-    for (std::size_t i = 0; i < at.size(); ++i) away[i] = norm(found.transform(circles.centre[i]) - model.disks()[i].centre);
+    away = distances();
   }
   found.rms = robust_rms(away);
 }
