@@ -118,7 +118,7 @@ class GrainNodes {
     double best = std::numeric_limits<double>::infinity(), value = 0;
     for (int j = -farthest; j <= farthest; ++j)
       for (int i = -farthest; i <= farthest; ++i) {
-        const double away = std::hypot(x + i - u, y + j - v);
+        const double away = norm(Vec2{x + i - u, y + j - v});
         if (away >= best || !own(x + i, y + j)) continue;
         best = away;
         value = sigma_kk(x + i, y + j);

@@ -36,13 +36,13 @@ PixelEquations equations_of(const Unknowns& unknowns, const Placed& placed, std:
   const double signal = root_mean_square(pixels);
   for (std::size_t q = 0; q < pixels.size(); ++q) {
     double* row = &b.rows[n * q];
-    for (std::size_t k = 0; k < 2 * z; ++k) row[k] = unknowns.force * found.response[2 * z * q + k];
+    for (std::size_t k = 0; k < 2 * z; ++k) row[k] = unknowns.force * found.response(k, q);
     if (unknowns.move > 0) {
-      row[2 * z] += unknowns.move * found.shift[2 * q], row[2 * z + 1] += unknowns.move * found.shift[2 * q + 1];
-      for (std::size_t k = 0; k < z; ++k) add_turn(unknowns, touches, k, found.turn[z * q + k], row);
+      row[2 * z] += unknowns.move * found.shift[q].x, row[2 * z + 1] += unknowns.move * found.shift[q].y;
+      for (std::size_t k = 0; k < z; ++k) add_turn(unknowns, touches, k, found.turn(k, q), row);
     }
     if (unknowns.scales > 0)  // factors of the present forces: a hundredth more factor is a hundredth more warming
-      for (std::size_t k = 0; k < 2 * z; ++k) row[n - 1] += found.response[2 * z * q + k] * touches[k / 2].of_contact(placed.force, k % 2);
+      for (std::size_t k = 0; k < 2 * z; ++k) row[n - 1] += found.response(k, q) * touches[k / 2].of_contact(placed.force, k % 2);
     const double error = pixels[q].error, close = std::max(1.0, contact_margin / pixels[q].to_contact);
     const double model = model_error * signal * close * close * close;
     b.right.push_back(pixels[q].value - found.spill[q]);

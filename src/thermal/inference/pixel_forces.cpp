@@ -121,7 +121,7 @@ std::vector<float> drawn(const Placed& placed, const Packing& packing, const The
     const GrainRows rows = rows_of_grain(placed, g, all[g], spread);
     for (std::size_t q = 0; q < all[g].size(); ++q) {
       double sum = rows.spill[q];
-      for (std::size_t k = 0; k < 2 * z; ++k) sum += rows.response[2 * z * q + k] * touches[k / 2].of_contact(placed.force, k % 2);
+      for (std::size_t k = 0; k < 2 * z; ++k) sum += rows.response(k, q) * touches[k / 2].of_contact(placed.force, k % 2);
       fitted[all[g][q].number] = static_cast<float>(sum);
     }
   }
