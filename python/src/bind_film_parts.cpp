@@ -72,14 +72,14 @@ void bind_motion(py::module_& m) {
       "Motion of every grain at the load frequency f, pixels, y down: x(t) = x + cos_x cos(2 pi f t) + sin_x sin(2 pi f t), t in s after the "
       "first frame.");
   c.def("__len__", &GrainMotion::size, "Number of grains.");
-  array_property(
-      c, "cos_x", [](const GrainMotion& p) -> auto& { return p.cos_x; }, "Pixels.");
-  array_property(
-      c, "sin_x", [](const GrainMotion& p) -> auto& { return p.sin_x; }, "Pixels.");
-  array_property(
-      c, "cos_y", [](const GrainMotion& p) -> auto& { return p.cos_y; }, "Pixels.");
-  array_property(
-      c, "sin_y", [](const GrainMotion& p) -> auto& { return p.sin_y; }, "Pixels.");
+  coordinate_property(
+      c, "cos_x", [](const GrainMotion& p) -> auto& { return p.cosine; }, &Vec2::x, "Pixels.");
+  coordinate_property(
+      c, "sin_x", [](const GrainMotion& p) -> auto& { return p.sine; }, &Vec2::x, "Pixels.");
+  coordinate_property(
+      c, "cos_y", [](const GrainMotion& p) -> auto& { return p.cosine; }, &Vec2::y, "Pixels.");
+  coordinate_property(
+      c, "sin_y", [](const GrainMotion& p) -> auto& { return p.sine; }, &Vec2::y, "Pixels.");
   array_property(
       c, "error", [](const GrainMotion& p) -> auto& { return p.error; },
       "Standard error of each of the four, pixels; infinite for a grain that shows no contrast.");

@@ -139,16 +139,14 @@ inline constexpr std::array lockin_maps{LockinMap{"mean", "K", &LockinMaps::mean
                                         LockinMap{"second_harmonic", "K", &LockinMaps::second_harmonic},
                                         LockinMap{"residual", "K", &LockinMaps::residual}};
 
-/// Motion of every grain at the load frequency, in pixels (y down): x(t) = x_mean + Re[(cx + i sx) exp(-i 2 pi f t)], that is cx cos(2 pi f t) + sx
-/// sin(2 pi f t); t in s after the first frame.
+/// Motion of every grain about its mean place at the load frequency, in pixels (y down): cosine cos(2 pi f t) + sine sin(2 pi f t), t in s after the
+/// first frame.
 struct GrainMotion {
-  std::vector<double> cos_x, sin_x, cos_y, sin_y;
-  std::vector<double> error;  ///< standard error of each of the four
-  std::size_t size() const { return cos_x.size(); }
+  std::vector<Vec2> cosine, sine;
+  std::vector<double> error;  ///< standard error of each of the four coordinates
+  std::size_t size() const { return cosine.size(); }
   /// From its mean place, where the phase 2 pi f t has this cosine and sine.
-  Vec2 at(std::size_t grain, double cosine, double sine) const {
-    return {cos_x[grain] * cosine + sin_x[grain] * sine, cos_y[grain] * cosine + sin_y[grain] * sine};
-  }
+  Vec2 at(std::size_t grain, double c, double s) const { return c * cosine[grain] + s * sine[grain]; }
 };
 
 /// Peak-to-peak change of temperature and stress of every grain between the smallest and the largest load, as a film shows it.

@@ -24,18 +24,16 @@ std::filesystem::path beside(const recipe::FilmRecipe& recipe, const std::string
 // Dead and hot pixels are some per mille of a detector; a film that shows something has far more that are neither.
 bool nearly_all(std::size_t some, const FilmInfo& film) { return 100 * some >= 99 * film.pixels(); }
 
-void refuse_saturated(const thermography::FrameStatistics& seen, const FilmInfo& film) {
-  const std::size_t saturated = thermography::doubtful(seen, film.bits).saturated;
-  if (nearly_all(saturated, film))
-    throw refusal("{} of {} pixels reach the top of the camera's range ({}), so what they saw is not known; film with a shorter integration", saturated,
+void refuse_saturated(const thermography::Doubtful& seen, const FilmInfo& film) {
+  if (nearly_all(seen.saturated, film))
+    throw refusal("{} of {} pixels reach the top of the camera's range ({}), so what they saw is not known; film with a shorter integration", seen.saturated,
                   film.pixels(), (1 << film.bits) - 1);
 }
 
-void refuse_constant(const thermography::FrameStatistics& seen, const FilmInfo& film) {
-  const std::size_t constant = thermography::doubtful(seen, film.bits).constant;
-  if (nearly_all(constant, film))
-    throw refusal("{} of {} pixels never change in the first {} frames, not even by noise; give the film as the camera recorded it", constant, film.pixels(),
-                  seen.frames);
+void refuse_constant(const thermography::Doubtful& seen, const FilmInfo& film, std::size_t frames) {
+  if (nearly_all(seen.constant, film))
+    throw refusal("{} of {} pixels never change in the first {} frames, not even by noise; give the film as the camera recorded it", seen.constant,
+                  film.pixels(), frames);
 }
 
 std::optional<FrameStatistics> reference(const recipe::FilmRecipe& recipe, const std::string& file, const FilmInfo& film) {
@@ -47,7 +45,7 @@ std::optional<FrameStatistics> reference(const recipe::FilmRecipe& recipe, const
            source->info().height, film.width, film.height);
   auto seen = thermography::frame_statistics(*source, frames_looked_at);
   try {
-    refuse_saturated(seen, source->info());
+    refuse_saturated(thermography::doubtful(seen, source->info().bits), source->info());
   } catch (const InputError& error) { throw in_file(error, path.string()); }
   return seen;
 }
@@ -112,11 +110,10 @@ void refuse_bare_levels(const FilmInfo& film) {
         "(--scale, --offset), or choose \"references\", \"curve\" or \"radiometry\"");
 }
 
-void note_doubtful(const FrameStatistics& first, const FilmInfo& film, std::vector<std::string>& notes) {
-  const auto doubtful = thermography::doubtful(first, film.bits);
-  if (doubtful.constant > 0) notes.push_back(fmt::format("{} of {} pixels never change", doubtful.constant, film.pixels()));
-  if (doubtful.saturated > 0)
-    notes.push_back(fmt::format("{} of {} pixels reach the top of the camera's range; shorten the integration", doubtful.saturated, film.pixels()));
+void note_doubtful(const thermography::Doubtful& seen, const FilmInfo& film, std::vector<std::string>& notes) {
+  if (seen.constant > 0) notes.push_back(fmt::format("{} of {} pixels never change", seen.constant, film.pixels()));
+  if (seen.saturated > 0)
+    notes.push_back(fmt::format("{} of {} pixels reach the top of the camera's range; shorten the integration", seen.saturated, film.pixels()));
 }
 
 /// Whether a surface has a say in the film's temperatures.
@@ -134,11 +131,12 @@ FilmCorrection make_correction(const recipe::FilmRecipe& recipe, FilmSource& fil
   const FilmInfo& info = film.info();
   if (recipe.temperature.from == From::film) refuse_bare_levels(info);
   const auto first = thermography::frame_statistics(film, frames_looked_at);
-  refuse_saturated(first, info);
-  refuse_constant(first, info);
+  const auto doubtful = thermography::doubtful(first, info.bits);
+  refuse_saturated(doubtful, info);
+  refuse_constant(doubtful, info, first.frames);
   const auto cold = reference(recipe, recipe.correction.cold, info), warm = reference(recipe, recipe.correction.warm, info);
   FilmCorrection made;
-  note_doubtful(first, info, made.notes);
+  note_doubtful(doubtful, info, made.notes);
   auto& correction = made.correction;
   correction.width = info.width;
   correction.height = info.height;

@@ -7,7 +7,9 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/mapped.hpp"
 #include "core/median.hpp"
+#include "statistics/measured.hpp"
 #include "thermal/imaging/proposed_contacts.hpp"
 #include "thermal/inference/contact_forces.hpp"
 #include "thermal/thermography/grain_motion.hpp"
@@ -15,14 +17,8 @@
 namespace arenite::workflow {
 namespace {
 
-/// Places of found circles are known better than motion and lens allow.
-double place_error(const PictureGrains& grains) {
-  double sum = 0;
-  for (const double e : grains.position_error) sum += e;
-  return std::max(0.05, sum / static_cast<double>(std::max<std::size_t>(grains.size(), 1)));
-}
-
-constexpr double surface_error = 0.05;  // pixels: of where a grain's rim is, along a line through its centre
+constexpr double least_place_error = 0.05;  // pixels: places of found circles are known better than motion and lens allow
+constexpr double surface_error = 0.05;      // pixels: of where a grain's rim is, along a line through its centre
 
 imaging::ContactTolerance tolerance_of(double pixel) { return {.pixel = pixel, .wall_error = 0.1 * pixel}; }
 
@@ -51,7 +47,7 @@ inference::ForceOptions force_options(const recipe::FilmRecipe& recipe, const Pi
   options.rim_margin = recipe.lockin.motion ? 1.5 : 0.5;
   options.friction = recipe.forces.friction;
   options.inequality = recipe.forces.state ? inference::Inequality::cone : inference::Inequality::none;
-  options.position_error = place_error(grains);
+  options.position_error = std::max(least_place_error, statistics::mean_of(grains.position_error).value);  // the least where none is known
   return options;
 }
 
@@ -102,8 +98,7 @@ void infer_film_forces(const recipe::FilmRecipe& recipe, FilmResult& r) {
   using From = recipe::ForcesSection::From;
   if (recipe.forces.from == From::none) return;
   r.packing.contacts = touching_at_either_load(recipe, r);
-  inference::ForceProblem problem{r.packing, {}, {}};
-  for (const recipe::FilmMaterial& m : recipe.materials) problem.factor.push_back(m.thermoelastic_factor);
+  inference::ForceProblem problem{r.packing, mapped(recipe.materials, &recipe::FilmMaterial::thermoelastic_factor), {}};
   if (recipe.container.load_peak_to_peak > 0) problem.walls.push_back({bottom, recipe.container.load_peak_to_peak, 0.005 * recipe.container.load_peak_to_peak});
   auto options = force_options(recipe, r.grains);
   options.widest_gap = widest_gap(r.pixel);

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/error.hpp"
+#include "core/mapped.hpp"
 #include "core/problems.hpp"
 #include "io/sample/sample.hpp"
 
@@ -29,9 +30,7 @@ Domain container_at(const recipe::FilmRecipe& recipe, double share) {
 }
 
 Materials materials_of(const recipe::FilmRecipe& recipe) {
-  Materials materials;
-  for (const recipe::FilmMaterial& m : recipe.materials) materials.push_back({m.name, 0, m.stiffness, m.thermoelastic_factor});
-  return materials;
+  return mapped(recipe.materials, [](const recipe::FilmMaterial& m) { return Material{m.name, 0, m.stiffness, m.thermoelastic_factor}; });
 }
 
 Grains in_metres(const PictureGrains& found, const FilmPlace& place) {
@@ -52,17 +51,14 @@ namespace {
 template <class Stays> void keep(PictureGrains& grains, const Stays& stays) {
   std::vector<std::uint8_t> kept;
   for (std::size_t i = 0; i < grains.size(); ++i) kept.push_back(stays(i));
-  const auto filter = [&](auto& values) {
-    std::size_t n = 0;
-    for (std::size_t i = 0; i < values.size(); ++i)
-      if (kept[i]) values[n++] = values[i];
-    values.resize(n);
+  const auto filter = [&](auto&... arrays) {  // those that are filled
+    const auto thin = [&](auto& values) {
+      std::size_t i = 0;
+      std::erase_if(values, [&](const auto&) { return !kept[i++]; });
+    };
+    (thin(arrays), ...);
   };
-  filter(grains.centre);
-  for (auto* values : {&grains.radius, &grains.position_error, &grains.radius_error, &grains.brightness, &grains.score})
-    if (!values->empty()) filter(*values);
-  for (auto* values : {&grains.material, &grains.size_class})
-    if (!values->empty()) filter(*values);
+  filter(grains.centre, grains.radius, grains.position_error, grains.radius_error, grains.brightness, grains.score, grains.material, grains.size_class);
 }
 
 /// Screws and edges of the container look round, too.
@@ -77,15 +73,18 @@ void keep_inside(const recipe::FilmRecipe& recipe, const FilmPlace& place, Pictu
 /// Share of the smaller radius by which load never presses two grains together.
 constexpr double most_overlap = 0.3;
 
-/// Of two circles that overlap by more than load can press them, the one whose rim shows less is no grain.
+/// Calls see(i, j, overlap) for disks i and j < i that overlap by more than load can press them.
+template <class See> void each_overlap(const std::vector<Vec2>& centre, const std::vector<double>& radius, const See& see) {
+  for (std::size_t i = 0; i < centre.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (const double overlap = radius[i] + radius[j] - norm(centre[i] - centre[j]); overlap > most_overlap * std::min(radius[i], radius[j]))
+        see(i, j, overlap);
+}
+
+/// Of two circles that overlap so much the one whose rim shows less is no grain.
 void drop_overlapping(PictureGrains& grains) {
   std::vector<std::uint8_t> kept(grains.size(), 1);
-  for (std::size_t i = 0; i < grains.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      const double overlap = grains.radius[i] + grains.radius[j] - std::hypot(grains.centre[i].x - grains.centre[j].x, grains.centre[i].y - grains.centre[j].y);
-      if (overlap > most_overlap * std::min(grains.radius[i], grains.radius[j])) kept[grains.score[i] < grains.score[j] ? i : j] = 0;
-    }
-  }
+  each_overlap(grains.centre, grains.radius, [&](std::size_t i, std::size_t j, double) { kept[grains.score[i] < grains.score[j] ? i : j] = 0; });
   keep(grains, [&](std::size_t i) { return kept[i]; });
 }
 
@@ -105,14 +104,10 @@ void drop_pores(const std::vector<float>& frame, bool bright, PictureGrains& gra
 /// Grains of a list that overlap by more than load can press them: each pair is a slip of the list.
 void refuse_overlapping(const std::string& file, const Grains& grains) {
   Problems problems(file);
-  for (std::size_t i = 0; i < grains.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      const double overlap = grains.radius[i] + grains.radius[j] - norm(grains.position[i] - grains.position[j]);
-      if (overlap > most_overlap * std::min(grains.radius[i], grains.radius[j]))
-        problems.add("grains {} and {} overlap by {:.3g} mm, more than load presses grains together; correct their centres or radii", grains.id[j],
-                     grains.id[i], 1e3 * overlap);
-    }
-  }
+  each_overlap(grains.position, grains.radius, [&](std::size_t i, std::size_t j, double overlap) {
+    problems.add("grains {} and {} overlap by {:.3g} mm, more than load presses grains together; correct their centres or radii", grains.id[j], grains.id[i],
+                 1e3 * overlap);
+  });
   problems.raise();
 }
 
@@ -122,12 +117,10 @@ PictureGrains read_list(const recipe::FilmRecipe& recipe, const FilmPlace& place
   if (read.size() == 0) refuse(file.string(), "lists no grains; give every grain a row");
   refuse_overlapping(file.string(), read);
   PictureGrains grains;
-  for (std::size_t i = 0; i < read.size(); ++i) {
-    grains.centre.push_back(place.pixels(read.position[i]));
-    grains.radius.push_back(read.radius[i] / place.pixel);
-    grains.position_error.push_back(0.3);
-    grains.material.push_back(read.material[i]);
-  }
+  grains.centre = mapped(read.position, [&](Vec2 p) { return place.pixels(p); });
+  grains.radius = mapped(read.radius, [&](double r) { return r / place.pixel; });
+  grains.position_error.assign(read.size(), 0.3);
+  grains.material = read.material;
   return grains;
 }
 

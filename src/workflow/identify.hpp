@@ -66,11 +66,13 @@ struct RowGroup {
 /// Rows by the column group, material, glue or diameter; one group without a name where there is none.
 std::vector<RowGroup> groups_of(const io::LaboratoryTable& table);
 
-/// The tests of a group by what tells them apart: columns curve, specimen, test, load, repeat or cycle other than `taken`; "load_kN -3, repeat 1".
-std::vector<RowGroup> tests_of(const io::LaboratoryTable& table, const RowGroup& group, std::optional<std::size_t> taken = {});
-
-/// A test's record.
-identify::Curve curve_of(const io::LaboratoryTable& table, const RowGroup& test, const std::vector<double>& x, const std::vector<double>& y);
+/// The records of a group, one a test.
+struct RecordGroup {
+  std::string name;
+  std::vector<identify::Curve> tests;
+};
+/// Force against the first of these quantities that the table has, by group; nothing where it holds no records.
+std::optional<std::vector<RecordGroup>> records_of(io::LaboratoryTable& table, std::initializer_list<io::Quantity> against);
 
 /// The tests of a group by name, each with what it measured.
 struct TestGroup {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/mapped.hpp"
 #include "workflow/identify.hpp"
 
 namespace arenite::workflow {
@@ -21,11 +22,13 @@ constexpr const char* needs_of_stiffness =
 
 using Tests = decltype(TestGroup::tests);
 
+std::vector<double> values_of(const Tests& tests) {
+  return mapped(tests, [](const auto& test) { return test.second.value; });
+}
+
 /// Its findings are those of the tests' mean, or of the only one; the first of them is what each test has, too.
 template <class Findings> Group group_of(const std::string& name, const Tests& tests, const Findings& findings) {
-  std::vector<double> values;
-  for (const auto& [test, each] : tests) values.push_back(each.value);
-  Group group{name.empty() ? "all" : name, tests.size(), findings(tests.size() == 1 ? tests.front().second : statistics::mean_of(values))};
+  Group group{name.empty() ? "all" : name, tests.size(), findings(tests.size() == 1 ? tests.front().second : statistics::mean_of(values_of(tests)))};
   if (tests.size() == 1) return group;
   for (const auto& [test, each] : tests) {
     group.tests.push_back({test, {group.findings.front()}});
@@ -41,11 +44,10 @@ std::vector<Finding> findings_of(const Measured& k, const StiffnessRequest& requ
 }
 
 /// Slopes of one group's cycles; the weakest fit goes to `worst_r2`.
-Tests slopes_of(const io::LaboratoryTable& table, const RowGroup& group, std::size_t force_column, const std::vector<double>& x, const std::vector<double>& y,
-                const StiffnessRequest& request, double& worst_r2) {
+Tests slopes_of(const RecordGroup& group, const identify::StiffnessOptions& options, double& worst_r2) {
   Tests slopes;
-  for (const auto& test : tests_of(table, group, force_column)) {
-    const auto cycles = identify::cycles_of(curve_of(table, test, x, y), request.curve);
+  for (const auto& test : group.tests) {
+    const auto cycles = identify::cycles_of(test, options);
     for (std::size_t c = 0; c < cycles.size(); ++c) {
       const std::string number = cycles.size() > 1 ? fmt::format("cycle {}", c + 1) : "";
       slopes.emplace_back(fmt::format("{}{}{} to {:.4g} kN", test.name, test.name.empty() || number.empty() ? "" : ", ", number, cycles[c].peak / 1e3),
@@ -59,9 +61,8 @@ Tests slopes_of(const io::LaboratoryTable& table, const RowGroup& group, std::si
 void add_all(Identification& found, const std::vector<TestGroup>& groups, const StiffnessRequest& request) {
   if (groups.size() < 2) return;
   std::vector<double> all;
-  std::vector<std::vector<double>> values(groups.size());
-  for (std::size_t g = 0; g < groups.size(); ++g)
-    for (const auto& [test, each] : groups[g].tests) values[g].push_back(each.value), all.push_back(each.value);
+  const auto values = mapped(groups, [](const TestGroup& group) { return values_of(group.tests); });
+  for (const auto& each : values) all.insert(all.end(), each.begin(), each.end());
   found.all = Group{"all", all.size(), findings_of(statistics::mean_of(all), request)};
   const double chance = statistics::chance_of_equal_means(values);
   if (std::isfinite(chance))
@@ -75,11 +76,9 @@ Identification identify_stiffness(const std::string& file, const StiffnessReques
   io::LaboratoryTable table(file);
   Identification found{"stiffness", file, {}};
   std::vector<TestGroup> groups;
-  const auto force = table.find(quantity::force), displacement = table.find(quantity::displacement);
-  if (force && displacement) {
-    const auto x = table.values(*displacement, quantity::displacement), y = table.values(*force, quantity::force);
+  if (const auto records = records_of(table, {quantity::displacement})) {
     double worst_r2 = 1;
-    for (const auto& group : groups_of(table)) groups.push_back({group.name, slopes_of(table, group, *force, x, y, request, worst_r2)});
+    for (const auto& group : *records) groups.push_back({group.name, slopes_of(group, request.curve, worst_r2)});
     if (worst_r2 < 0.99)
       found.notes.push_back(fmt::format("the records are not straight (least R^2 {:.3f}): k is the mean slope between preload and peak", worst_r2));
   } else {
@@ -120,11 +119,10 @@ void add_group(Identification& found, const std::string& name, const Tests& forc
 }
 
 /// The peaks of one group's records.
-Tests peaks_of(const io::LaboratoryTable& table, const RowGroup& group, std::size_t force_column, const std::vector<double>& x, const std::vector<double>& y,
-               std::vector<std::string>& notes) {
+Tests peaks_of(const RecordGroup& group, std::vector<std::string>& notes) {
   Tests peaks;
-  for (const auto& test : tests_of(table, group, force_column)) {
-    const auto peak = identify::pull_off(curve_of(table, test, x, y));
+  for (const auto& test : group.tests) {
+    const auto peak = identify::pull_off(test);
     const std::string name = test.name.empty() ? fmt::format("record {}", peaks.size() + 1) : test.name;
     if (!peak.separated)
       notes.push_back(fmt::format("{}{}{}: the record ends before the force has fallen to half of its peak; the bond may have held more", group.name,
@@ -139,11 +137,8 @@ Tests peaks_of(const io::LaboratoryTable& table, const RowGroup& group, std::siz
 Identification identify_adhesion(const std::string& file, const AdhesionRequest& request) {
   io::LaboratoryTable table(file);
   Identification found{"adhesion", file, {}};
-  const auto force = table.find(quantity::force), displacement = table.find(quantity::displacement), time = table.find(quantity::time);
-  if (force && (displacement || time)) {
-    const auto x = displacement ? table.values(*displacement, quantity::displacement) : table.values(*time, quantity::time);
-    const auto y = table.values(*force, quantity::force);
-    for (const auto& group : groups_of(table)) add_group(found, group.name, peaks_of(table, group, *force, x, y, found.notes), request);
+  if (const auto records = records_of(table, {quantity::displacement, quantity::time})) {
+    for (const auto& group : *records) add_group(found, group.name, peaks_of(group, found.notes), request);
   } else {
     const auto refusal = [](const std::string& group, const std::string& test, double value) {
       return fmt::format("{}{}{}: the separation force is {:.4g} N; write tension as a positive force", group, test.empty() ? "" : ", ", test, value);

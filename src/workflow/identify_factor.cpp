@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/mapped.hpp"
 #include "core/problems.hpp"
 #include "workflow/identify.hpp"
 
@@ -91,9 +92,7 @@ Column strains(io::LaboratoryTable& table, const FactorRequest& request) {
 }
 
 Column picked(const Column& from, const RowGroup& group) {
-  Column values;
-  for (const std::size_t row : group.rows) values.push_back(from[row]);
-  return values;
+  return mapped(group.rows, [&](std::size_t row) { return from[row]; });
 }
 
 [[noreturn]] void refuse_fit(const io::LaboratoryTable& table, const RowGroup& group, bool through_origin) {
@@ -125,30 +124,29 @@ void put_direct(Group& group, const FactorRequest& request, const Measured facto
   group.findings.push_back({"exitance_exponent", "", 1, {radiometry::exitance_exponent(d.band, d.surface)}});
 }
 
-/// Temperatures and signals against one cause.
-struct Causes {
-  Column stress, strain;
+/// Causes and responses, peak to peak, as far as the file has them.
+struct Columns {
+  Column stress, strain, temperature, signal;
 };
 
-void put_group(io::LaboratoryTable& table, const RowGroup& rows, const Causes& causes, const Column& temperature, const Column& signal,
-               const FactorRequest& request, Identification& found) {
+void put_group(const io::LaboratoryTable& table, const RowGroup& rows, const Columns& columns, const FactorRequest& request, Identification& found) {
   Group group{rows.name.empty() ? "all" : rows.name, rows.rows.size(), {}};
   const auto put = [&](bool warms, bool strained, Factor f) {
     if (!std::isfinite(f.factor.value) || !(f.factor.value > 0)) refuse_fit(table, rows, request.through_origin);
     if (strained && !warms) f.factor = statistics::product({{f.factor, 1}, {identify::stress_over_strain({*request.young, *request.poisson}), 1}});
-    const std::string name = std::string(warms ? "factor" : "signal_constant") + (strained && !causes.stress.empty() ? "_from_strain" : "");
+    const std::string name = std::string(warms ? "factor" : "signal_constant") + (strained && !columns.stress.empty() ? "_from_strain" : "");
     put_slope(group, found, {name, warms ? "K/MPa" : "MPa", warms ? K_per_MPa : 1e6, f.factor}, f, warms ? "K" : "");
   };
   const auto of = [&](const Column& column) { return picked(column, rows); };
-  const bool origin = request.through_origin, stressed = !causes.stress.empty(), strained = !causes.strain.empty();
-  if (!temperature.empty()) {
-    if (stressed) put(true, false, identify::factor_from_stress(of(causes.stress), of(temperature), origin));
-    if (strained) put(true, true, identify::factor_from_strain(of(causes.strain), of(temperature), {*request.young, *request.poisson}, origin));
+  const bool origin = request.through_origin, stressed = !columns.stress.empty(), strained = !columns.strain.empty();
+  if (!columns.temperature.empty()) {
+    if (stressed) put(true, false, identify::factor_from_stress(of(columns.stress), of(columns.temperature), origin));
+    if (strained) put(true, true, identify::factor_from_strain(of(columns.strain), of(columns.temperature), {*request.young, *request.poisson}, origin));
     put_direct(group, request, group.findings.front().value);
   }
-  if (!signal.empty()) {
-    if (stressed) put(false, false, identify::signal_constant(of(causes.stress), of(signal), origin));
-    if (strained) put(false, true, identify::signal_constant(of(causes.strain), of(signal), origin));
+  if (!columns.signal.empty()) {
+    if (stressed) put(false, false, identify::signal_constant(of(columns.stress), of(columns.signal), origin));
+    if (strained) put(false, true, identify::signal_constant(of(columns.strain), of(columns.signal), origin));
   }
   found.groups.push_back(std::move(group));
 }
@@ -204,15 +202,13 @@ Identification identify_factor(const std::string& file, const FactorRequest& req
   } else {
     const auto temperature_column = table.find(temperature_quantity), signal_column = table.find(signal_quantity);
     std::string way;
-    Causes causes{stresses(table, request, way), strains(table, request)};
-    if ((!temperature_column && !signal_column) || (causes.stress.empty() && causes.strain.empty())) throw InputError(file, table.header_line(), needs);
-    Column temperature, signal;
-    if (temperature_column) temperature = table.values(*temperature_column, temperature_quantity);
-    if (signal_column) signal = table.values(*signal_column, signal_quantity);
-    const double to_full = to_peak_to_peak(request.temperature);
-    scale(temperature, to_full), scale(signal, to_full);
-    for (const auto& group : groups_of(table)) put_group(table, group, causes, temperature, signal, request, found);
-    if (!causes.stress.empty()) found.notes.push_back("the stress is " + way);
+    Columns columns{stresses(table, request, way), strains(table, request), {}, {}};
+    if ((!temperature_column && !signal_column) || (columns.stress.empty() && columns.strain.empty())) throw InputError(file, table.header_line(), needs);
+    if (temperature_column) columns.temperature = table.values(*temperature_column, temperature_quantity);
+    if (signal_column) columns.signal = table.values(*signal_column, signal_quantity);
+    for (Column* response : {&columns.temperature, &columns.signal}) scale(*response, to_peak_to_peak(request.temperature));
+    for (const auto& group : groups_of(table)) put_group(table, group, columns, request, found);
+    if (!columns.stress.empty()) found.notes.push_back("the stress is " + way);
     found.notes.push_back(
         fmt::format("responses are taken as {}, loads as {}; the factor is that of peak-to-peak values (maximum minus minimum) on both sides, as the "
                     "thesis's: say --temperature-convention amplitude for the amplitudes of a sine",

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
+#include "core/mapped.hpp"
 #include "core/problems.hpp"
 #include "core/text.hpp"
 #include "workflow/identify.hpp"
@@ -54,29 +56,37 @@ double half_digit(std::string_view cell) {
 std::vector<std::size_t> group_columns(const io::LaboratoryTable& table) {
   if (!is_label(table.title(0), test_labels) && !is_label(table.title(0), group_labels)) return {};
   std::vector<std::size_t> columns;
-  for (std::size_t c = 1; c < table.columns(); ++c) {
-    if (is_label(table.title(c), test_labels) || is_label(table.title(c), group_labels)) continue;
-    columns.push_back(c);
-  }
+  for (std::size_t c = 1; c < table.columns(); ++c)
+    if (!is_label(table.title(c), test_labels) && !is_label(table.title(c), group_labels)) columns.push_back(c);
   return columns;
+}
+
+/// The tests of a group by what tells them apart: columns curve, specimen, test, load, repeat or cycle other than `taken`; "load_kN -3, repeat 1".
+std::vector<RowGroup> tests_of(const io::LaboratoryTable& table, const RowGroup& group, std::optional<std::size_t> taken) {
+  return rows_by(table, group.rows, label_columns(table, test_labels, taken), true);
 }
 
 }  // namespace
 
 std::vector<RowGroup> groups_of(const io::LaboratoryTable& table) {
   std::vector<std::size_t> rows(table.rows());
-  for (std::size_t r = 0; r < rows.size(); ++r) rows[r] = r;
+  std::iota(rows.begin(), rows.end(), std::size_t{0});
   return rows_by(table, rows, label_columns(table, group_labels, {}), false);
 }
 
-std::vector<RowGroup> tests_of(const io::LaboratoryTable& table, const RowGroup& group, std::optional<std::size_t> taken) {
-  return rows_by(table, group.rows, label_columns(table, test_labels, taken), true);
-}
-
-identify::Curve curve_of(const io::LaboratoryTable& table, const RowGroup& test, const std::vector<double>& x, const std::vector<double>& y) {
-  identify::Curve curve{table.file(), test.name, {}, {}, {}};
-  for (const std::size_t row : test.rows) curve.x.push_back(x[row]), curve.y.push_back(y[row]), curve.line.push_back(table.line(row));
-  return curve;
+std::optional<std::vector<RecordGroup>> records_of(io::LaboratoryTable& table, std::initializer_list<io::Quantity> against) {
+  const auto force_column = table.find(quantity::force);
+  const auto at = std::ranges::find_if(against, [&](const io::Quantity& quantity) { return table.find(quantity).has_value(); });
+  if (!force_column || at == against.end()) return std::nullopt;
+  const auto x = table.values(*table.find(*at), *at), force = table.values(*force_column, quantity::force);
+  return mapped(groups_of(table), [&](const RowGroup& group) {
+    RecordGroup records{group.name, {}};
+    for (const RowGroup& test : tests_of(table, group, force_column)) {
+      auto& curve = records.tests.emplace_back(identify::Curve{table.file(), test.name, {}, {}, {}});
+      for (const std::size_t row : test.rows) curve.x.push_back(x[row]), curve.y.push_back(force[row]), curve.line.push_back(table.line(row));
+    }
+    return records;
+  });
 }
 
 std::vector<TestGroup> tabulated_tests(io::LaboratoryTable& table, const io::Quantity& quantity, const std::string& needs, const Refusal& refusal) {

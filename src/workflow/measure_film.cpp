@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "core/mapped.hpp"
 #include "thermal/thermography/grain_motion.hpp"
 #include "thermal/thermography/phase_pictures.hpp"
 
@@ -108,9 +109,7 @@ class Measurement {
 
   bool measure(FilmResult& r) {
     options_.progress({3, 5, "grains", 0, 0, 0, false, false});
-    thermography::GrainMeanOptions means;
-    means.share = recipe_.forces.central_share;
-    for (const auto& m : recipe_.materials) means.factor.push_back(m.thermoelastic_factor);
+    const thermography::GrainMeanOptions means{recipe_.forces.central_share, mapped(recipe_.materials, &recipe::FilmMaterial::thermoelastic_factor)};
     // Places at the largest load are those found plus all of the way that was fitted.
     PictureGrains uncertain = loaded_;
     for (std::size_t i = 0; i < r.motion.size(); ++i)

@@ -142,10 +142,8 @@ struct FilmPageSample {
       film.grains.position_error.push_back(0.06);
       film.grains.radius_error.push_back(0.05);
       const double low = grains.position[g].y / truth_.domain.wall[top].position - 1;
-      film.motion.cos_x.push_back(0.02 * random_.normal());
-      film.motion.sin_x.push_back(0);
-      film.motion.cos_y.push_back(0.8 * low);
-      film.motion.sin_y.push_back(0);
+      film.motion.cosine.push_back({0.02 * random_.normal(), 0.8 * low});
+      film.motion.sine.push_back({});
       film.motion.error.push_back(0.02);
       const double sigma = elasticity::mean_sigma_kk(all[g]) / 2, error = 0.02e6 + 0.03 * std::abs(sigma);
       film.peak_to_peak.sigma_hyd.push_back(sigma + error * random_.normal());

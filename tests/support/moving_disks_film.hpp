@@ -41,9 +41,9 @@ struct MovingDisks {
     return g;
   }
 
-  double amplitude_x(std::size_t i) const { return -0.5 * apart * std::sin(2.0 * static_cast<double>(i)); }
-  double amplitude_y(const PictureGrains& g, std::size_t i) const {
-    return 0.5 * (travel * g.centre[i].y / height + apart * std::sin(1.3 * static_cast<double>(i)));
+  Vec2 amplitude(const PictureGrains& g, std::size_t i) const {
+    const auto number = static_cast<double>(i);
+    return {-0.5 * apart * std::sin(2.0 * number), 0.5 * (travel * g.centre[i].y / height + apart * std::sin(1.3 * number))};
   }
   double warming(const PictureGrains& g, std::size_t i, double x) const {
     return thermal * (1 + 0.5 * std::sin(static_cast<double>(i))) * (1 + tilt * (x - g.centre[i].x) / radius);
@@ -64,10 +64,11 @@ struct MovingDisks {
       const double s = -std::cos(2 * std::numbers::pi * frequency * static_cast<double>(n) / rate);
       std::vector<double> frame(film.about.pixels(), 294);
       for (std::size_t i = 0; i < g.size(); ++i) {
-        const double dx = amplitude_x(i) * s, dy = amplitude_y(g, i) * s, reach = radius + 3;
-        for (int row = std::max(0, static_cast<int>(g.centre[i].y + dy - reach)); row < std::min<double>(height, g.centre[i].y + dy + reach); ++row)
-          for (int column = std::max(0, static_cast<int>(g.centre[i].x + dx - reach)); column < std::min<double>(width, g.centre[i].x + dx + reach); ++column) {
-            const double x = column - dx, y = row - dy, out = std::hypot(x - g.centre[i].x, y - g.centre[i].y) - radius;
+        const Vec2 moved = s * amplitude(g, i), centre = g.centre[i] + moved;
+        const double reach = radius + 3;
+        for (int row = std::max(0, static_cast<int>(centre.y - reach)); row < std::min<double>(height, centre.y + reach); ++row)
+          for (int column = std::max(0, static_cast<int>(centre.x - reach)); column < std::min<double>(width, centre.x + reach); ++column) {
+            const double x = column - moved.x, y = row - moved.y, out = std::hypot(x - g.centre[i].x, y - g.centre[i].y) - radius;
             const double inside = 0.5 * std::erfc(out / 0.8);
             frame[static_cast<std::size_t>(row * width + column)] += inside * (contrast * (g.material[i] ? 1 : 0.6) + 0.5 * s * warming(g, i, x));
           }

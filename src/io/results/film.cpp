@@ -12,10 +12,10 @@ constexpr Column<PictureGrains> grain_columns[] = {{"column", "1", &PictureGrain
                                                    {"brightness", "1", &PictureGrains::brightness},
                                                    {"score", "1", &PictureGrains::score}};
 
-constexpr Column<GrainMotion> motion_columns[] = {{"cos_x", "1", &GrainMotion::cos_x},
-                                                  {"sin_x", "1", &GrainMotion::sin_x},
-                                                  {"cos_y", "1", &GrainMotion::cos_y},
-                                                  {"sin_y", "1", &GrainMotion::sin_y},
+constexpr Column<GrainMotion> motion_columns[] = {{"cos_x", "1", &GrainMotion::cosine, &Vec2::x},
+                                                  {"sin_x", "1", &GrainMotion::sine, &Vec2::x},
+                                                  {"cos_y", "1", &GrainMotion::cosine, &Vec2::y},
+                                                  {"sin_y", "1", &GrainMotion::sine, &Vec2::y},
                                                   {"error", "1", &GrainMotion::error}};
 
 constexpr Column<PeakToPeak> peak_to_peak_columns[] = {{"temperature", "K", &PeakToPeak::temperature},

@@ -99,7 +99,7 @@ struct Patch {
   double cell = 0;           ///< m
   std::vector<float> value;  ///< Pa, mean over each cell
   /// Between cells, linear; `offset` from the grain's centre, m.
-  float at(double x, double y) const;
+  float at(Vec2 offset) const;
 };
 
 /// What is filmed: grains in their places at the smallest and at the largest load, and how their stress changes between.

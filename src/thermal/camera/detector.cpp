@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
+#include "core/mapped.hpp"
 #include "core/random.hpp"
+#include "statistics/measured.hpp"
 
 namespace arenite::camera {
 namespace {
@@ -13,25 +16,15 @@ namespace {
 /// 4.3 standard deviations, scaled to variance 1).
 const std::vector<float>& normal_quantiles() {
   static const std::vector<float> table = [] {
-    constexpr int n = 65536;
+    constexpr std::size_t n = 65536;
     std::vector<double> z(n);
-    double x = -4.4, sum = 0;
-    for (int k = 0; k < n / 2; ++k) {
-      const double p = (k + 0.5) / n;
-      for (int newton = 0; newton < 60; ++newton) {
-        const double error = 0.5 * std::erfc(-x / std::sqrt(2.0)) - p;
-        const double density = std::exp(-0.5 * x * x) / std::sqrt(2 * 3.14159265358979323846);
-        const double step = std::clamp(error / density, -0.1, 0.1);
-        x -= step;
-        if (std::abs(step) < 1e-13) break;
-      }
-      z[static_cast<std::size_t>(k)] = x;
-      z[static_cast<std::size_t>(n - 1 - k)] = -x;
-      sum += 2 * x * x;
+    double sum = 0;
+    for (std::size_t k = 0; k < n / 2; ++k) {
+      z[k] = statistics::student_quantile((static_cast<double>(k) + 0.5) / n, std::numeric_limits<double>::infinity());
+      z[n - 1 - k] = -z[k];
+      sum += 2 * z[k] * z[k];
     }
-    std::vector<float> scaled;
-    for (const double v : z) scaled.push_back(static_cast<float>(v / std::sqrt(sum / n)));
-    return scaled;
+    return mapped<float>(z, [&](double v) { return static_cast<float>(v / std::sqrt(sum / n)); });
   }();
   return table;
 }

@@ -32,11 +32,11 @@ Exitance exitance_near(const Parameters& p, double emissivity) {
 /// Points of the scene on a grid finer than the pixels, row by row from the top.
 struct Canvas {
   int width, height;
-  double step, left, top;  ///< of the first point, m
+  double step;  ///< m
+  Vec2 first;   ///< point, m
   std::vector<float> light;
   std::vector<float> depth;  ///< of the point in the grain that is seen there, m^2: power distance, below 0
-  double x(int c) const { return left + c * step; }
-  double y(int r) const { return top - r * step; }
+  Vec2 place(int column, int row) const { return {first.x + column * step, first.y - row * step}; }
 };
 
 Vec2 middle_of(const Scene& scene) {
@@ -52,10 +52,9 @@ Canvas canvas_for(const Scene& scene, const Optics& optics, int margin) {
     throw refusal(
         "a picture of {} x {} pixels with {} x {} points each is too large, {:.2g} points; lower camera.width, height or supersampling, or raise optical_pixel",
         optics.width, optics.height, n, n, points);
-  Canvas canvas{static_cast<int>(optics.width) * n + 2 * margin, static_cast<int>(optics.height) * n + 2 * margin, optics.pixel / n, 0, 0, {}, {}};
+  Canvas canvas{static_cast<int>(optics.width) * n + 2 * margin, static_cast<int>(optics.height) * n + 2 * margin, optics.pixel / n, {}, {}, {}};
   const Vec2 middle = middle_of(scene);
-  canvas.left = middle.x - 0.5 * (canvas.width - 1) * canvas.step;
-  canvas.top = middle.y + 0.5 * (canvas.height - 1) * canvas.step;
+  canvas.first = {middle.x - 0.5 * (canvas.width - 1) * canvas.step, middle.y + 0.5 * (canvas.height - 1) * canvas.step};
   canvas.light.resize(static_cast<std::size_t>(canvas.width) * static_cast<std::size_t>(canvas.height));
   canvas.depth.assign(canvas.light.size(), 0.0f);
   return canvas;
@@ -81,7 +80,7 @@ void paint_container(Canvas& canvas, const Scene& scene, const View& view, doubl
   for (int r = 0; r < canvas.height; ++r) {
     float* row = canvas.light.data() + static_cast<std::size_t>(r) * static_cast<std::size_t>(canvas.width);
     for (int c = 0; c < canvas.width; ++c) {
-      const Vec2 p = view.place({canvas.x(c), canvas.y(r)});
+      const Vec2 p = view.place(canvas.place(c, r));
       const bool inside = p.x > edge[left] && p.x < edge[right] && p.y > edge[bottom] && p.y < edge[top];
       row[c] = inside ? background : container;
     }
@@ -92,20 +91,20 @@ void paint_container(Canvas& canvas, const Scene& scene, const View& view, doubl
 /// parted by a straight line: a point in both belongs to the one whose rim is further away.
 template <class Paint> void each_point(Canvas& canvas, Vec2 centre, double radius, Paint paint) {
   const auto clamped = [](double v, int n) { return static_cast<int>(std::clamp(v, 0.0, static_cast<double>(n))); };
-  const int r0 = clamped(std::ceil((canvas.top - centre.y - radius) / canvas.step), canvas.height);
-  const int r1 = clamped(std::floor((canvas.top - centre.y + radius) / canvas.step) + 1, canvas.height);
+  const int r0 = clamped(std::ceil((canvas.first.y - centre.y - radius) / canvas.step), canvas.height);
+  const int r1 = clamped(std::floor((canvas.first.y - centre.y + radius) / canvas.step) + 1, canvas.height);
   for (int r = r0; r < r1; ++r) {
-    const double dy = canvas.y(r) - centre.y;
+    const double dy = canvas.place(0, r).y - centre.y;
     const double half = std::sqrt(std::max(0.0, radius * radius - dy * dy));
-    const int c0 = clamped(std::ceil((centre.x - half - canvas.left) / canvas.step), canvas.width);
-    const int c1 = clamped(std::floor((centre.x + half - canvas.left) / canvas.step) + 1, canvas.width);
+    const int c0 = clamped(std::ceil((centre.x - half - canvas.first.x) / canvas.step), canvas.width);
+    const int c1 = clamped(std::floor((centre.x + half - canvas.first.x) / canvas.step) + 1, canvas.width);
     for (int c = c0; c < c1; ++c) {
       const auto at = static_cast<std::size_t>(r) * static_cast<std::size_t>(canvas.width) + static_cast<std::size_t>(c);
-      const double dx = canvas.x(c) - centre.x;
-      const auto power = static_cast<float>(dx * dx + dy * dy - radius * radius);
+      const Vec2 offset = canvas.place(c, r) - centre;
+      const auto power = static_cast<float>(dot(offset, offset) - radius * radius);
       if (power >= canvas.depth[at]) continue;
       canvas.depth[at] = power;
-      paint(at, dx, dy);
+      paint(at, offset);
     }
   }
 }
@@ -118,11 +117,11 @@ optics::Lens lens_of(const Optics& optics) { return optics::make_lens(optics.blu
 
 void darken_corners(std::vector<float>& picture, const Optics& optics) {
   if (optics.vignetting <= 0) return;
-  const double cx = 0.5 * (static_cast<double>(optics.width) - 1), cy = 0.5 * (static_cast<double>(optics.height) - 1);
+  const Vec2 middle{0.5 * (static_cast<double>(optics.width) - 1), 0.5 * (static_cast<double>(optics.height) - 1)};
+  const auto width = static_cast<std::size_t>(optics.width);
   for (std::size_t i = 0; i < picture.size(); ++i) {
-    const auto w = static_cast<std::size_t>(optics.width);
-    const double dx = static_cast<double>(i % w) - cx, dy = static_cast<double>(i / w) - cy;
-    picture[i] *= static_cast<float>(1 - optics.vignetting * (dx * dx + dy * dy) / (cx * cx + cy * cy));
+    const Vec2 away = Vec2{static_cast<double>(i % width), static_cast<double>(i / width)} - middle;
+    picture[i] *= static_cast<float>(1 - optics.vignetting * dot(away, away) / dot(middle, middle));
   }
 }
 
@@ -139,8 +138,8 @@ std::vector<float> expose(const Scene& scene, const Parameters& p, double s) {
   for (std::size_t i = 0; i < scene.grains.size(); ++i) {
     const auto m = static_cast<std::size_t>(scene.grains.material[i]);
     const double warming = -scene.materials[m].thermoelastic_factor * s;
-    each_point(canvas, place_of(scene, p, i, s), scene.grains.radius[i], [&](std::size_t at, double x, double y) {
-      canvas.light[at] = static_cast<float>(exitance[m](warming * static_cast<double>(scene.stress[i].at(x, y))));
+    each_point(canvas, place_of(scene, p, i, s), scene.grains.radius[i], [&](std::size_t at, Vec2 offset) {
+      canvas.light[at] = static_cast<float>(exitance[m](warming * static_cast<double>(scene.stress[i].at(offset))));
     });
   }
   auto picture = optics::through_lens(lens, canvas.light, static_cast<int>(p.optics.width), static_cast<int>(p.optics.height));
@@ -164,7 +163,7 @@ FloatImage optical_picture(const Scene& scene, const Parameters& p, const std::v
   paint_container(canvas, scene, view, 0, 0.5f, 0.35f);
   for (std::size_t i = 0; i < scene.grains.size(); ++i) {
     const auto grey = static_cast<float>(brightness[static_cast<std::size_t>(scene.grains.material[i])]);
-    each_point(canvas, view.seen(scene.grains.position[i]), scene.grains.radius[i], [&](std::size_t at, double, double) { canvas.light[at] = grey; });
+    each_point(canvas, view.seen(scene.grains.position[i]), scene.grains.radius[i], [&](std::size_t at, Vec2) { canvas.light[at] = grey; });
   }
   const int width = static_cast<int>(optics.width), height = static_cast<int>(optics.height);
   FloatImage picture{width, height, optics::through_lens(lens, canvas.light, width, height)};

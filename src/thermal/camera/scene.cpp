@@ -118,7 +118,7 @@ class GrainNodes {
     double best = std::numeric_limits<double>::infinity(), value = 0;
     for (int j = -farthest; j <= farthest; ++j)
       for (int i = -farthest; i <= farthest; ++i) {
-        const double away = std::hypot(x + i - u, y + j - v);
+        const double away = norm(Vec2{x + i - u, y + j - v});
         if (away >= best || !own(x + i, y + j)) continue;
         best = away;
         value = sigma_kk(x + i, y + j);
@@ -155,8 +155,9 @@ std::vector<Vec2> mean_displacements(const FieldResult& result) {
 
 }  // namespace
 
-float Patch::at(double x, double y) const {
-  const double u = std::clamp(x / cell + 0.5 * (cells - 1), 0.0, cells - 1.001), v = std::clamp(y / cell + 0.5 * (cells - 1), 0.0, cells - 1.001);
+float Patch::at(Vec2 offset) const {
+  const auto along = [&](double x) { return std::clamp(x / cell + 0.5 * (cells - 1), 0.0, cells - 1.001); };
+  const double u = along(offset.x), v = along(offset.y);
   const auto c = static_cast<std::size_t>(u), r = static_cast<std::size_t>(v), n = static_cast<std::size_t>(cells);
   const auto fx = static_cast<float>(u - static_cast<double>(c)), fy = static_cast<float>(v - static_cast<double>(r));
   const float* at = value.data() + r * n + c;

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/error.hpp"
+#include "core/mapped.hpp"
 #include "core/median.hpp"
 #include "statistics/correlation.hpp"
 
@@ -24,10 +26,7 @@ struct Turn {
 /// The force with compression positive.
 std::vector<double> upright(const std::vector<double>& force) {
   const auto [low, high] = std::minmax_element(force.begin(), force.end());
-  std::vector<double> f = force;
-  if (-*low > *high)
-    for (double& v : f) v = -v;
-  return f;
+  return mapped(force, [sign = -*low > *high ? -1 : 1](double v) { return sign * v; });
 }
 
 std::vector<Turn> turns_of(const std::vector<double>& f) {
@@ -66,22 +65,22 @@ void check_valleys(const Curve& curve, const std::vector<double>& f, const std::
 }
 
 /// Noise of one point, from what neighbours' steps differ by; a slip or two do not change it.
-double noise_of(const Curve& curve, const std::vector<std::size_t>& points) {
+double noise_of(const std::vector<double>& x) {
   std::vector<double> bends;
-  for (std::size_t k = 2; k < points.size(); ++k) bends.push_back(std::abs(curve.x[points[k]] - 2 * curve.x[points[k - 1]] + curve.x[points[k - 2]]));
+  for (std::size_t k = 2; k < x.size(); ++k) bends.push_back(std::abs(x[k] - 2 * x[k - 1] + x[k - 2]));
   return median(std::move(bends)) / (0.6745 * std::sqrt(6.0));
 }
 
 /// The displacement must go one way, but for noise.
-void check_displacement(const Curve& curve, const std::vector<std::size_t>& points, double sense) {
-  const auto moved = [&](std::size_t k) { return sense * curve.x[points[k]]; };
-  double least = moved(0), most = moved(0), back = 0;
+void check_displacement(const Curve& curve, const std::vector<std::size_t>& points, const std::vector<double>& displacement, double sense) {
+  double least = sense * displacement[0], most = least, back = 0;
   std::size_t worst = 0;
   for (std::size_t k = 0; k < points.size(); ++k) {
-    most = std::max(most, moved(k)), least = std::min(least, moved(k));
-    if (most - moved(k) > back) back = most - moved(k), worst = k;
+    const double moved = sense * displacement[k];
+    most = std::max(most, moved), least = std::min(least, moved);
+    if (most - moved > back) back = most - moved, worst = k;
   }
-  if (back > noise_share * (most - least) && back > 8 * noise_of(curve, points))  // noise alone reaches about 7 standard deviations from end to end
+  if (back > noise_share * (most - least) && back > 8 * noise_of(displacement))  // noise alone reaches about 7 standard deviations from end to end
     refuse(
         curve, points[worst],
         fmt::format(
@@ -92,25 +91,33 @@ void check_displacement(const Curve& curve, const std::vector<std::size_t>& poin
 Cycle cycle_between(const Curve& curve, const std::vector<double>& f, std::size_t first, std::size_t last, const StiffnessOptions& options) {
   Cycle cycle{first, last, std::max(f[first], f[last]), {}, {}};
   std::vector<std::size_t> points;
-  std::vector<double> force, displacement;
   for (std::size_t k = first; k <= last; ++k)
-    if (f[k] > options.preload) points.push_back(k), force.push_back(f[k]), displacement.push_back(curve.x[k]);
+    if (f[k] > options.preload) points.push_back(k);
   if (points.size() < fewest_points)
     refuse(
         curve, last,
         fmt::format("a cycle has {} points beyond the preload of {:.4g} N; a slope needs at least {}: record more often, or lower the preload with --preload",
                     points.size(), options.preload, fewest_points));
-  const Regression line = regress(force, displacement);
+  const auto displacement = mapped(points, [&](std::size_t k) { return curve.x[k]; });
+  const Regression line = regress(mapped(points, [&](std::size_t k) { return f[k]; }), displacement);
   const auto [least, most] = std::minmax_element(displacement.begin(), displacement.end());
   const auto range = statistics::confidence_95(line.slope);
   if (*least == *most || !(range.low > 0 || range.high < 0))
     refuse(curve, last, "the displacement does not change with the force beyond its noise; check that it is the right column");
-  check_displacement(curve, points, (options.branch == Branch::loading) == (line.slope.value > 0) ? 1 : -1);
+  check_displacement(curve, points, displacement, (options.branch == Branch::loading) == (line.slope.value > 0) ? 1 : -1);
   const statistics::Measured compliance{std::abs(line.slope.value), line.slope.error, line.slope.freedom};
   cycle.stiffness = statistics::product({{compliance, -1}});
   cycle.r2 = line.r2;
   return cycle;
 }
+
+std::vector<double> residuals_of(const std::vector<double>& x, const std::vector<double>& y, double intercept, double slope) {
+  std::vector<double> residuals;
+  for (std::size_t k = 0; k < x.size(); ++k) residuals.push_back(y[k] - intercept - slope * x[k]);
+  return residuals;
+}
+
+double squares_of(const std::vector<double>& values) { return std::inner_product(values.begin(), values.end(), values.begin(), 0.0); }
 
 constexpr std::ptrdiff_t points_before = 10, fewest_before = 5;
 
@@ -122,13 +129,8 @@ statistics::Measured peak_with_noise(const Curve& curve, std::ptrdiff_t peak) {
   const std::vector<double> x(curve.x.begin() + first, curve.x.begin() + peak), y(curve.y.begin() + first, curve.y.begin() + peak);
   const Regression line = regress(x, y);
   if (!std::isfinite(line.slope.value)) return {value};
-  double squares = 0;
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    const double residual = y[k] - line.intercept.value - line.slope.value * x[k];
-    squares += residual * residual;
-  }
   const double freedom = static_cast<double>(count - 2);
-  return {value, std::sqrt(squares / freedom), freedom};
+  return {value, std::sqrt(squares_of(residuals_of(x, y, line.intercept.value, line.slope.value)) / freedom), freedom};
 }
 
 constexpr std::size_t enough_for_correlation = 10;
@@ -137,11 +139,7 @@ constexpr std::size_t enough_for_correlation = 10;
 /// about (1 + 4 r)/n (Marriott and Pope 1954), which is put back.
 double neighbour_correlation(const std::vector<double>& residuals) {
   if (residuals.size() < enough_for_correlation) return 0;
-  double products = 0, squares = 0;
-  for (std::size_t k = 0; k < residuals.size(); ++k) {
-    squares += residuals[k] * residuals[k];
-    if (k > 0) products += residuals[k] * residuals[k - 1];
-  }
+  const double products = std::inner_product(residuals.begin() + 1, residuals.end(), residuals.begin(), 0.0), squares = squares_of(residuals);
   if (!(squares > 0)) return 0;
   const double n = static_cast<double>(residuals.size()), seen = products / squares;
   if (seen * std::sqrt(n) < 1.645) return 0;  // white noise shows as much in 1 of 20 cases
@@ -206,12 +204,8 @@ Regression regress(const std::vector<double>& x, const std::vector<double>& y, b
   }
   if (!(m.xx > 0)) return {};
   const double slope = m.xy / m.xx, intercept = m.mean_y - slope * m.mean_x;
-  std::vector<double> residuals;
-  double squares = 0;
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    residuals.push_back(y[k] - intercept - slope * x[k]);
-    squares += residuals.back() * residuals.back();
-  }
+  const std::vector<double> residuals = residuals_of(x, y, intercept, slope);
+  const double squares = squares_of(residuals);
   Regression r;
   r.correlation = neighbour_correlation(residuals);
   const double widening = (1 + r.correlation) / (1 - r.correlation);

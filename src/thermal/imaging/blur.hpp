@@ -1,5 +1,4 @@
 #pragma once
-#include <span>
 #include <vector>
 
 #include "model/image.hpp"
@@ -21,10 +20,13 @@ struct Run {
   int y, first, last;
 };
 
-/// Where values are needed: at the open pixels (not 0) and beside them; all rows where `open` is empty.
-std::vector<Run> runs_of(std::span<const char> open, int width, int height);
+/// Pixels that are open (not 0).
+using Mask = Picture<char>;
+
+/// The open pixels and those beside them, row by row.
+std::vector<Run> runs_of(const Mask& open);
 
 /// Open pixels of a picture halved, with those beside them, since a centre may yet move by a pixel.
-std::vector<char> halved_open(std::span<const char> open, int width, int height);
+Mask halved_open(const Mask& open);
 
 }  // namespace arenite::imaging

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "core/error.hpp"
+#include "core/mapped.hpp"
 #include "core/median.hpp"
 #include "thermal/imaging/grain_search.hpp"
 
@@ -23,8 +24,8 @@ void check(const FloatImage& image) {
 double brightness_of(const FloatImage& image, const DiskModel::Disk& disk) {
   const double reach = std::max(1.0, disk.radius * std::sqrt(0.5));
   double sum = 0, count = 0;
-  each_pixel_near({disk.x, disk.y}, reach, image.width, image.height, [&](int x, int y, std::size_t at) {
-    if (std::hypot(x - disk.x, y - disk.y) <= reach) sum += static_cast<double>(image.value[at]), ++count;
+  each_pixel_near(disk.centre, reach, image.width, image.height, [&](int x, int y, std::size_t at) {
+    if (std::hypot(x - disk.centre.x, y - disk.centre.y) <= reach) sum += static_cast<double>(image.value[at]), ++count;
   });
   return count > 0 ? sum / count : disk.level;
 }
@@ -32,12 +33,8 @@ double brightness_of(const FloatImage& image, const DiskModel::Disk& disk) {
 /// A pore between three grains may have a round rim, but it is as grey as what is behind grains of both kinds.
 std::vector<char> pores(const std::vector<double>& brightness, double between) {
   constexpr double least = 0.3;  // of the usual distance from the level between grains
-  std::vector<double> away;
-  for (const double b : brightness) away.push_back(std::abs(b - between));
-  std::vector<char> out(away.size(), 0);
-  const double usual = median(away);
-  for (std::size_t k = 0; k < away.size(); ++k) out[k] = away[k] < least * usual ? 1 : 0;
-  return out;
+  const std::vector<double> away = mapped(brightness, [&](double b) { return std::abs(b - between); });
+  return mapped<char>(away, [&, usual = median(away)](double a) { return a < least * usual; });
 }
 
 void part_materials(FoundCircles& found, const CircleOptions& options) {
@@ -72,17 +69,17 @@ FoundCircles find_circles(const FloatImage& image, const CircleOptions& options)
   const auto& disks = search.model.disks();
   std::vector<std::size_t> order(disks.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return disks[a].y != disks[b].y ? disks[a].y < disks[b].y : disks[a].x < disks[b].x; });
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return std::pair(disks[a].centre.y, disks[a].centre.x) < std::pair(disks[b].centre.y, disks[b].centre.x);
+  });
   const auto errors = search.model.errors();
   const auto evidence = search.model.evidence();
-  std::vector<double> brightness;
-  for (const auto& disk : disks) brightness.push_back(brightness_of(image, disk));
+  const auto brightness = mapped(disks, [&](const auto& disk) { return brightness_of(image, disk); });
   const std::vector<char> out = search.report.between ? pores(brightness, *search.report.between) : std::vector<char>(disks.size(), 0);
   FoundCircles found;
   for (const std::size_t k : order) {
     if (out[k] != 0) continue;
-    found.grains.centre.push_back({disks[k].x, disks[k].y});
+    found.grains.centre.push_back(disks[k].centre);
     found.grains.radius.push_back(disks[k].radius);
     found.grains.position_error.push_back(errors[k].position);
     found.grains.radius_error.push_back(errors[k].radius);

@@ -11,8 +11,8 @@ double huber_weight(double residual, double noise) {
   return size <= most || size == 0 ? 1 : most / size;
 }
 
-double DiskModel::background(double x, double y) const {
-  const double u = std::max(0.0, x / spacing_), v = std::max(0.0, y / spacing_);
+double DiskModel::background(Vec2 place) const {
+  const double u = std::max(0.0, place.x / spacing_), v = std::max(0.0, place.y / spacing_);
   const int c = std::min(static_cast<int>(u), columns_ - 2), r = std::min(static_cast<int>(v), rows_ - 2);
   const double a = u - c, b = v - r;
   const auto at = [&](int i, int j) { return node_[static_cast<std::size_t>(i + columns_ * j)]; };
@@ -21,7 +21,7 @@ double DiskModel::background(double x, double y) const {
 
 void DiskModel::draw_background() {
   for (int y = 0; y < image_.height; ++y)
-    for (int x = 0; x < image_.width; ++x) background_[image_.index(x, y)] = static_cast<float>(background(x, y));
+    for (int x = 0; x < image_.width; ++x) background_[image_.index(x, y)] = static_cast<float>(background({static_cast<double>(x), static_cast<double>(y)}));
 }
 
 /// Pixels in the windows of disks; all where there are none.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/mapped.hpp"
 #include "core/median.hpp"
 #include "statistics/least_squares.hpp"
 
@@ -11,10 +12,7 @@ namespace {
 constexpr double least_radius = 1.0, longest_step = 0.5;  // pixels
 constexpr double settled = 1e-3, at_rest = 5e-3;          // pixels a step
 
-double distance(const DiskModel::Disk& disk, int x, int y) {
-  const double dx = x - disk.x, dy = y - disk.y;
-  return std::sqrt(dx * dx + dy * dy);
-}
+Vec2 from_centre(const DiskModel::Disk& disk, int x, int y) { return {x - disk.centre.x, y - disk.centre.y}; }
 
 }  // namespace
 
@@ -28,12 +26,14 @@ DiskModel::DiskModel(const FloatImage& image, double blur, bool bright, std::opt
 
 DiskModel::Window DiskModel::window(const Disk& disk) const {
   const double reach = disk.radius + 3 * blur_ + 1.5;
-  return {std::max(0, static_cast<int>(std::ceil(disk.x - reach))), std::min(image_.width - 1, static_cast<int>(disk.x + reach)),
-          std::max(0, static_cast<int>(std::ceil(disk.y - reach))), std::min(image_.height - 1, static_cast<int>(disk.y + reach))};
+  const auto [x, y] = disk.centre;
+  return {std::max(0, static_cast<int>(std::ceil(x - reach))), std::min(image_.width - 1, static_cast<int>(x + reach)),
+          std::max(0, static_cast<int>(std::ceil(y - reach))), std::min(image_.height - 1, static_cast<int>(y + reach))};
 }
 
 DiskModel::Cover DiskModel::cover(const Disk& disk, int x, int y) const {
-  const double dx = x - disk.x, dy = y - disk.y, square = dx * dx + dy * dy;
+  const Vec2 away = from_centre(disk, x, y);
+  const double square = dot(away, away);
   // Most pixels of a window lie deep inside, or in its corners: what follows says the same of them, with a root.
   const double deep = disk.radius - (BlurredStep::reach + 0.5) * blur_, far = disk.radius + BlurredStep::reach * blur_;
   if (square > far * far) return {0};
@@ -43,7 +43,7 @@ DiskModel::Cover DiskModel::cover(const Disk& disk, int x, int y) const {
   if (u < -BlurredStep::reach) return {0};
   double density;
   const double share = BlurredStep::at(u, density);
-  return {share, density / blur_, q > 0 ? dx / q : 0, q > 0 ? dy / q : 0};
+  return {share, density / blur_, q > 0 ? away / q : Vec2{}};
 }
 
 void DiskModel::spread(const Disk& disk, double sign) {
@@ -54,37 +54,38 @@ void DiskModel::spread(const Disk& disk, double sign) {
   });
 }
 
+void DiskModel::spread_all() {
+  covered_.assign(image_.size(), 0.0F);
+  light_ = covered_;
+  for (const Disk& disk : disks_) spread(disk, 1);
+}
+
 double DiskModel::left(std::size_t pixel) const {
   return static_cast<double>(image_.value[pixel]) - static_cast<double>(light_[pixel]) -
          (1.0 - static_cast<double>(covered_[pixel])) * static_cast<double>(background_[pixel]);
 }
 
 void DiskModel::add(const Circle& circle) {
-  Disk disk{circle.x, circle.y, circle.radius, 0, 0, 0, longest_step};
+  Disk disk{circle.centre, circle.radius, 0, 0, 0, longest_step};
   std::vector<double> inside;
   each(disk, [&](int x, int y, std::size_t at) {
-    if (std::hypot(x - disk.x, y - disk.y) < std::max(0.75, 0.6 * disk.radius)) inside.push_back(static_cast<double>(image_.value[at]));
+    if (norm(from_centre(disk, x, y)) < std::max(0.75, 0.6 * disk.radius)) inside.push_back(static_cast<double>(image_.value[at]));
   });
   disk.level = median(std::move(inside));
   disks_.push_back(disk);
 }
 
 void DiskModel::remove(const std::vector<char>& which) {
-  std::size_t kept = 0;
-  for (std::size_t k = 0; k < disks_.size(); ++k)
-    if (which[k] == 0) disks_[kept++] = disks_[k];
-  disks_.resize(kept);
+  std::size_t k = 0;
+  std::erase_if(disks_, [&](const Disk&) { return which[k++] != 0; });
 }
 
 void DiskModel::refresh() {
-  std::vector<double> radii;
-  for (const Disk& disk : disks_) radii.push_back(disk.radius);
-  spacing_ = std::clamp(static_cast<int>(12 * median(radii)), 32, 4096);
+  spacing_ = std::clamp(static_cast<int>(12 * median(mapped(disks_, &Disk::radius))), 32, 4096);
   columns_ = image_.width / spacing_ + 2;
   rows_ = image_.height / spacing_ + 2;
-  covered_.assign(image_.size(), 0.0F);
-  light_ = background_ = covered_;
-  for (const Disk& disk : disks_) spread(disk, 1);
+  background_.resize(image_.size());
+  spread_all();
   start_background();
   for (int i = 0; i < 4; ++i) fit_background();
   measure_noise();
@@ -95,12 +96,12 @@ double DiskModel::step(Disk& disk) {
   const double deep = disk.radius - std::max(3.0, 5 * blur_);  // farther inside nothing is learned of the rim
   statistics::SmallNormal<4> equations;
   each(disk, [&](int x, int y, std::size_t at) {
-    const double dx = x - disk.x, dy = y - disk.y;
-    if (deep > 0 && dx * dx + dy * dy < deep * deep) return;
-    const auto [c, edge, nx, ny] = cover(disk, x, y);
+    const Vec2 away = from_centre(disk, x, y);
+    if (deep > 0 && dot(away, away) < deep * deep) return;
+    const auto [c, edge, outward] = cover(disk, x, y);
     if (c < 1e-5) return;
     const double contrast = disk.level - static_cast<double>(background_[at]), gap = left(at);
-    equations.add({contrast * edge * nx, contrast * edge * ny, contrast * edge, c}, gap, huber_weight(gap, noise_));
+    equations.add({contrast * edge * outward.x, contrast * edge * outward.y, contrast * edge, c}, gap, huber_weight(gap, noise_));
   });
   auto& normal = equations.matrix;
   const double trace = normal[0][0] + normal[1][1] + normal[2][2] + normal[3][3];
@@ -117,8 +118,7 @@ double DiskModel::step(Disk& disk) {
   const double size = std::hypot(x, y, radius), part = size > longest_step ? longest_step / size : 1;
   if (!std::isfinite(size) || !std::isfinite(level)) return 0;
   spread(disk, -1);
-  disk.x += part * x;
-  disk.y += part * y;
+  disk.centre += part * Vec2{x, y};
   disk.radius = std::max(least_radius, disk.radius + part * radius);
   disk.level += part * level;
   spread(disk, 1);
@@ -131,7 +131,7 @@ void DiskModel::fit_blur() {
     each(disk, [&](int x, int y, std::size_t at) {
       const double edge = cover(disk, x, y).edge;
       if (edge == 0) return;
-      const double q = distance(disk, x, y);
+      const double q = norm(from_centre(disk, x, y));
       const double slope = -(disk.level - static_cast<double>(background_[at])) * edge * ((disk.radius - q) / blur_ + blur_ / (2 * std::max(q, blur_)));
       const double gap = left(at), weight = huber_weight(gap, noise_);
       top += weight * slope * gap;
@@ -140,17 +140,14 @@ void DiskModel::fit_blur() {
   if (!(bottom > 0)) return;
   const double before = blur_;
   blur_ = std::clamp(blur_ + std::clamp(0.7 * top / bottom, -0.1, 0.1), 0.3, 4.0);
-  if (blur_ == before) return;
-  covered_.assign(image_.size(), 0.0F);
-  light_ = covered_;
-  for (const Disk& disk : disks_) spread(disk, 1);
+  if (blur_ != before) spread_all();
 }
 
 void DiskModel::measure_noise() {
   std::vector<double> size;
   for (const Disk& disk : disks_)
     each(disk, [&](int x, int y, std::size_t at) {
-      if (std::abs(distance(disk, x, y) - disk.radius) < 2 * blur_) size.push_back(std::abs(left(at)));
+      if (std::abs(norm(from_centre(disk, x, y)) - disk.radius) < 2 * blur_) size.push_back(std::abs(left(at)));
     });
   noise_ = median(std::move(size)) / median_of_normal_size;
 }

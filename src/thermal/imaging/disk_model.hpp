@@ -46,8 +46,9 @@ class BlurredStep {
 
 /// A circle that the edges of a picture speak for.
 struct Circle {
-  double x = 0, y = 0, radius = 0;  ///< pixels
-  double score = 0;                 ///< how much of the rim shows an edge of the right sign, 0 to 1
+  Vec2 centre;        ///< pixels
+  double radius = 0;  ///< pixels
+  double score = 0;   ///< how much of the rim shows an edge of the right sign, 0 to 1
 };
 
 /// A picture as a sum of disks on a background, all under one blur:
@@ -59,7 +60,8 @@ struct Circle {
 class DiskModel {
  public:
   struct Disk {
-    double x = 0, y = 0, radius = 0, level = 0;
+    Vec2 centre;  ///< pixels
+    double radius = 0, level = 0;
     double prior_radius = 0, prior_error = 0;  ///< what is known of the radius; no prior where the error is 0
     double moved = 1;                          ///< by the last step, pixels
     double ring = 0;                           ///< radius at which its rim was first seen
@@ -78,7 +80,7 @@ class DiskModel {
   const std::vector<Disk>& disks() const { return disks_; }
   double blur() const { return blur_; }
   double noise() const { return noise_; }  ///< robust standard deviation of what the fit leaves near rims
-  double background(double x, double y) const;
+  double background(Vec2 place) const;
   void refresh();  ///< net, coverage and levels anew from the disks
   /// Steps of all disks, in every `between`-th sweep; in the others only of those that still move.
   void fit(int sweeps, int between = 1);
@@ -104,14 +106,16 @@ class DiskModel {
     for (int y = w.y0; y <= w.y1; ++y)
       for (int x = w.x0; x <= w.x1; ++x) visit(x, y, image_.index(x, y));
   }
-  /// How a disk covers a pixel: its share C, edge = dC/dr, and the direction (nx, ny) from the centre.
+  /// How a disk covers a pixel: its share C, edge = dC/dr, and the direction from the centre.
   struct Cover {
-    double share, edge = 0, nx = 0, ny = 0;
+    double share, edge = 0;
+    Vec2 outward = {};
   };
   Cover cover(const Disk& disk, int x, int y) const;
   void spread(const Disk& disk, double sign);
+  void spread_all();
   double left(std::size_t pixel) const;
-  double alone(const Disk& disk, double x, double y) const;
+  double alone(const Disk& disk, Vec2 place) const;
   double step(Disk& disk);
   void fit_background();
   void fit_blur();

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "core/mapped.hpp"
 #include "core/median.hpp"
 
 namespace arenite::imaging {
@@ -61,8 +62,7 @@ constexpr double most_share = 0.6;  // of the pixels on both sides of a level th
 
 /// Pixels that are farther from a level than half of what the farthest are.
 double pixels_away_from(double level, const FloatImage& image) {
-  std::vector<double> away;
-  for (const float v : image.value) away.push_back(std::abs(static_cast<double>(v) - level));
+  std::vector<double> away = mapped(image.value, [&](float v) { return std::abs(static_cast<double>(v) - level); });
   const auto far = away.begin() + static_cast<std::ptrdiff_t>(away.size() * 9 / 10);
   std::nth_element(away.begin(), far, away.end());
   return static_cast<double>(std::count_if(away.begin(), away.end(), [half = *far / 2](double v) { return v > half; }));
@@ -101,8 +101,8 @@ void mark_specks(const Disks& disks, std::vector<char>& out) {
 void mark_overlapping(const Disks& disks, const Evidence& evidence, std::vector<char>& out) {
   for (std::size_t a = 0; a < disks.size(); ++a)
     for (std::size_t b = a + 1; b < disks.size(); ++b) {
-      if (out[a] != 0 || out[b] != 0 || std::abs(disks[a].y - disks[b].y) > disks[a].radius + disks[b].radius) continue;
-      const double gap = std::hypot(disks[a].x - disks[b].x, disks[a].y - disks[b].y) - disks[a].radius - disks[b].radius;
+      if (out[a] != 0 || out[b] != 0 || std::abs(disks[a].centre.y - disks[b].centre.y) > disks[a].radius + disks[b].radius) continue;
+      const double gap = norm(disks[a].centre - disks[b].centre) - disks[a].radius - disks[b].radius;
       if (gap > -most_overlap * std::min(disks[a].radius, disks[b].radius)) continue;
       out[evidence[a].explained * evidence[a].rim < evidence[b].explained * evidence[b].rim ? a : b] = 1;
     }
@@ -122,9 +122,7 @@ std::vector<double> levels_between(const FloatImage& image) {
   peaks.erase(peaks.begin());
   peaks.pop_back();
   std::stable_sort(peaks.begin(), peaks.end(), [&](std::size_t a, std::size_t b) { return members(count, a) > members(count, b); });
-  std::vector<double> levels;
-  for (const std::size_t peak : peaks) levels.push_back(scale.low + (static_cast<double>(peak) + 0.5) * scale.width);
-  return levels;
+  return mapped(peaks, [&](std::size_t peak) { return scale.low + (static_cast<double>(peak) + 0.5) * scale.width; });
 }
 
 DiskSearch search_disks(const FloatImage& image, const CircleOptions& options) {

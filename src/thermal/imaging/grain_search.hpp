@@ -1,10 +1,10 @@
 #pragma once
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "model/image.hpp"
 #include "statistics/clusters.hpp"
+#include "thermal/imaging/blur.hpp"
 #include "thermal/imaging/circles.hpp"
 #include "thermal/imaging/disk_model.hpp"
 
@@ -14,7 +14,7 @@ struct RimOptions {
   bool bright = true;                  ///< disks brighter than what is around them
   double smallest = 1.6, largest = 8;  ///< radii of the steepest slope, pixels; in small disks it lies up to 1 pixel inside the rim
   double least = 0.1;                  ///< score below which a circle is not listed
-  std::span<const char> open = {};     ///< one a pixel, 0 where no centre can lie; empty: everywhere
+  const Mask* open = nullptr;          ///< where centres can lie; null: everywhere
 };
 
 /// Circles whose rims show edges: the slope along the normal in a ring, against the root mean square slope nearby, each
@@ -72,11 +72,11 @@ class SearchRounds {
 
  private:
   void more_rounds();
-  std::vector<char> open_pixels(double smallest) const;
+  Mask open_pixels(double smallest) const;
   std::vector<Circle> candidates() const;
   double inset(double ring) const;
   std::size_t nearest_class(double radius) const;
-  bool collides(double x, double y, double radius) const;
+  bool collides(const Circle& circle) const;
   bool was_refused(const Circle& circle) const;
   std::size_t add(std::vector<Circle> candidates, int round);
   void settle(int sweeps);

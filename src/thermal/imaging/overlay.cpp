@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/mapped.hpp"
 #include "core/median.hpp"
 #include "core/problems.hpp"
 #include "geometry/rectangle.hpp"
@@ -18,27 +19,22 @@ constexpr double radius_known = 0.01;  // share: radii are those of the circles
 constexpr int rounds = 3;
 
 /// What circles cover, in a window that reaches a little beyond them.
-struct Cover {
-  int x0, y0, width, height;
-  std::vector<float> value;
+struct Cover : FloatImage {
+  int x0, y0;  ///< of the window's first pixel
 };
 
 Cover cover_of(const PictureGrains& g) {
   const geometry::Rectangle box = geometry::bounds(g.centre, g.radius);
-  Cover c{static_cast<int>(std::floor(box.x_min - beyond)), static_cast<int>(std::floor(box.y_min - beyond)), 0, 0, {}};
+  Cover c{{}, static_cast<int>(std::floor(box.x_min - beyond)), static_cast<int>(std::floor(box.y_min - beyond))};
   c.width = static_cast<int>(std::ceil(box.x_max + beyond)) - c.x0 + 1;
   c.height = static_cast<int>(std::ceil(box.y_max + beyond)) - c.y0 + 1;
-  c.value.assign(static_cast<std::size_t>(c.width) * static_cast<std::size_t>(c.height), 0.0f);
+  c.value.resize(c.size());
   for (std::size_t i = 0; i < g.size(); ++i) {
-    const double reach = g.radius[i] + 2;
-    for (int y = std::max(0, static_cast<int>(g.centre[i].y - reach) - c.y0); y <= std::min(c.height - 1, static_cast<int>(g.centre[i].y + reach) - c.y0 + 1);
-         ++y)
-      for (int x = std::max(0, static_cast<int>(g.centre[i].x - reach) - c.x0); x <= std::min(c.width - 1, static_cast<int>(g.centre[i].x + reach) - c.x0 + 1);
-           ++x) {
-        const double deep = g.radius[i] - std::hypot(x + c.x0 - g.centre[i].x, y + c.y0 - g.centre[i].y);
-        float& v = c.value[static_cast<std::size_t>(y) * static_cast<std::size_t>(c.width) + static_cast<std::size_t>(x)];
-        v = std::min(1.0f, v + static_cast<float>(0.5 * std::erfc(-deep / (rim * std::sqrt(2.0)))));
-      }
+    const Vec2 centre = g.centre[i] - Vec2{1.0 * c.x0, 1.0 * c.y0};
+    each_pixel_near(centre, g.radius[i] + 3, c.width, c.height, [&](int x, int y, std::size_t at) {
+      const double deep = g.radius[i] - std::hypot(x - centre.x, y - centre.y);
+      c.value[at] = std::min(1.0f, c.value[at] + static_cast<float>(0.5 * std::erfc(-deep / (rim * std::sqrt(2.0)))));
+    });
   }
   return c;
 }
@@ -50,7 +46,7 @@ double correlation(const Cover& c, const FloatImage& picture, int dx, int dy) {
   double n = 0, a = 0, b = 0, aa = 0, bb = 0, ab = 0;
   const auto level = static_cast<double>(picture.value[picture.value.size() / 2]);
   for (int y = y0; y < y1; ++y) {
-    const float* u = c.value.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(c.width);
+    const float* u = c.value.data() + c.index(0, y);
     const float* v = picture.value.data() + picture.index(0, y + c.y0 + dy);
     for (int x = x0; x < x1; ++x) {
       const auto p = static_cast<double>(u[x]), q = static_cast<double>(v[x + c.x0 + dx]) - level;
@@ -64,21 +60,19 @@ double correlation(const Cover& c, const FloatImage& picture, int dx, int dy) {
 
 Vec2 middle_of(const PictureGrains& g) {
   Vec2 sum;
-  for (std::size_t i = 0; i < g.size(); ++i) sum += g.centre[i];
+  for (const Vec2 centre : g.centre) sum += centre;
   return (1 / static_cast<double>(g.size())) * sum;
 }
 
 double farthest(const PictureGrains& g, Vec2 from) {
   double most = 1;
-  for (std::size_t i = 0; i < g.size(); ++i) most = std::max(most, norm(g.centre[i] - from));
+  for (const Vec2 centre : g.centre) most = std::max(most, norm(centre - from));
   return most;
 }
 
 /// t, then turned about a place and shifted.
 Similarity turned(Similarity t, double angle, Vec2 about, Vec2 shift) {
-  const double c = std::cos(angle), s = std::sin(angle);
-  const Vec2 d = t.shift - about;
-  t.shift = about + shift + Vec2{c * d.x - s * d.y, s * d.x + c * d.y};
+  t.shift = about + shift + Similarity{1, angle, {}}(t.shift - about);
   t.rotation += angle;
   return t;
 }
@@ -108,26 +102,31 @@ double robust_rms(const std::vector<double>& distance) { return median(distance)
 void refine(const PictureGrains& circles, const FloatImage& picture, Overlay& found) {
   const PictureGrains at = apply(found.transform, circles);
   DiskModel model(picture, usual_blur, found.correlation > 0);
-  for (std::size_t i = 0; i < at.size(); ++i) model.add({at.centre[i].x, at.centre[i].y, at.radius[i], 1});
   for (std::size_t i = 0; i < at.size(); ++i) {
-    model.disks()[i].prior_radius = at.radius[i];
-    model.disks()[i].prior_error = radius_known * at.radius[i];
+    model.add({at.centre[i], at.radius[i], 1});
+    model.disks().back().prior_radius = at.radius[i];
+    model.disks().back().prior_error = radius_known * at.radius[i];
   }
   model.refresh();
   model.fit(10);
-  std::vector<double> away;
-  for (std::size_t i = 0; i < at.size(); ++i) away.push_back(norm(Vec2{model.disks()[i].x - at.centre[i].x, model.disks()[i].y - at.centre[i].y}));
+  const std::vector<Vec2> fitted = mapped(model.disks(), &DiskModel::Disk::centre);
+  const auto distances = [&] {
+    std::vector<double> away;
+    for (std::size_t i = 0; i < fitted.size(); ++i) away.push_back(norm(found.transform(circles.centre[i]) - fitted[i]));
+    return away;
+  };
+  std::vector<double> away = distances();
   for (int pass = 0; pass < rounds; ++pass) {
     found.rms = robust_rms(away);
     std::vector<Vec2> from, to;
     for (std::size_t i = 0; i < at.size(); ++i) {
       if (away[i] > overlay_outlier * found.rms * 1.2 + 1e-9) continue;
       from.push_back(circles.centre[i]);
-      to.push_back({model.disks()[i].x, model.disks()[i].y});
+      to.push_back(fitted[i]);
     }
     if (from.size() < 3) return;
     found.transform = fit_similarity(from, to, false);
-    for (std::size_t i = 0; i < at.size(); ++i) away[i] = norm(found.transform(circles.centre[i]) - Vec2{model.disks()[i].x, model.disks()[i].y});
+    away = distances();
   }
   found.rms = robust_rms(away);
 }
@@ -142,7 +141,7 @@ Overlay lay_over(const PictureGrains& circles, const Similarity& first, const Fl
   const PictureGrains at = apply(found.transform, circles);
   const Vec2 middle = middle_of(at);
   double spread = 0;
-  for (std::size_t i = 0; i < at.size(); ++i) spread += std::pow(norm(at.centre[i] - middle), 2);
+  for (const Vec2 centre : at.centre) spread += std::pow(norm(centre - middle), 2);
   found.shift_error = found.rms / std::sqrt(static_cast<double>(at.size()));
   found.rotation_error = found.rms / std::sqrt(spread);
   return found;

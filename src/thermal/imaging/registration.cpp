@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/mapped.hpp"
 #include "core/median.hpp"
 #include "core/problems.hpp"
 #include "thermal/imaging/registration_search.hpp"
@@ -29,8 +30,7 @@ double distance(const PictureGrains& from, const PictureGrains& to, const Simila
 
 /// Leaves out pairs that lie far off against the median, which is another grain or one that was found badly.
 void leave_out(const PictureGrains& from, const PictureGrains& to, const Similarity& t, RegistrationSearch::Pairs& pairs) {
-  std::vector<double> away;
-  for (const auto& pair : pairs) away.push_back(distance(from, to, t, pair));
+  const std::vector<double> away = mapped(pairs, [&](const auto& pair) { return distance(from, to, t, pair); });
   const double most = outlier * std::max(median(away) / median_of_plane_distance, 1e-9 * mean_radius(to));
   std::size_t kept = 0;
   for (std::size_t k = 0; k < pairs.size(); ++k)
@@ -89,7 +89,7 @@ Similarity fit_similarity(std::span<const Vec2> from, std::span<const Vec2> to, 
 }
 
 PictureGrains apply(const Similarity& transform, PictureGrains grains) {
-  for (std::size_t g = 0; g < grains.size(); ++g) { grains.centre[g] = transform(grains.centre[g]); }
+  for (Vec2& centre : grains.centre) centre = transform(centre);
   for (auto* lengths : {&grains.radius, &grains.position_error, &grains.radius_error})
     for (double& v : *lengths) v *= transform.scale;
   return grains;

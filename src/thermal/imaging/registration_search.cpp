@@ -1,5 +1,7 @@
 #include "thermal/imaging/registration_search.hpp"
 
+#include "core/mapped.hpp"
+
 namespace arenite::imaging {
 namespace {
 
@@ -49,12 +51,8 @@ RegistrationSearch::Pairs RegistrationSearch::matches(const Similarity& t, std::
 }
 
 Similarity RegistrationSearch::fit(const Pairs& pairs, bool mirrored) const {
-  std::vector<Vec2> a, b;
-  for (const auto& [i, j] : pairs) {
-    a.push_back(from_.centre[i]);
-    b.push_back(to_.centre[j]);
-  }
-  return fit_similarity(a, b, mirrored);
+  return fit_similarity(mapped(pairs, [&](const auto& pair) { return from_.centre[pair.first]; }),
+                        mapped(pairs, [&](const auto& pair) { return to_.centre[pair.second]; }), mirrored);
 }
 
 std::vector<std::int32_t> RegistrationSearch::all() const {

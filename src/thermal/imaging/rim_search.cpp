@@ -144,9 +144,8 @@ bool is_summit(const FloatImage& before, const FloatImage& here, const FloatImag
 }
 
 /// Summits at one level of the pyramid, whose pixels are `scale` wide.
-void search_level(const FloatImage& image, double first, double last, double scale, std::span<const char> open, const RimOptions& options,
-                  std::vector<Circle>& found) {
-  const std::vector<Run> runs = runs_of(open, image.width, image.height);
+void search_level(const FloatImage& image, double first, double last, double scale, const Mask& open, const RimOptions& options, std::vector<Circle>& found) {
+  const std::vector<Run> runs = runs_of(open);
   const Slope slope = slope_of(image, options.bright);
   const float noise = static_cast<float>(noise_level(image)) + texture * steepest(slope) + 1e-30F;
   std::vector<double> radii;
@@ -156,9 +155,8 @@ void search_level(const FloatImage& image, double first, double last, double sca
     FloatImage after = scores_at(slope, radii[k + 1], noise, runs);
     for (int y = 1; y + 1 < image.height; ++y)
       for (int x = 1; x + 1 < image.width; ++x)
-        if ((open.empty() || open[here.index(x, y)] != 0) && here.value[here.index(x, y)] > static_cast<float>(options.least) &&
-            is_summit(before, here, after, x, y))
-          found.push_back({(x + 0.5) * scale - 0.5, (y + 0.5) * scale - 0.5, radii[k] * scale, here.value[here.index(x, y)]});
+        if (open.value[here.index(x, y)] != 0 && here.value[here.index(x, y)] > static_cast<float>(options.least) && is_summit(before, here, after, x, y))
+          found.push_back({{(x + 0.5) * scale - 0.5, (y + 0.5) * scale - 0.5}, radii[k] * scale, here.value[here.index(x, y)]});
     before = std::move(here);
     here = std::move(after);
   }
@@ -173,10 +171,10 @@ void refine(const FloatImage& image, double scale, bool bright, std::vector<Circ
   for (Circle& circle : found) {
     if (circle.radius < coarse * scale) continue;
     if (1.5 * circle.radius / scale > 1.5 * blur || blur == 0) square = blurred(slope.square, blur = 1.5 * circle.radius / scale);
-    int x = static_cast<int>(std::lround((circle.x + 0.5) / scale - 0.5)), y = static_cast<int>(std::lround((circle.y + 0.5) / scale - 0.5));
+    int x = static_cast<int>(std::lround((circle.centre.x + 0.5) / scale - 0.5)), y = static_cast<int>(std::lround((circle.centre.y + 0.5) / scale - 0.5));
     double radius = circle.radius / scale;
     climb(slope, square, noise, x, y, radius);
-    circle = {(x + 0.5) * scale - 0.5, (y + 0.5) * scale - 0.5, radius * scale, circle.score};
+    circle = {{(x + 0.5) * scale - 0.5, (y + 0.5) * scale - 0.5}, radius * scale, circle.score};
   }
 }
 
@@ -186,8 +184,8 @@ bool is_plain(const Slope& slope, double noise, const Circle& circle) {
   double inside = 0, rim = 0, inside_pixels = 1e-9, rim_pixels = 1e-9;
   const auto squared = [](double r) { return r * r; };
   const double core = squared(0.75 * circle.radius), inner = squared(circle.radius - 1.5), outer = squared(circle.radius + 1.5);
-  each_pixel_near({circle.x, circle.y}, circle.radius + 1.5, slope.x.width, slope.x.height, [&](int x, int y, std::size_t at) {
-    const double away = squared(x - circle.x) + squared(y - circle.y), square = static_cast<double>(slope.square.value[at]);
+  each_pixel_near(circle.centre, circle.radius + 1.5, slope.x.width, slope.x.height, [&](int x, int y, std::size_t at) {
+    const double away = squared(x - circle.centre.x) + squared(y - circle.centre.y), square = static_cast<double>(slope.square.value[at]);
     if (away < core) inside += square, ++inside_pixels;
     else if (away > inner && away < outer) rim += square, ++rim_pixels;
   });
@@ -203,9 +201,9 @@ std::vector<Circle> search_rims(const FloatImage& image, const RimOptions& optio
   std::vector<Circle> found;
   double first = options.smallest;
   std::vector<std::vector<Circle>> of_level(levels.size());
-  std::vector<char> open(options.open.begin(), options.open.end());
+  Mask open = options.open ? *options.open : Mask{image.width, image.height, std::vector<char>(image.size(), 1)};
   for (std::size_t k = 0; k < levels.size(); ++k) {
-    if (k > 0 && !open.empty()) open = halved_open(open, levels[k - 1].width, levels[k - 1].height);
+    if (k > 0) open = halved_open(open);
     const double scale = std::ldexp(1.0, static_cast<int>(k)), last = std::min(options.largest / scale, coarse);
     if (first < last) search_level(levels[k], first, last, scale, open, options, of_level[k]);
     first = std::max(last, first) / 2;

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <utility>
 
+#include "core/mapped.hpp"
+
 namespace arenite::imaging {
 namespace {
 
@@ -45,12 +47,9 @@ SearchRounds::SearchRounds(const FloatImage& image, bool bright, const CircleOpt
       options_(options),
       between_(between),
       model_(image, first_blur, bright, between) {
-  for (const double r : options.radii) {
-    classes_.mean.push_back(r);
-    classes_.spread.push_back(0.003 * r);
-  }
-  std::sort(classes_.mean.begin(), classes_.mean.end());
-  std::sort(classes_.spread.begin(), classes_.spread.end());
+  classes_.mean = options.radii;
+  std::ranges::sort(classes_.mean);
+  classes_.spread = mapped(classes_.mean, [](double r) { return 0.003 * r; });
 }
 
 void SearchRounds::begin(std::vector<Circle> seen) {
@@ -88,9 +87,7 @@ void SearchRounds::more_rounds() {
 
 /// The disks of the pass before, each where it was, and no others: what the pass had added did not last.
 bool SearchRounds::found_nothing_since(const std::vector<DiskModel::Disk>& last) const {
-  const auto& disks = model_.disks();
-  if (disks.size() != last.size()) return false;
-  return std::equal(disks.begin(), disks.end(), last.begin(), [](const auto& a, const auto& b) { return std::hypot(a.x - b.x, a.y - b.y) < 0.5; });
+  return std::ranges::equal(model_.disks(), last, [](const auto& a, const auto& b) { return norm(a.centre - b.centre) < 0.5; });
 }
 
 DiskSearch SearchRounds::finish() {
@@ -110,13 +107,13 @@ DiskSearch SearchRounds::finish() {
 }
 
 /// Pixels where a further centre would not collide with the disks found so far.
-std::vector<char> SearchRounds::open_pixels(double smallest) const {
-  std::vector<char> open(image_.size(), 1);
+Mask SearchRounds::open_pixels(double smallest) const {
+  Mask open{image_.width, image_.height, std::vector<char>(image_.size(), 1)};
   const double radius = classes_.size() > 0 ? classes_.mean.front() : smallest;
   for (const auto& disk : model_.disks()) {
     const double away = least_distance(radius, disk.radius);
-    each_pixel_near({disk.x, disk.y}, away, image_.width, image_.height, [&](int x, int y, std::size_t at) {
-      if (square(x - disk.x) + square(y - disk.y) < square(away)) open[at] = 0;
+    each_pixel_near(disk.centre, away, image_.width, image_.height, [&](int x, int y, std::size_t at) {
+      if (square(x - disk.centre.x) + square(y - disk.centre.y) < square(away)) open.value[at] = 0;
     });
   }
   return open;
@@ -126,8 +123,8 @@ std::vector<Circle> SearchRounds::candidates() const {
   RimOptions how = range(image_, options_, classes_.mean, bright_);
   how.least = 0.2;
   if (options_.radii.empty()) how.smallest = std::max(how.smallest, least_resolved(model_));
-  const std::vector<char> open = open_pixels(how.smallest);
-  how.open = open;
+  const Mask open = open_pixels(how.smallest);
+  how.open = &open;
   const FloatImage rest = model_.residual();
   std::vector<Circle> seen = search_rims(rest, how);
   if (between_) {
@@ -150,23 +147,20 @@ double SearchRounds::inset(double ring) const {
 }
 
 std::size_t SearchRounds::nearest_class(double radius) const {
-  std::size_t best = 0;
-  for (std::size_t c = 1; c < classes_.size(); ++c)
-    if (std::abs(std::log(radius / classes_.mean[c])) < std::abs(std::log(radius / classes_.mean[best]))) best = c;
-  return best;
+  const auto off = mapped(classes_.mean, [&](double mean) { return std::abs(std::log(radius / mean)); });
+  return static_cast<std::size_t>(std::ranges::min_element(off) - off.begin());
 }
 
-bool SearchRounds::collides(double x, double y, double radius) const {
-  for (const auto& disk : model_.disks()) {
-    if (square(x - disk.x) + square(y - disk.y) < square(least_distance(radius, disk.radius))) return true;
-  }
-  return false;
+bool SearchRounds::collides(const Circle& circle) const {
+  return std::ranges::any_of(model_.disks(), [&](const auto& disk) {
+    const Vec2 apart = circle.centre - disk.centre;
+    return dot(apart, apart) < square(least_distance(circle.radius, disk.radius));
+  });
 }
 
 bool SearchRounds::was_refused(const Circle& circle) const {
-  return std::any_of(refused_.begin(), refused_.end(), [&](const Circle& r) {
-    return std::hypot(r.x - circle.x, r.y - circle.y) < 0.4 * r.radius && std::abs(std::log(r.radius / circle.radius)) < 0.2;
-  });
+  return std::ranges::any_of(
+      refused_, [&](const Circle& r) { return norm(r.centre - circle.centre) < 0.4 * r.radius && std::abs(std::log(r.radius / circle.radius)) < 0.2; });
 }
 
 std::size_t SearchRounds::add(std::vector<Circle> candidates, int round) {
@@ -183,7 +177,7 @@ std::size_t SearchRounds::add(std::vector<Circle> candidates, int round) {
       if (std::abs(std::log(guess / radius)) > (model_.disks().empty() ? 0.4 : 0.25)) continue;
       circle.radius = radius;
     }
-    if (collides(circle.x, circle.y, circle.radius) || was_refused(circle)) continue;
+    if (collides(circle) || was_refused(circle)) continue;
     model_.add(circle);
     model_.disks().back().ring = ring;
     ++added;
@@ -219,8 +213,7 @@ void SearchRounds::find_classes() {
     classes_ = std::move(given);
     return;
   }
-  std::vector<double> logs;
-  for (const auto& disk : model_.disks()) logs.push_back(std::log(disk.radius));
+  const auto logs = mapped(model_.disks(), [](const auto& disk) { return std::log(disk.radius); });
   const std::size_t few = logs.size() < 10 ? 1 : std::max<std::size_t>(2, logs.size() / 50);
   classes_ = statistics::cluster(logs, {.most = 5, .separation = 4, .floor = 0.015, .least_members = few});
   for (std::size_t c = 0; c < classes_.size(); ++c) {
@@ -233,7 +226,7 @@ void SearchRounds::prune(bool strict) {
   const std::vector<char> out = refuted_disks(model_, options_, strict);
   const auto& disks = model_.disks();
   for (std::size_t k = 0; strict && k < out.size(); ++k)
-    if (out[k] != 0) refused_.push_back({disks[k].x, disks[k].y, disks[k].radius, 0});
+    if (out[k] != 0) refused_.push_back({disks[k].centre, disks[k].radius, 0});
   model_.remove(out);
   model_.refresh();
 }

@@ -72,10 +72,7 @@ std::vector<double> imbalances(const Packing& packing, const Touches& touches, c
   std::vector<double> out(touches.size());
   for (std::size_t g = 0; g < touches.size(); ++g) {
     Vec2 sum = weight_of(packing, g, gravity);
-    for (const Touch& t : touches[g]) {
-      const auto c = 2 * static_cast<std::size_t>(t.contact);
-      sum += force[c] * t.normal + force[c + 1] * perpendicular(t.normal);
-    }
+    for (const Touch& t : touches[g]) sum += t.force_of(force);
     out[g] = norm(sum);
   }
   return out;
@@ -123,8 +120,7 @@ void add_turn(const Unknowns& unknowns, const std::vector<Touch>& touches, std::
   row[partner] -= change.x, row[partner + 1] -= change.y;
 }
 
-void add_balance(NormalEquations& equations, const Unknowns& unknowns, const Packing& packing, const Touches& touches, const std::vector<double>& force,
-                 Vec2 gravity, double error) {
+void ForceEquations::add_balance(const Touches& touches, const std::vector<double>& force, Vec2 gravity, double error) {
   const std::vector<double> weight(3, 1 / (error * error));
   for (std::size_t g = 0; g < touches.size(); ++g) {
     if (touches[g].empty()) continue;
@@ -133,25 +129,25 @@ void add_balance(NormalEquations& equations, const Unknowns& unknowns, const Pac
     std::vector<double> rows(3 * n);
     for (std::size_t k = 0; k < touches[g].size(); ++k) {
       const Vec2 normal = touches[g][k].normal, t = perpendicular(normal);
-      const auto c = 2 * static_cast<std::size_t>(touches[g][k].contact);
       rows[2 * k] = unknowns.force * normal.x, rows[2 * k + 1] = unknowns.force * t.x;
       rows[n + 2 * k] = unknowns.force * normal.y, rows[n + 2 * k + 1] = unknowns.force * t.y;
       rows[2 * n + 2 * k + 1] = unknowns.force;
-      const Vec2 turned = force[c] * t - force[c + 1] * normal;
+      const Vec2 turned = perpendicular(touches[g][k].force_of(force));
       add_turn(unknowns, touches[g], k, turned.x, &rows[0]);
       add_turn(unknowns, touches[g], k, turned.y, &rows[n]);
     }
     const Vec2 w = weight_of(packing, g, gravity);
-    equations.add(columns, rows, {-w.x, -w.y, 0}, weight);
+    add(columns, rows, {-w.x, -w.y, 0}, weight);
   }
 }
 
-void add_walls(NormalEquations& equations, const Unknowns& unknowns, const Contacts& contacts, const std::vector<WallLoad>& walls) {
+void ForceEquations::add_walls(const std::vector<WallLoad>& walls) {
+  const Contacts& contacts = packing.contacts;
   for (const WallLoad& wall : walls) {
     std::vector<int> columns;
     for (std::size_t c = 0; c < contacts.size(); ++c)
       if (contacts.is_wall(c) && contacts.wall_side(c) == wall.side) columns.push_back(static_cast<int>(2 * c));
-    equations.add(columns, std::vector<double>(columns.size(), unknowns.force), {wall.force}, {1 / (wall.error * wall.error)});
+    add(columns, std::vector<double>(columns.size(), unknowns.force), {wall.force}, {1 / (wall.error * wall.error)});
   }
 }
 
@@ -164,30 +160,30 @@ std::vector<double> compliances(const Packing& packing) {
   return out;
 }
 
-void add_energy(NormalEquations& equations, const Unknowns& unknowns, const Packing& packing, double prior) {
+void ForceEquations::add_energy(double prior) {
   const std::vector<double> compliance = compliances(packing);
-  for (int u = 0; u < static_cast<int>(2 * unknowns.contacts); ++u) equations.add_diagonal(u, compliance[static_cast<std::size_t>(u / 2)] / (prior * prior), 0);
+  for (int u = 0; u < static_cast<int>(2 * unknowns.contacts); ++u) add_diagonal(u, compliance[static_cast<std::size_t>(u / 2)] / (prior * prior), 0);
 }
 
-InferredForces finish(const ForceProblem& problem, const ForceOptions& options, const NormalEquations& equations, const Unknowns& unknowns,
-                      const Touches& touches, const std::vector<double>& force) {
+std::vector<double> ForceEquations::solution(const ForceOptions& options) const {
+  return options.inequality == Inequality::cone ? solve_in_cone(static_cast<int>(unknowns.contacts), options.friction) : solve();
+}
+
+InferredForces ForceEquations::finish(const ForceOptions& options, const Touches& touches, const std::vector<double>& force) const {
   InferredForces out;
-  out.contacts = problem.packing.contacts;
+  out.contacts = packing.contacts;
   for (std::size_t g = 0; g < touches.size(); ++g)
-    for (const Touch& t : touches[g]) {
-      const auto c = static_cast<std::size_t>(t.contact);
-      const bool first = static_cast<std::size_t>(out.contacts.i[c]) == g;
-      if (first) out.contacts.normal[c] = t.normal;
-    }
-  const std::vector<double> variance = equations.inverse_diagonal();
+    for (const Touch& t : touches[g])
+      if (const auto c = static_cast<std::size_t>(t.contact); static_cast<std::size_t>(packing.contacts.i[c]) == g) out.contacts.normal[c] = t.normal;
+  const std::vector<double> variance = inverse_diagonal();
   for (std::size_t c = 0; c < unknowns.contacts; ++c) {
     out.contacts.fn[c] = force[2 * c], out.contacts.ft[c] = force[2 * c + 1];
     out.fn_error.push_back(unknowns.force * std::sqrt(variance[2 * c]));
     out.ft_error.push_back(unknowns.force * std::sqrt(variance[2 * c + 1]));
   }
   for (std::size_t m = 0; m < unknowns.scales; ++m) out.fit.factor_scale_error.push_back(std::sqrt(variance[static_cast<std::size_t>(unknowns.scale(m))]));
-  judge_presence(problem.packing, options.widest_gap, out);
-  out.imbalance = imbalances(problem.packing, touches, force, options.gravity);
+  judge_presence(packing, options.widest_gap, out);
+  out.imbalance = imbalances(packing, touches, force, options.gravity);
   return out;
 }
 

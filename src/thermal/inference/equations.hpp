@@ -53,6 +53,10 @@ struct Touch {
   int partner = -1;  ///< the other grain; -1: a wall
   Vec2 normal;
   double distance = 0;  ///< between the two centres, m; 0 at a wall
+
+  /// fn (0) or ft (1) of its contact, from those of all contacts; and the force on the grain.
+  double of_contact(const std::vector<double>& force, std::size_t component) const { return force[2 * static_cast<std::size_t>(contact) + component]; }
+  Vec2 force_of(const std::vector<double>& force) const { return of_contact(force, 0) * normal + of_contact(force, 1) * perpendicular(normal); }
 };
 
 using Touches = std::vector<std::vector<Touch>>;  ///< of every grain
@@ -83,22 +87,28 @@ std::vector<int> columns_of(const Unknowns& unknowns, std::size_t grain, const s
 /// Adds to a row (in the order of `columns_of`) what a turn of touch k's normal by 1 rad does, through the centres.
 void add_turn(const Unknowns& unknowns, const std::vector<Touch>& touches, std::size_t k, double per_radian, double* row);
 
-/// Forces and couple of every grain vanish to `error` (N); weights of grains count where gravity is not zero. `force` is
-/// the present estimate, of which turning normals change the direction, N.
-void add_balance(NormalEquations& equations, const Unknowns& unknowns, const Packing& packing, const Touches& touches, const std::vector<double>& force,
-                 Vec2 gravity, double error);
-
-void add_walls(NormalEquations& equations, const Unknowns& unknowns, const Contacts& contacts, const std::vector<WallLoad>& walls);
-
 /// Mean stiffness over each contact's (springs in series): what its squared force counts in the elastic energy.
 std::vector<double> compliances(const Packing& packing);
 
-/// Elastic energy of the contacts: sum of compliance (f/(prior unit))^2.
-void add_energy(NormalEquations& equations, const Unknowns& unknowns, const Packing& packing, double prior);
+/// The equations of an inference: what forces obey beside the data. The packing must outlive them.
+class ForceEquations : public NormalEquations {
+ public:
+  ForceEquations(const Packing& of, const Unknowns& with) : NormalEquations(with.count()), packing(of), unknowns(with) {}
 
-/// What both ways of inference hand back: forces `force` (N), errors from the inverse of `equations`.
-InferredForces finish(const ForceProblem& problem, const ForceOptions& options, const NormalEquations& equations, const Unknowns& unknowns,
-                      const Touches& touches, const std::vector<double>& force);
+  /// Forces and couple of every grain vanish to `error` (N); weights of grains count where gravity is not zero. `force` is
+  /// the present estimate, of which turning normals change the direction, N.
+  void add_balance(const Touches& touches, const std::vector<double>& force, Vec2 gravity, double error);
+  void add_walls(const std::vector<WallLoad>& walls);
+  /// Elastic energy of the contacts: sum of compliance (f/(prior unit))^2.
+  void add_energy(double prior);
+  /// Within the cone, if the options ask for it.
+  std::vector<double> solution(const ForceOptions& options) const;
+  /// What both ways of inference hand back: forces `force` (N), errors from the inverse of these equations.
+  InferredForces finish(const ForceOptions& options, const Touches& touches, const std::vector<double>& force) const;
+
+  const Packing& packing;
+  const Unknowns unknowns;
+};
 
 /// What is known of proposed contacts, one value each: the normal force inferred with all of them in the equations, its
 /// standard error, and by how much the two surfaces overlap in the picture (below 0: they are apart).

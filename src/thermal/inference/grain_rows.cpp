@@ -26,11 +26,7 @@ class GrainField {
   GrainField(double radius, double length, const std::vector<Touch>& touches, const std::vector<double>& force)
       : scale_(1 / (std::numbers::pi * length)),
         over_radius_(1 / radius) {
-    for (const Touch& t : touches) {
-      const auto c = 2 * static_cast<std::size_t>(t.contact);
-      const Vec2 pull = force[c] * t.normal + force[c + 1] * perpendicular(t.normal);
-      touches_.push_back({t.normal, radius * t.normal, pull, force[c]});
-    }
+    for (const Touch& t : touches) touches_.push_back({t.normal, radius * t.normal, t.force_of(force), t.of_contact(force, 0)});
   }
 
   std::size_t size() const { return touches_.size(); }
@@ -137,16 +133,14 @@ GrainRows rows_of_grain(const Placed& placed, std::size_t g, const std::vector<G
   for (const Near& n : placed.near[g]) others.push_back(field_of(placed, n.grain));
   const std::size_t z = field.size();
   const double factor = -placed.factor[g];
-  GrainRows rows{std::vector<double>(2 * z * pixels.size()), std::vector<double>(pixels.size()), std::vector<double>(2 * pixels.size()),
-                 std::vector<double>(z * pixels.size())};
+  GrainRows rows{{2 * z, pixels.size()}, std::vector<double>(pixels.size()), std::vector<Vec2>(pixels.size()), {z, pixels.size()}};
   for (std::size_t q = 0; q < pixels.size(); ++q) {
     const Vec2 x = pixels[q].place + placed.found[g] - placed.centre[g];
-    double *row = rows.response.data() + 2 * z * q, *turn = rows.turn.data() + z * q;
-    Vec2 shift;
-    fill_row(field, placed.radius[g], x, spread, row, turn, shift);
+    double *row = rows.response.column(q), *turn = rows.turn.column(q);
+    fill_row(field, placed.radius[g], x, spread, row, turn, rows.shift[q]);
     for (std::size_t k = 0; k < 2 * z; ++k) row[k] *= factor;
     for (std::size_t k = 0; k < z; ++k) turn[k] *= factor;
-    rows.shift[2 * q] = factor * shift.x, rows.shift[2 * q + 1] = factor * shift.y;
+    rows.shift[q] = factor * rows.shift[q];
     for (std::size_t o = 0; o < others.size(); ++o) {
       const Near& n = placed.near[g][o];
       const Vec2 from_other = x + placed.centre[g] - placed.centre[n.grain] - n.cells;

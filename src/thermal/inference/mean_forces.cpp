@@ -15,14 +15,14 @@ double normal_sum(const Packing& packing, std::size_t g, double sigma_hyd) {
 
 bool known(double error) { return error > 0 && std::isfinite(error); }
 
-void add_means(NormalEquations& equations, const Unknowns& unknowns, const Packing& packing, const Touches& touches, const std::vector<double>& sigma_hyd,
-               const std::vector<double>& error) {
+void add_means(ForceEquations& equations, const Touches& touches, const std::vector<double>& sigma_hyd, const std::vector<double>& error) {
+  const Packing& packing = equations.packing;
   for (std::size_t g = 0; g < touches.size(); ++g) {
     if (!known(error[g]) || touches[g].empty()) continue;
     std::vector<int> columns;
     for (const Touch& t : touches[g]) columns.push_back(2 * t.contact);
     const double spread = std::abs(normal_sum(packing, g, error[g]));
-    equations.add(columns, std::vector<double>(columns.size(), unknowns.force), {normal_sum(packing, g, sigma_hyd[g])}, {1 / (spread * spread)});
+    equations.add(columns, std::vector<double>(columns.size(), equations.unknowns.force), {normal_sum(packing, g, sigma_hyd[g])}, {1 / (spread * spread)});
   }
 }
 
@@ -30,14 +30,14 @@ void add_means(NormalEquations& equations, const Unknowns& unknowns, const Packi
 int null_space(const ForceProblem& problem, const Touches& touches, const std::vector<double>& error) {
   const Packing& packing = problem.packing;
   const Unknowns unknowns{packing.contacts.size(), packing.grains.size(), 1, 0};
-  NormalEquations equations(unknowns.count());
+  ForceEquations equations(packing, unknowns);
   std::vector<double> same(error.size()), none(2 * unknowns.contacts, 0.0);
   for (std::size_t g = 0; g < error.size(); ++g) same[g] = known(error[g]) ? 1 / std::abs(normal_sum(packing, g, 1)) : 0;
   std::vector<WallLoad> walls = problem.walls;
   for (WallLoad& wall : walls) wall.error = 1;
-  add_means(equations, unknowns, packing, touches, same, same);
-  add_balance(equations, unknowns, packing, touches, none, {}, 1);
-  add_walls(equations, unknowns, packing.contacts, walls);
+  add_means(equations, touches, same, same);
+  equations.add_balance(touches, none, {}, 1);
+  equations.add_walls(walls);
   for (int u = 0; u < unknowns.count(); ++u) equations.add_diagonal(u, 0, 0);
   return equations.small_eigenvalues(1e-9);
 }
@@ -62,36 +62,33 @@ InferredForces infer_from_means(const ForceProblem& problem, const std::vector<d
   check_problem(problem, options, false);
   const Packing& packing = problem.packing;
   if (sigma_hyd.size() != packing.grains.size() || error.size() != sigma_hyd.size()) throw InputError("mean stresses need a value and an error for each grain");
-  std::vector<Vec2> centres;
-  for (std::size_t g = 0; g < packing.grains.size(); ++g) centres.push_back(packing.grains.position[g]);
-  const Touches touches = touches_of_grains(packing, centres);
+  const Touches touches = touches_of_grains(packing, packing.grains.position);
   double sum = 0;
-  for (std::size_t g = 0; g < centres.size(); ++g)
+  for (std::size_t g = 0; g < error.size(); ++g)
     if (known(error[g])) sum += std::abs(normal_sum(packing, g, sigma_hyd[g]));
   if (!(sum > 0)) throw InputError("no grain has a mean stress with a standard error");
-  const Unknowns unknowns{packing.contacts.size(), centres.size(), sum / static_cast<double>(2 * packing.contacts.size()), 0};
+  const Unknowns unknowns{packing.contacts.size(), packing.grains.size(), sum / static_cast<double>(2 * packing.contacts.size()), 0};
   const std::vector<double> none(2 * unknowns.contacts, 0.0), blind(error.size(), 0.0);
   const auto equations_with = [&](double prior, const std::vector<double>& errors) {
-    NormalEquations equations(unknowns.count());
-    add_means(equations, unknowns, packing, touches, sigma_hyd, errors);
-    add_balance(equations, unknowns, packing, touches, none, options.gravity, options.balance_error * unknowns.force);
-    add_walls(equations, unknowns, packing.contacts, problem.walls);
-    add_energy(equations, unknowns, packing, prior);
+    ForceEquations equations(packing, unknowns);
+    add_means(equations, touches, sigma_hyd, errors);
+    equations.add_balance(touches, none, options.gravity, options.balance_error * unknowns.force);
+    equations.add_walls(problem.walls);
+    equations.add_energy(prior);
     return equations;
   };
   double prior = options.prior > 0 ? options.prior : 1;
   if (options.prior <= 0) {
     const std::vector<double> elastic = equations_with(prior, blind).solve(), compliance = compliances(packing);
     for (int round = 0; round < 4; ++round) {
-      const NormalEquations tried = equations_with(prior, error);
+      const ForceEquations tried = equations_with(prior, error);
       prior = likelier_prior(prior, tried.solve(), elastic, compliance, tried);
     }
   }
-  const NormalEquations equations = equations_with(prior, error);
-  std::vector<double> force =
-      options.inequality == Inequality::cone ? equations.solve_in_cone(static_cast<int>(unknowns.contacts), options.friction) : equations.solve();
+  const ForceEquations equations = equations_with(prior, error);
+  std::vector<double> force = equations.solution(options);
   for (double& f : force) f *= unknowns.force;
-  InferredForces out = finish(problem, options, equations, unknowns, touches, force);
+  InferredForces out = equations.finish(options, touches, force);
   out.null_space = null_space(problem, touches, error);
   return out;
 }

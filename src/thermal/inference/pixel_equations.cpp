@@ -36,14 +36,13 @@ PixelEquations equations_of(const Unknowns& unknowns, const Placed& placed, std:
   const double signal = root_mean_square(pixels);
   for (std::size_t q = 0; q < pixels.size(); ++q) {
     double* row = &b.rows[n * q];
-    for (std::size_t k = 0; k < 2 * z; ++k) row[k] = unknowns.force * found.response[2 * z * q + k];
+    for (std::size_t k = 0; k < 2 * z; ++k) row[k] = unknowns.force * found.response(k, q);
     if (unknowns.move > 0) {
-      row[2 * z] += unknowns.move * found.shift[2 * q], row[2 * z + 1] += unknowns.move * found.shift[2 * q + 1];
-      for (std::size_t k = 0; k < z; ++k) add_turn(unknowns, touches, k, found.turn[z * q + k], row);
+      row[2 * z] += unknowns.move * found.shift[q].x, row[2 * z + 1] += unknowns.move * found.shift[q].y;
+      for (std::size_t k = 0; k < z; ++k) add_turn(unknowns, touches, k, found.turn(k, q), row);
     }
     if (unknowns.scales > 0)  // factors of the present forces: a hundredth more factor is a hundredth more warming
-      for (std::size_t k = 0; k < 2 * z; ++k)
-        row[n - 1] += found.response[2 * z * q + k] * placed.force[2 * static_cast<std::size_t>(touches[k / 2].contact) + k % 2];
+      for (std::size_t k = 0; k < 2 * z; ++k) row[n - 1] += found.response(k, q) * touches[k / 2].of_contact(placed.force, k % 2);
     const double error = pixels[q].error, close = std::max(1.0, contact_margin / pixels[q].to_contact);
     const double model = model_error * signal * close * close * close;
     b.right.push_back(pixels[q].value - found.spill[q]);
@@ -103,12 +102,12 @@ Misfit misfit(const std::vector<PixelEquations>& equations, const std::vector<do
   return m;
 }
 
-std::vector<PixelEquations> add_pixels(NormalEquations& equations, const Unknowns& unknowns, const Placed& placed, const Pixels& pixels,
-                                       const PointSpread& spread, double model_error, double contact_margin) {
+std::vector<PixelEquations> add_pixels(ForceEquations& equations, const Placed& placed, const Pixels& pixels, const PointSpread& spread, double model_error,
+                                       double contact_margin) {
   std::vector<PixelEquations> all;
   for (std::size_t g = 0; g < pixels.size(); ++g) {
     if (pixels[g].empty() || placed.touches[g].empty()) continue;
-    const PixelEquations& own = all.emplace_back(equations_of(unknowns, placed, g, pixels[g], spread, model_error, contact_margin));
+    const PixelEquations& own = all.emplace_back(equations_of(equations.unknowns, placed, g, pixels[g], spread, model_error, contact_margin));
     equations.add(own.columns, own.rows, own.right, own.weight);
   }
   return all;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "statistics/least_squares.hpp"
 #include "thermal/inference/equations.hpp"
 
 namespace arenite::inference {
@@ -57,10 +58,10 @@ struct Placed {
 /// Equations of the pixels of one grain: warming = sum over its touches of (fn, ft) times `response` + what spills over
 /// from other grains + slopes times changes of the grain's centre and of its normals' directions.
 struct GrainRows {
-  std::vector<double> response;  ///< K/N, pixels x (2 touches)
-  std::vector<double> spill;     ///< K
-  std::vector<double> shift;     ///< K/m, pixels x 2: the centre moves
-  std::vector<double> turn;      ///< K/rad, pixels x touches: a normal turns counter-clockwise
+  statistics::Matrix response;  ///< K/N, (2 touches) x pixels
+  std::vector<double> spill;    ///< K
+  std::vector<Vec2> shift;      ///< K/m: the centre moves
+  statistics::Matrix turn;      ///< K/rad, touches x pixels: a normal turns counter-clockwise
 };
 
 GrainRows rows_of_grain(const Placed& placed, std::size_t grain, const std::vector<GrainPixel>& pixels, const PointSpread& spread);
@@ -82,8 +83,8 @@ struct PixelEquations {
 };
 
 /// Adds the equations of all grains' pixels, and hands them back; `model_error` as a share of a grain's signal, `contact_margin` in m.
-std::vector<PixelEquations> add_pixels(NormalEquations& equations, const Unknowns& unknowns, const Placed& placed, const Pixels& pixels,
-                                       const PointSpread& spread, double model_error, double contact_margin);
+std::vector<PixelEquations> add_pixels(ForceEquations& equations, const Placed& placed, const Pixels& pixels, const PointSpread& spread, double model_error,
+                                       double contact_margin);
 
 /// What these leave at the solution x; pixels have as many degrees of freedom as there are beyond `taken`.
 Misfit misfit(const std::vector<PixelEquations>& equations, const std::vector<double>& x, double taken);

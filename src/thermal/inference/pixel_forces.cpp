@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/error.hpp"
+#include "core/mapped.hpp"
 #include "core/problems.hpp"
 #include "model/periodic_images.hpp"
 #include "thermal/inference/pixel_equations.hpp"
@@ -39,11 +40,8 @@ Placed placed_grains(const ForceProblem& problem) {
   placed.length = problem.packing.domain.thickness;
   placed.radius = grains.radius;
   placed.material = grains.material;
-  for (std::size_t g = 0; g < grains.size(); ++g) {
-    placed.factor.push_back(problem.factor[static_cast<std::size_t>(grains.material[g])]);
-    placed.found.push_back(grains.position[g]);
-  }
-  placed.centre = placed.found;
+  placed.factor = mapped(grains.material, [&](std::int32_t m) { return problem.factor[static_cast<std::size_t>(m)]; });
+  placed.centre = placed.found = grains.position;
   placed.touches = touches_of_grains(problem.packing, placed.centre);
   placed.force.assign(2 * problem.packing.contacts.size(), 0.0);
   return placed;
@@ -76,7 +74,8 @@ double typical_force(const Placed& placed, const Pixels& pixels) {
 }
 
 /// Centres stay near where they were found.
-void add_positions(NormalEquations& equations, const Unknowns& unknowns, const Placed& placed, double error) {
+void add_positions(ForceEquations& equations, const Placed& placed, double error) {
+  const Unknowns& unknowns = equations.unknowns;
   if (unknowns.move <= 0) return;
   const double weight = unknowns.move * unknowns.move / (error * error);
   for (std::size_t g = 0; g < unknowns.grains; ++g) {
@@ -87,8 +86,9 @@ void add_positions(NormalEquations& equations, const Unknowns& unknowns, const P
 }
 
 /// Factors stay near what was given, as far as nothing else says: without a load only their ratio shows.
-void add_factors(NormalEquations& equations, const Unknowns& unknowns, const std::vector<double>& scale) {
+void add_factors(ForceEquations& equations, const std::vector<double>& scale) {
   constexpr double free = 3;
+  const Unknowns& unknowns = equations.unknowns;
   for (std::size_t m = 0; m < unknowns.scales; ++m)
     equations.add_diagonal(unknowns.scale(m), 1 / (free * free * scale[m] * scale[m]), (1 - scale[m]) / scale[m]);
 }
@@ -121,7 +121,7 @@ std::vector<float> drawn(const Placed& placed, const Packing& packing, const The
     const GrainRows rows = rows_of_grain(placed, g, all[g], spread);
     for (std::size_t q = 0; q < all[g].size(); ++q) {
       double sum = rows.spill[q];
-      for (std::size_t k = 0; k < 2 * z; ++k) sum += rows.response[2 * z * q + k] * placed.force[2 * static_cast<std::size_t>(touches[k / 2].contact) + k % 2];
+      for (std::size_t k = 0; k < 2 * z; ++k) sum += rows.response(k, q) * touches[k / 2].of_contact(placed.force, k % 2);
       fitted[all[g][q].number] = static_cast<float>(sum);
     }
   }
@@ -149,23 +149,21 @@ InferredForces infer_from_pixels(const ForceProblem& problem, const Thermoelasti
     const double position_error = options.position_error * picture.pixel;
     unknowns.move = iteration > 1 ? position_error : 0;
     unknowns.scales = iteration > 1 ? scale.size() : 0;
-    NormalEquations equations(unknowns.count());
-    const auto rows = add_pixels(equations, unknowns, placed, pixels, spread, model_error, options.contact_margin * picture.pixel);
-    add_balance(equations, unknowns, packing, placed.touches, placed.force, options.gravity, options.balance_error * unknowns.force);
-    add_walls(equations, unknowns, packing.contacts, problem.walls);
-    add_energy(equations, unknowns, packing, options.prior > 0 ? options.prior : 10);
-    add_positions(equations, unknowns, placed, position_error);
-    add_factors(equations, unknowns, scale);
-    const std::vector<double> x = options.inequality == Inequality::cone && iteration == options.iterations
-                                      ? equations.solve_in_cone(static_cast<int>(unknowns.contacts), options.friction)
-                                      : equations.solve();
+    ForceEquations equations(packing, unknowns);
+    const auto rows = add_pixels(equations, placed, pixels, spread, model_error, options.contact_margin * picture.pixel);
+    equations.add_balance(placed.touches, placed.force, options.gravity, options.balance_error * unknowns.force);
+    equations.add_walls(problem.walls);
+    equations.add_energy(options.prior > 0 ? options.prior : 10);
+    add_positions(equations, placed, position_error);
+    add_factors(equations, scale);
+    const std::vector<double> x = iteration == options.iterations ? equations.solution(options) : equations.solve();
     take(placed, scale, packing, unknowns, x);
     const Misfit left = misfit(rows, x, taken);
     if (iteration < options.iterations) {
       if (options.fit_model_error) model_error = std::max(1e-4, model_error * std::sqrt(left.weighed));
       continue;
     }
-    InferredForces out = finish(problem, options, equations, unknowns, placed.touches, placed.force);
+    InferredForces out = equations.finish(options, placed.touches, placed.force);
     out.residual = std::sqrt(left.weighed);
     out.fit.over_noise = std::sqrt(left.over_noise), out.fit.over_signal = left.over_signal, out.fit.model_error = model_error;
     for (std::size_t m = 0; m < scale.size(); ++m) out.fit.factor_scale_error[m] *= scale[m];

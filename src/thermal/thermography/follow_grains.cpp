@@ -22,24 +22,25 @@ struct Canvas {
   int first(double pixel) const { return static_cast<int>(std::ceil((pixel + 0.5) * fine - 0.5)) + margin; }
 };
 
-/// Half-planes that neighbours leave to a disk: inside where x nx + y ny < reach, from its centre.
+/// Half-plane that a neighbour leaves to a disk: inside where dot(normal, place) < reach, from its centre.
 struct Chord {
-  double nx, ny, reach;
+  Vec2 normal;
+  double reach;
 };
 
 double cover(double out) { return std::clamp(0.5 - out * fine, 0.0, 1.0); }
 
-void paint(Canvas& canvas, double x, double y, double r, double step, const std::vector<Chord>& chords) {
+void paint(Canvas& canvas, Vec2 centre, double r, double step, const std::vector<Chord>& chords) {
   const double reach = r + 1.0 / fine;
-  const int r0 = std::max(0, canvas.first(y - reach)), r1 = std::min(canvas.height, canvas.first(y + reach));
+  const int r0 = std::max(0, canvas.first(centre.y - reach)), r1 = std::min(canvas.height, canvas.first(centre.y + reach));
   for (int row = r0; row < r1; ++row) {
-    const double dy = canvas.place(row) - y, half = std::sqrt(std::max(0.0, reach * reach - dy * dy));
-    const int c0 = std::max(0, canvas.first(x - half)), c1 = std::min(canvas.width, canvas.first(x + half));
+    const double dy = canvas.place(row) - centre.y, half = std::sqrt(std::max(0.0, reach * reach - dy * dy));
+    const int c0 = std::max(0, canvas.first(centre.x - half)), c1 = std::min(canvas.width, canvas.first(centre.x + half));
     float* line = canvas.light.data() + static_cast<std::ptrdiff_t>(row) * canvas.width;
     for (int column = c0; column < c1; ++column) {
-      const double dx = canvas.place(column) - x;
-      double share = cover(std::sqrt(dx * dx + dy * dy) - r);
-      for (const Chord& c : chords) share *= cover(dx * c.nx + dy * c.ny - c.reach);
+      const Vec2 away{canvas.place(column) - centre.x, dy};
+      double share = cover(norm(away) - r);
+      for (const Chord& c : chords) share *= cover(dot(away, c.normal) - c.reach);
       line[column] += static_cast<float>(share * step);
     }
   }
@@ -48,70 +49,79 @@ void paint(Canvas& canvas, double x, double y, double r, double step, const std:
 std::vector<Chord> chords_of(const PictureGrains& g, std::size_t i) {
   std::vector<Chord> chords;
   for (std::size_t j = 0; j < g.size(); ++j) {
-    const double dx = g.centre[j].x - g.centre[i].x, dy = g.centre[j].y - g.centre[i].y, d2 = dx * dx + dy * dy, both = g.radius[i] + g.radius[j];
+    const Vec2 apart = g.centre[j] - g.centre[i];
+    const double d2 = dot(apart, apart), both = g.radius[i] + g.radius[j];
     if (j == i || d2 >= both * both || d2 <= 0) continue;
     const double d = std::sqrt(d2);
-    chords.push_back({dx / d, dy / d, (d2 + g.radius[i] * g.radius[i] - g.radius[j] * g.radius[j]) / (2 * d)});
+    chords.push_back({apart / d, (d2 + g.radius[i] * g.radius[i] - g.radius[j] * g.radius[j]) / (2 * d)});
   }
   return chords;
 }
 
-/// Mean over the grain's inner pixels, at least the one in its middle.
-double inner_level(const PhasePictures& pictures, const PictureGrains& g, const GrainMotion& m, std::size_t i) {
-  const PixelHarmonics fit(pictures, m, i);
-  const double inner = std::max(0.5, std::min(0.8 * g.radius[i], g.radius[i] - 2.5));
-  double sum = 0, n = 0;
-  const int reach = static_cast<int>(inner);
-  for (int dy = -reach; dy <= reach; ++dy)
-    for (int dx = -reach; dx <= reach; ++dx) {
-      if (dx * dx + dy * dy > inner * inner) continue;
-      sum += fit.follow(pictures, g.centre[i].x + dx, g.centre[i].y + dy).harmonics[0];
-      n += 1;
-    }
-  return sum / n;
-}
-
-/// Grains where they are in picture `k`.
-PictureGrains grains_in(const PhasePictures& p, std::size_t k, const PictureGrains& grains, const GrainMotion& m) {
-  PictureGrains there = grains;
-  for (std::size_t i = 0; i < grains.size(); ++i) {
-    const Vec2 moved = p.moved(m, i, k);
-    there.centre[i] += moved;
+/// Evenly bright disks that move before an even background: what a film would show if nothing warmed under the load.
+class GrainScene {
+ public:
+  GrainScene(const PhasePictures& pictures, const PictureGrains& grains, const GrainMotion& motion, const ThreadPool& pool)
+      : pictures_(pictures),
+        grains_(grains),
+        motion_(motion),
+        level_(grains.size()) {
+    pool.for_each(grains.size(), [&](std::size_t i) { level_[i] = inner_level(i); });
   }
-  return there;
-}
 
-/// Disks whose `level` is given, through a lens that spreads a point by `blur` (standard deviation, pixels) and the mean over
-/// each pixel. Disks that overlap are parted by the chord of their rims.
-std::vector<float> draw_disks(const PictureGrains& g, const std::vector<double>& level, double background, double blur, int width, int height) {
-  const optics::Lens lens = optics::make_lens(blur, fine, 4);
-  Canvas canvas{width * fine + 2 * lens.margin, height * fine + 2 * lens.margin, lens.margin, {}};
-  canvas.light.assign(static_cast<std::size_t>(canvas.width) * static_cast<std::size_t>(canvas.height), 0.0f);
-  for (std::size_t i = 0; i < g.size(); ++i) paint(canvas, g.centre[i].x, g.centre[i].y, g.radius[i], level[i] - background, chords_of(g, i));
-  std::vector<float> picture = optics::through_lens(lens, canvas.light, width, height);
-  for (float& v : picture) v += static_cast<float>(background);
-  return picture;
-}
+  /// Mean of a grain over its inner pixels.
+  double level(std::size_t grain) const { return level_[grain]; }
 
-/// Levels of evenly bright disks before an even background: what a film would show if nothing warmed under the load.
-struct GrainScene {
-  std::vector<double> grain;  ///< mean of every grain over its inner pixels
-  double background = 0;      ///< where no grain reaches
+  /// Share of every pixel of picture k in which no grain is seen, through a lens that spreads a point by `blur` (standard deviation, pixels).
+  std::vector<float> open(std::size_t k, double blur) const { return draw(k, std::vector<double>(level_.size(), 0.0), 1, blur); }
+  std::vector<float> drawn(std::size_t k, double background, double blur) const { return draw(k, level_, background, blur); }
+
+  /// Level where no grain reaches. Most pixels between grains show some grain too: what is left of them without the grains, over their open share.
+  /// Pixels far from any grain may show the frame.
+  double background(double blur) const {
+    constexpr float least = 0.5f, most = 0.98f;
+    const std::vector<float> share = open(0, blur), disks = drawn(0, 0, blur), seen = picture_of(pictures_, 0);
+    std::vector<std::pair<double, double>> pores;  // level and weight
+    for (std::size_t p = 0; p < seen.size(); ++p)
+      if (share[p] > least && share[p] < most)
+        pores.emplace_back(static_cast<double>((seen[p] - disks[p]) / share[p]), static_cast<double>(share[p] * share[p]));
+    return weighted_median(std::move(pores), level_.empty() ? 0 : level_.front());
+  }
+
+ private:
+  /// At least the pixel in its middle.
+  double inner_level(std::size_t i) const {
+    const PixelHarmonics fit(pictures_, motion_, i);
+    const double inner = std::max(0.5, std::min(0.8 * grains_.radius[i], grains_.radius[i] - 2.5));
+    double sum = 0, n = 0;
+    const int reach = static_cast<int>(inner);
+    for (int dy = -reach; dy <= reach; ++dy)
+      for (int dx = -reach; dx <= reach; ++dx) {
+        if (dx * dx + dy * dy > inner * inner) continue;
+        sum += fit.follow(pictures_, {grains_.centre[i].x + dx, grains_.centre[i].y + dy}).harmonics[0];
+        n += 1;
+      }
+    return sum / n;
+  }
+
+  /// Disks of these levels where the grains are in picture k. Those that overlap are parted by the chord of their rims.
+  std::vector<float> draw(std::size_t k, const std::vector<double>& level, double background, double blur) const {
+    const optics::Lens lens = optics::make_lens(blur, fine, 4);
+    Canvas canvas{pictures_.width * fine + 2 * lens.margin, pictures_.height * fine + 2 * lens.margin, lens.margin, {}};
+    canvas.light.assign(static_cast<std::size_t>(canvas.width) * static_cast<std::size_t>(canvas.height), 0.0f);
+    PictureGrains there = grains_;
+    for (std::size_t i = 0; i < there.size(); ++i) there.centre[i] += pictures_.moved(motion_, i, k);
+    for (std::size_t i = 0; i < there.size(); ++i) paint(canvas, there.centre[i], there.radius[i], level[i] - background, chords_of(there, i));
+    std::vector<float> picture = optics::through_lens(lens, canvas.light, pictures_.width, pictures_.height);
+    for (float& v : picture) v += static_cast<float>(background);
+    return picture;
+  }
+
+  const PhasePictures& pictures_;
+  const PictureGrains& grains_;
+  const GrainMotion& motion_;
+  std::vector<double> level_;
 };
-
-/// Most pixels between grains show some grain too: what is left of them without the grains, over their open share. Pixels far
-/// from any grain may show the frame.
-double background_level(const PhasePictures& pictures, const GrainScene& scene, const PictureGrains& grains, const GrainMotion& motion, double blur) {
-  constexpr float least = 0.5f, most = 0.98f;
-  const PictureGrains there = grains_in(pictures, 0, grains, motion);
-  const std::vector<float> open = draw_disks(there, std::vector<double>(grains.size(), 0.0), 1, blur, pictures.width, pictures.height);
-  const std::vector<float> disks = draw_disks(there, scene.grain, 0, blur, pictures.width, pictures.height);
-  const std::vector<float> seen = picture_of(pictures, 0);
-  std::vector<std::pair<double, double>> pores;  // level and weight
-  for (std::size_t p = 0; p < seen.size(); ++p)
-    if (open[p] > least && open[p] < most) pores.emplace_back(static_cast<double>((seen[p] - disks[p]) / open[p]), static_cast<double>(open[p] * open[p]));
-  return weighted_median(std::move(pores), scene.grain.empty() ? 0 : scene.grain.front());
-}
 
 /// Least mean distance between picture and drawing, by golden section; it has one minimum.
 template <class Distance> double nearest(double low, double high, const Distance& distance) {
@@ -129,21 +139,13 @@ template <class Distance> double nearest(double low, double high, const Distance
   return 0.5 * (low + high);
 }
 
-GrainScene grain_scene(const PhasePictures& pictures, const PictureGrains& grains, const GrainMotion& motion, double blur, int threads) {
-  GrainScene scene;
-  scene.grain.resize(grains.size());
-  ThreadPool(threads).for_each(grains.size(), [&](std::size_t i) { scene.grain[i] = inner_level(pictures, grains, motion, i); });
-  scene.background = background_level(pictures, scene, grains, motion, blur);
-  return scene;
-}
-
 /// The pictures less the scene with its grains where they are in each. Rims of grains are too sharp for the pixels to be
 /// resampled; what is left here is smooth.
-PhasePictures without_scene(const PhasePictures& pictures, const GrainScene& scene, const PictureGrains& grains, const GrainMotion& motion, double blur,
-                            int threads) {
+PhasePictures without_scene(const PhasePictures& pictures, const GrainScene& scene, double blur, const ThreadPool& pool) {
   PhasePictures rest = pictures;
-  ThreadPool(threads).for_each(rest.size(), [&](std::size_t k) {
-    std::vector<float> drawn = draw_disks(grains_in(rest, k, grains, motion), scene.grain, scene.background, blur, rest.width, rest.height);
+  const double background = scene.background(blur);
+  pool.for_each(rest.size(), [&](std::size_t k) {
+    std::vector<float> drawn = scene.drawn(k, background, blur);
     spline_coefficients(drawn.data(), rest.width, rest.height);
     float* coefficient = rest.spline.data() + k * rest.pixels();
     for (std::size_t p = 0; p < drawn.size(); ++p) coefficient[p] -= drawn[p];
@@ -180,9 +182,9 @@ std::vector<std::int32_t> owners(const PictureGrains& grains, int width, int hei
   std::vector<std::int32_t> owner(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), -1);
   std::vector<double> depth(owner.size(), 0);
   for (std::size_t i = 0; i < grains.size(); ++i) {
-    const double x = grains.centre[i].x, y = grains.centre[i].y, r = grains.radius[i];
-    each_pixel_near({x, y}, r, width, height, [&](int column, int row, std::size_t p) {
-      const double inside = r - std::hypot(column - x, row - y);
+    const Vec2 centre = grains.centre[i];
+    each_pixel_near(centre, grains.radius[i], width, height, [&](int column, int row, std::size_t p) {
+      const double inside = grains.radius[i] - std::hypot(column - centre.x, row - centre.y);
       if (inside < 0 || (owner[p] >= 0 && inside <= depth[p])) return;
       owner[p] = static_cast<std::int32_t>(i);
       depth[p] = inside;
@@ -203,25 +205,26 @@ LockinMaps follow_grains(const PhasePictures& pictures, const LockinMaps& maps, 
                          const PictureGrains& shown, std::optional<double> given_phase, int threads, double blur) {
   LockinMaps result = maps;
   const double factor = 2 / to_peak_to_peak(maps.convention), spread = factor * std::sqrt(2 * maps.noise_ratio / static_cast<double>(maps.frames));
-  const GrainScene scene = grain_scene(pictures, grains, motion, blur, threads);
-  const PhasePictures rest = without_scene(pictures, scene, grains, motion, blur, threads);
+  const ThreadPool pool(threads);
+  const GrainScene scene(pictures, grains, motion, pool);
+  const PhasePictures rest = without_scene(pictures, scene, blur, pool);
   const std::vector<std::int32_t> owner = owners(shown, maps.width, maps.height);
   std::vector<std::vector<double>> cosine(grains.size()), sine(grains.size());
-  const auto follow = [&](std::size_t i) {
+  pool.for_each(grains.size(), [&](std::size_t i) {
     const PixelHarmonics fit(rest, motion, i);
-    const double x = shown.centre[i].x, y = shown.centre[i].y, r = shown.radius[i];
-    each_pixel_near({x, y}, r, maps.width, maps.height, [&](int column, int row, std::size_t p) {
-      const double out = std::hypot(column - x, row - y);
+    const Vec2 centre = shown.centre[i];
+    const double r = shown.radius[i];
+    each_pixel_near(centre, r, maps.width, maps.height, [&](double column, double row, std::size_t p) {
+      const double out = std::hypot(column - centre.x, row - centre.y);
       if (out > r || owner[p] != static_cast<std::int32_t>(i)) return;
-      Followed f = fit.follow(rest, column + grains.centre[i].x - x, row + grains.centre[i].y - y);
-      f.harmonics[0] += scene.grain[i];
+      Followed f = fit.follow(rest, Vec2{column, row} + grains.centre[i] - centre);
+      f.harmonics[0] += scene.level(i);
       put(result, p, f, factor, spread);
       if (out > 0.7 * r) return;
       cosine[i].push_back(f.harmonics[1]);
       sine[i].push_back(f.harmonics[2]);
     });
-  };
-  ThreadPool(threads).for_each(grains.size(), follow);
+  });
   if (given_phase) result.reference_phase = *given_phase;
   else if (grains.size() > 0) result.reference_phase = reference_phase(joined(cosine), joined(sine));
   project(result, owner);
@@ -232,13 +235,12 @@ double rim_blur(const PhasePictures& pictures, const PictureGrains& grains, cons
   if (grains.size() == 0 || pictures.size() == 0) return std::numeric_limits<double>::quiet_NaN();
   constexpr double least = 0.15, most = 1.6, middle = 0.6;
   constexpr float inside = 0.03f, outside = 0.97f;
-  const PictureGrains there = grains_in(pictures, 0, grains, motion);
   const std::vector<float> seen = picture_of(pictures, 0);
+  const GrainScene scene(pictures, grains, motion, ThreadPool(threads));
   // Rims are where a lens of middling blur shows grain and background at once.
-  const std::vector<float> open = draw_disks(there, std::vector<double>(grains.size(), 0.0), 1, middle, pictures.width, pictures.height);
+  const std::vector<float> open = scene.open(0, middle);
   return nearest(least, most, [&](double blur) {
-    const GrainScene scene = grain_scene(pictures, grains, motion, blur, threads);
-    const std::vector<float> drawn = draw_disks(there, scene.grain, scene.background, blur, pictures.width, pictures.height);
+    const std::vector<float> drawn = scene.drawn(0, scene.background(blur), blur);
     double sum = 0, count = 0;
     for (std::size_t p = 0; p < seen.size(); ++p)
       if (open[p] > inside && open[p] < outside) sum += std::abs(static_cast<double>(seen[p] - drawn[p])), ++count;

@@ -89,10 +89,9 @@ void mark_levels(const FrameStatistics& film, double limit, std::vector<std::uin
 
 /// Marks what lies further than the limit from the middle of all, or is no number.
 void mark_outliers(const std::vector<double>& x, double limit, BadPixel why, std::vector<std::uint8_t>& bad) {
-  std::vector<double> finite;
-  for (const double v : x)
-    if (std::isfinite(v)) finite.push_back(v);
-  const Robust r = robust(finite);
+  std::vector<double> finite = x;
+  std::erase_if(finite, [](double v) { return !std::isfinite(v); });
+  const Robust r = robust(std::move(finite));
   for (std::size_t i = 0; i < x.size(); ++i)
     if (!std::isfinite(x[i]) || (r.deviation > 0 && std::abs(x[i] - r.middle) > limit * r.deviation)) bad[i] |= why;
 }

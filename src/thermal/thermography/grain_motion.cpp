@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "core/mapped.hpp"
 #include "core/median.hpp"
 #include "core/threads.hpp"
 
@@ -17,13 +18,13 @@ using statistics::Matrix;
 struct OtherRim {
   std::size_t pixel = 0, grain = 0;  ///< of the list, and of the grains
   double inside = 0;                 ///< share of the pixel in that grain
-  double slope_x = 0, slope_y = 0;   ///< of that share, a pixel
+  Vec2 slope;                        ///< of that share, a pixel
 };
 
 struct RimPixel {
-  double x, y;            ///< pixels
-  double from_x, from_y;  ///< the centre, over the radius
-  double inside;          ///< share of the pixel in the grain, over the width of a blurred rim
+  Vec2 place;        ///< pixels
+  Vec2 from_centre;  ///< over the radius
+  double inside;     ///< share of the pixel in the grain, over the width of a blurred rim
   double weight;
 };
 
@@ -41,19 +42,21 @@ constexpr double margin = 0.6, reach_of_others = 2.2;
 double share_inside(double out) { return 0.5 * std::erfc(out / blur); }
 double slope_of_share(double out) { return -std::exp(-out * out / (blur * blur)) / (blur * std::sqrt(std::numbers::pi)); }
 
-void add(const PictureGrains& g, std::size_t i, const std::vector<std::size_t>& neighbours, double rim, double x, double y, Rim& own) {
-  const double dx = x - g.centre[i].x, dy = y - g.centre[i].y, out = std::hypot(dx, dy) - g.radius[i];
+double length(Vec2 v) { return std::hypot(v.x, v.y); }
+
+void add(const PictureGrains& g, std::size_t i, const std::vector<std::size_t>& neighbours, double rim, Vec2 place, Rim& own) {
+  const Vec2 from_centre = place - g.centre[i];
+  const double out = length(from_centre) - g.radius[i];
   if (std::abs(out) > rim) return;
   std::vector<OtherRim> others;
   for (const std::size_t j : neighbours) {
-    const double r = std::hypot(x - g.centre[j].x, y - g.centre[j].y), away = r - g.radius[j];
+    const Vec2 from_other = place - g.centre[j];
+    const double r = length(from_other), away = r - g.radius[j];
     if (away < margin) return;
-    if (away > reach_of_others) continue;
-    const double slope = slope_of_share(away) / r;
-    others.push_back({own.pixels.size(), j, share_inside(away), slope * (x - g.centre[j].x), slope * (y - g.centre[j].y)});
+    if (away <= reach_of_others) others.push_back({own.pixels.size(), j, share_inside(away), slope_of_share(away) / r * from_other});
   }
   own.others.insert(own.others.end(), others.begin(), others.end());
-  own.pixels.push_back({x, y, dx / g.radius[i], dy / g.radius[i], share_inside(out), 1 - std::pow(out / (rim + 0.5), 2)});
+  own.pixels.push_back({place, from_centre / g.radius[i], share_inside(out), 1 - std::pow(out / (rim + 0.5), 2)});
 }
 
 std::vector<Rim> rims_of(const PictureGrains& g, int width, int height, double rim) {
@@ -62,8 +65,8 @@ std::vector<Rim> rims_of(const PictureGrains& g, int width, int height, double r
     const double reach = g.radius[i] + rim;
     std::vector<std::size_t> neighbours;
     for (std::size_t j = 0; j < g.size(); ++j)
-      if (j != i && std::hypot(g.centre[j].x - g.centre[i].x, g.centre[j].y - g.centre[i].y) < reach + g.radius[j] + reach_of_others) neighbours.push_back(j);
-    each_pixel_near(g.centre[i], reach, width, height, [&](int column, int row, std::size_t) { add(g, i, neighbours, rim, column, row, rims[i]); });
+      if (j != i && norm(g.centre[j] - g.centre[i]) < reach + g.radius[j] + reach_of_others) neighbours.push_back(j);
+    each_pixel_near(g.centre[i], reach, width, height, [&](double column, double row, std::size_t) { add(g, i, neighbours, rim, {column, row}, rims[i]); });
   }
   return rims;
 }
@@ -78,6 +81,8 @@ struct Left {
 
   /// Of all grains together.
   std::size_t unknown(std::size_t own) const { return 2 * grains[own / 2] + own % 2; }
+  /// The first of a grain's two unknowns here.
+  std::size_t own(std::size_t grain) const { return 2 * static_cast<std::size_t>(std::find(grains.begin(), grains.end(), grain) - grains.begin()); }
 };
 
 /// Contrast of a grain from its mean picture, where the neighbours' are known.
@@ -99,7 +104,7 @@ Left motion_left(const PhasePictures& pictures, const Rim& rim, std::size_t grai
   Left left;
   left.grains = {grain};
   for (const OtherRim& o : rim.others)
-    if (std::find(left.grains.begin(), left.grains.end(), o.grain) == left.grains.end()) left.grains.push_back(o.grain);
+    if (left.own(o.grain) == 2 * left.grains.size()) left.grains.push_back(o.grain);
   const std::size_t n = rim.pixels.size(), unknowns = 2 * left.grains.size();
   left.normal = Matrix(unknowns, unknowns);
   left.side = Matrix(unknowns, 2);
@@ -109,21 +114,22 @@ Left motion_left(const PhasePictures& pictures, const Rim& rim, std::size_t grai
   std::vector<double> mean;
   for (std::size_t p = 0; p < n; ++p) {
     const RimPixel& pixel = rim.pixels[p];
-    const Followed f = fit.follow(pictures, pixel.x, pixel.y);
+    const Followed f = fit.follow(pictures, pixel.place);
     mean.push_back(f.harmonics[0]);
-    const double in = pixel.inside, x = pixel.from_x, y = pixel.from_y;
+    const double in = pixel.inside;
+    const auto [x, y] = pixel.from_centre;
     const double shape[smooth] = {in, in * x, in * y, in * x * x, in * x * y, in * y * y};
     for (std::size_t k = 0; k < smooth; ++k) part(p, k) = shape[k];
-    rest(p, 0) = -f.slope_x, rest(p, 1) = -f.slope_y;
+    rest(p, 0) = -f.slope.x, rest(p, 1) = -f.slope.y;
     rest(p, unknowns) = f.harmonics[1], rest(p, unknowns + 1) = f.harmonics[2];
   }
   for (const OtherRim& o : rim.others) {
-    const std::size_t row = o.pixel, column = 2 * static_cast<std::size_t>(std::find(left.grains.begin(), left.grains.end(), o.grain) - left.grains.begin());
-    const double x = contrast[o.grain] * o.slope_x, y = contrast[o.grain] * o.slope_y;
-    rest(row, 0) += x, rest(row, 1) += y;
-    rest(row, column) -= x, rest(row, column + 1) -= y;
-    rest(row, unknowns) += x * (motion.cos_x[o.grain] - motion.cos_x[grain]) + y * (motion.cos_y[o.grain] - motion.cos_y[grain]);
-    rest(row, unknowns + 1) += x * (motion.sin_x[o.grain] - motion.sin_x[grain]) + y * (motion.sin_y[o.grain] - motion.sin_y[grain]);
+    const std::size_t row = o.pixel, column = left.own(o.grain);
+    const Vec2 slope = contrast[o.grain] * o.slope;
+    rest(row, 0) += slope.x, rest(row, 1) += slope.y;
+    rest(row, column) -= slope.x, rest(row, column + 1) -= slope.y;
+    rest(row, unknowns) += dot(slope, motion.cosine[o.grain] - motion.cosine[grain]);
+    rest(row, unknowns + 1) += dot(slope, motion.sine[o.grain] - motion.sine[grain]);
   }
   for (std::size_t p = 0; p < n; ++p) {
     const double w = std::sqrt(rim.pixels[p].weight);
@@ -184,13 +190,12 @@ double move(const Matrix& step, double largest, GrainMotion& motion) {
   double longest = 0;
   for (std::size_t i = 0; i < motion.size(); ++i)
     for (std::size_t k = 0; k < 2; ++k) {
-      double& x = k == 0 ? motion.cos_x[i] : motion.sin_x[i];
-      double& y = k == 0 ? motion.cos_y[i] : motion.sin_y[i];
-      const double dx = step(2 * i, k), dy = step(2 * i + 1, k), length = std::hypot(dx, dy);
-      const double part = length > 1 ? 1 / length : 1;
-      if (!std::isfinite(length) || std::hypot(x + part * dx, y + part * dy) > largest) continue;
-      x += part * dx, y += part * dy;
-      longest = std::max(longest, part * length);
+      Vec2& at = k == 0 ? motion.cosine[i] : motion.sine[i];
+      const Vec2 way{step(2 * i, k), step(2 * i + 1, k)};
+      const double size = length(way), part = size > 1 ? 1 / size : 1;
+      if (!std::isfinite(size) || norm(at + part * way) > largest) continue;
+      at += part * way;
+      longest = std::max(longest, part * size);
     }
   return longest;
 }
@@ -212,17 +217,13 @@ double error_of(const Left& left, const Matrix& step) {
 
 std::vector<std::uint8_t> lost_grains(const GrainMotion& motion) {
   const double usual = median_of_finite(motion.error);
-  std::vector<std::uint8_t> lost;
-  for (const double error : motion.error) lost.push_back(std::isfinite(error) && error > 6 * usual ? 1 : 0);
-  return lost;
+  return mapped<std::uint8_t>(motion.error, [&](double error) { return std::isfinite(error) && error > 6 * usual; });
 }
 
 GrainMotion grain_motion(const PhasePictures& pictures, const PictureGrains& grains, const GrainMotionOptions& options) {
   constexpr int affine_turns = 3;
   const std::size_t n = grains.size();
-  GrainMotion motion;
-  for (auto* each : {&motion.cos_x, &motion.sin_x, &motion.cos_y, &motion.sin_y}) each->assign(n, 0);
-  motion.error.assign(n, std::numeric_limits<double>::infinity());
+  GrainMotion motion{std::vector<Vec2>(n), std::vector<Vec2>(n), std::vector<double>(n, std::numeric_limits<double>::infinity())};
   if (n == 0) return motion;
   const std::vector<Rim> rims = rims_of(grains, pictures.width, pictures.height, options.rim);
   std::vector<double> contrast(n, 0);

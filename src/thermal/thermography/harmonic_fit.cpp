@@ -115,8 +115,6 @@ HarmonicFit harmonic_fit(const SegmentSums& s, double frequency, int drift_order
 }
 
 void fit_pixels(const SegmentSums& sums, const HarmonicFit& fit, std::size_t from, std::size_t rows, std::size_t begin, std::size_t count, PixelFit& out) {
-  out.begin = begin;
-  out.count = count;
   out.value.resize(rows * PixelFit::run);
   kernels().combine(sums.view(), fit.coefficient.column(from), rows, out.value.data(), PixelFit::run, begin, begin + count);
 }

@@ -93,7 +93,6 @@ void legendre(double x, std::size_t count, double* value, double* slope = nullpt
 /// Fitted numbers of a run of pixels, in doubles: number m of pixel begin + i is value[m * run + i].
 struct PixelFit {
   static constexpr std::size_t run = 16 * chunk;
-  std::size_t begin = 0, count = 0;
   std::vector<double> value;
   std::vector<double> variance;  ///< of the noise, from what the fit leaves; only if asked for
 };

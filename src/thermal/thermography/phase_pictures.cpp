@@ -169,7 +169,8 @@ std::vector<float> picture_of(const PhasePictures& pictures, std::size_t k) {
   values.reserve(pictures.pixels());
   for (int row = 0; row < pictures.height; ++row)
     for (int column = 0; column < pictures.width; ++column)
-      values.push_back(static_cast<float>(Resampled(pictures.width, pictures.height, column, row).of(pictures.picture(k))));
+      values.push_back(
+          static_cast<float>(Resampled(pictures.width, pictures.height, {static_cast<double>(column), static_cast<double>(row)}).of(pictures.picture(k))));
   return values;
 }
 
@@ -182,27 +183,26 @@ PixelHarmonics::PixelHarmonics(const PhasePictures& p, const GrainMotion& motion
   fit_ = transposed(solve_symmetric(times_transposed(design, weighed), weighed));
 }
 
-Followed PixelHarmonics::follow(const PhasePictures& p, double x, double y) const {
+Followed PixelHarmonics::follow(const PhasePictures& p, Vec2 place) const {
   const std::size_t n = p.size();
   double frames = 0, noise = 0;
   Followed f;
   std::vector<double> value(n);
   for (std::size_t k = 0; k < n; ++k) {
-    const Resampled here(p.width, p.height, x + moved_[k].x, y + moved_[k].y);
-    double slope_x = 0, slope_y = 0;
-    value[k] = here.of(p.picture(k), slope_x, slope_y);
+    const Resampled here(p.width, p.height, place + moved_[k]);
+    Vec2 slope;
+    value[k] = here.of(p.picture(k), slope);
     for (std::size_t m = 0; m < 5; ++m) f.harmonics[m] += fit_(k, m) * value[k];
     frames += p.frames[k];
     noise += p.frames[k] * here.noise();
-    f.slope_x += p.frames[k] * slope_x;
-    f.slope_y += p.frames[k] * slope_y;
+    f.slope += p.frames[k] * slope;
   }
   double rest = 0;
   for (std::size_t k = 0; k < n; ++k) {
     const double fitted = std::inner_product(f.harmonics.begin(), f.harmonics.end(), p.phases[k].begin(), 0.0);
     rest += p.frames[k] * (value[k] - fitted) * (value[k] - fitted);
   }
-  f.slope_x /= frames, f.slope_y /= frames;
+  f.slope = f.slope / frames;
   f.variance = n > 5 ? rest / static_cast<double>(n - 5) * frames / noise : 0;
   return f;
 }

@@ -18,62 +18,60 @@ void spline_coefficients(float* picture, int width, int height);
 /// The spline between pixels, beyond the picture that of its outermost pixels; pictures are given by their coefficients.
 class Resampled {
  public:
-  Resampled(int width, int height, double x, double y) : width_(width) {
-    const double left = std::floor(x), top = std::floor(y);
-    u_ = x - left;
-    v_ = y - top;
-    weigh(u_, wx_, sx_);
-    weigh(v_, wy_, sy_);
-    for (int k = 0; k < 4; ++k) {
-      column_[k] = std::clamp(static_cast<int>(left) - 1 + k, 0, width - 1);
-      row_[k] = std::clamp(static_cast<int>(top) - 1 + k, 0, height - 1);
-    }
-  }
+  Resampled(int width, int height, Vec2 place) : width_(width), x_(place.x, width), y_(place.y, height) {}
 
   double of(const float* picture) const {
     double sum = 0;
-    for (int j = 0; j < 4; ++j) sum += wy_[j] * line(picture, j, wx_);
+    for (int j = 0; j < 4; ++j) sum += y_.weight[j] * line(picture, j, x_.weight);
     return sum;
   }
 
-  /// With the slopes along x and y, a pixel.
-  double of(const float* picture, double& slope_x, double& slope_y) const {
+  /// With the slope, a pixel.
+  double of(const float* picture, Vec2& slope) const {
     double sum = 0;
-    slope_x = slope_y = 0;
+    slope = {};
     for (int j = 0; j < 4; ++j) {
-      const double value = line(picture, j, wx_);
-      sum += wy_[j] * value;
-      slope_y += sy_[j] * value;
-      slope_x += wy_[j] * line(picture, j, sx_);
+      const double value = line(picture, j, x_.weight);
+      sum += y_.weight[j] * value;
+      slope.y += y_.slope[j] * value;
+      slope.x += y_.weight[j] * line(picture, j, x_.slope);
     }
     return sum;
   }
 
-  /// Variance of the value over that of the pixels: 1 on a pixel, about 0.76 an axis halfway to the next.
-  double noise() const { return (1 - 0.96 * u_ * (1 - u_)) * (1 - 0.96 * v_ * (1 - v_)); }
+  /// Variance of the value over that of the pixels.
+  double noise() const { return x_.noise() * y_.noise(); }
 
  private:
-  double line(const float* picture, int j, const double (&w)[4]) const {
-    const float* row = picture + static_cast<std::ptrdiff_t>(row_[j]) * width_;
-    return w[0] * static_cast<double>(row[column_[0]]) + w[1] * static_cast<double>(row[column_[1]]) + w[2] * static_cast<double>(row[column_[2]]) +
-           w[3] * static_cast<double>(row[column_[3]]);
-  }
+  /// The four pixels along one axis, with the weights of the spline and of its slope.
+  struct Axis {
+    int pixel[4];
+    double u, weight[4], slope[4];
 
-  static void weigh(double u, double (&w)[4], double (&s)[4]) {
-    const double v = 1 - u;
-    w[0] = v * v * v / 6;
-    w[1] = 2.0 / 3 - u * u * (1 - u / 2);
-    w[2] = 2.0 / 3 - v * v * (1 - v / 2);
-    w[3] = u * u * u / 6;
-    s[0] = -v * v / 2;
-    s[1] = u * (1.5 * u - 2);
-    s[2] = -v * (1.5 * v - 2);
-    s[3] = u * u / 2;
+    Axis(double place, int pixels) : u(place - std::floor(place)) {
+      for (int k = 0; k < 4; ++k) pixel[k] = std::clamp(static_cast<int>(std::floor(place)) - 1 + k, 0, pixels - 1);
+      const double v = 1 - u;
+      weight[0] = v * v * v / 6;
+      weight[1] = 2.0 / 3 - u * u * (1 - u / 2);
+      weight[2] = 2.0 / 3 - v * v * (1 - v / 2);
+      weight[3] = u * u * u / 6;
+      slope[0] = -v * v / 2;
+      slope[1] = u * (1.5 * u - 2);
+      slope[2] = -v * (1.5 * v - 2);
+      slope[3] = u * u / 2;
+    }
+    /// 1 on a pixel, about 0.76 halfway to the next.
+    double noise() const { return 1 - 0.96 * u * (1 - u); }
+  };
+
+  double line(const float* picture, int j, const double (&w)[4]) const {
+    const float* row = picture + static_cast<std::ptrdiff_t>(y_.pixel[j]) * width_;
+    const auto at = [&](int k) { return static_cast<double>(row[x_.pixel[k]]); };
+    return w[0] * at(0) + w[1] * at(1) + w[2] * at(2) + w[3] * at(3);
   }
 
   int width_;
-  int column_[4], row_[4];
-  double u_, v_, wx_[4], wy_[4], sx_[4], sy_[4];
+  Axis x_, y_;
 };
 
 /// 1, cosine and sine of the phase 2 pi f t, and of twice the phase.
@@ -102,10 +100,10 @@ PhasePictures phase_pictures(FilmSource& film, const LockinMaps& maps, const Loc
 /// One of the pictures itself, rows from the top.
 std::vector<float> picture_of(const PhasePictures& pictures, std::size_t k);
 
-/// What one place that follows a grain shows: mean, first and second harmonic, slopes of the mean picture.
+/// What one place that follows a grain shows: mean, first and second harmonic, slope of the mean picture.
 struct Followed {
   Harmonics harmonics{};
-  double slope_x = 0, slope_y = 0;
+  Vec2 slope;
   double variance = 0;  ///< of one frame's noise, from what the harmonics leave
 };
 
@@ -113,8 +111,8 @@ struct Followed {
 class PixelHarmonics {
  public:
   PixelHarmonics(const PhasePictures& pictures, const GrainMotion& motion, std::size_t grain);
-  /// (x, y) is the place when the grain is in the middle of its motion.
-  Followed follow(const PhasePictures& pictures, double x, double y) const;
+  /// `place` when the grain is in the middle of its motion.
+  Followed follow(const PhasePictures& pictures, Vec2 place) const;
 
  private:
   std::vector<Vec2> moved_;  ///< in every picture

@@ -83,9 +83,7 @@ double segments_in_step(const SegmentSums& s, const SearchBand& band) {
   double most = -1;
   for (int k = -static_cast<int>(below / step); k <= static_cast<int>(above / step); ++k)
     if (const double p = power(s.frequency + k * step); p > most) most = p, best = k;
-  const double before = power(s.frequency + (best - 1) * step), after = power(s.frequency + (best + 1) * step);
-  const double curve = before - 2 * most + after, shift = curve < 0 ? std::clamp(0.5 * (before - after) / curve, -0.5, 0.5) : 0;
-  return s.frequency + (best + shift) * step;
+  return s.frequency + (best + peak_between(power(s.frequency + (best - 1) * step), most, power(s.frequency + (best + 1) * step))) * step;
 }
 
 constexpr double strong_signal = 0.1;  // as if it were noise: a signal of three times the noise loses half its weight

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -40,6 +41,12 @@ void refuse_too_few_cycles(const HarmonicFit& fit, const SegmentSums& sums);
 /// frequency's error and at which other frequency the film oscillates. Throws InputError where the frequency was `refined` on the film and nothing is
 /// found there but at another, or is a multiple of one with a far larger amplitude.
 void judge_amplitude(const SegmentSums& sums, const HarmonicFit& fit, const std::optional<FrequencyFit>& refined, LockinMaps& maps);
+
+/// Where a parabola through three values one step apart, of which the middle one is the largest, has its peak: steps from the middle.
+inline double peak_between(double before, double at, double after) {
+  const double curve = before - 2 * at + after;
+  return curve < 0 ? std::clamp(0.5 * (before - after) / curve, -0.5, 0.5) : 0;
+}
 
 /// The pixels of a film of which every value is kept, without drift, over their spread, and under a window that keeps a
 /// strong line to itself. They show the whole band, where sums of segments show the neighbourhood of one frequency only, into

@@ -134,28 +134,21 @@ void fill(StepMaps& maps, const StepSides& sides, const StepSums (&sums)[2]) {
   const std::size_t pixels = static_cast<std::size_t>(maps.width) * static_cast<std::size_t>(maps.height);
   for (auto* map : {&maps.jump, &maps.standard_error, &maps.level, &maps.drift_before, &maps.drift_after, &maps.residual}) map->resize(pixels);
   const double spread = std::sqrt(sides.variance());
-  const double freedom = static_cast<double>(maps.before + maps.after) - static_cast<double>(sides.before.height.rows() + sides.after.height.rows());
+  const auto& [before, after] = sides.side;
   bool changes = false;
   for (std::size_t p = 0; p < pixels; ++p) {
-    const double before = sums[0].base(p) + sums[0].at(sides.before.height, p), after = sums[1].base(p) + sums[1].at(sides.after.height, p);
-    const double left = sums[0].squares(p) + sums[1].squares(p) - sums[0].explained(p) - sums[1].explained(p), noise = std::sqrt(std::max(left, 0.0) / freedom);
-    maps.level[p] = static_cast<float>(before);
-    maps.jump[p] = static_cast<float>(after - before);
-    maps.drift_before[p] = static_cast<float>(sums[0].at(sides.before.slope, p));
-    maps.drift_after[p] = static_cast<float>(sums[1].at(sides.after.slope, p));
+    const double level = sums[0].base(p) + sums[0].at(before.height, p), then = sums[1].base(p) + sums[1].at(after.height, p);
+    const double left = sums[0].squares(p) + sums[1].squares(p) - sums[0].explained(p) - sums[1].explained(p);
+    const double noise = std::sqrt(std::max(left, 0.0) / sides.freedom());
+    maps.level[p] = static_cast<float>(level);
+    maps.jump[p] = static_cast<float>(then - level);
+    maps.drift_before[p] = static_cast<float>(sums[0].at(before.slope, p));
+    maps.drift_after[p] = static_cast<float>(sums[1].at(after.slope, p));
     maps.residual[p] = static_cast<float>(std::isfinite(left) ? noise : left);
     maps.standard_error[p] = static_cast<float>(static_cast<double>(maps.residual[p]) * spread);
     changes = changes || sums[0].squares(p) > 0 || sums[1].squares(p) > 0 || std::abs(sums[0].base(p) - sums[1].base(p)) > 0;
   }
   if (!changes) throw InputError("every pixel of the film is constant in time (or is no number); a step needs a film of a loaded sample");
-}
-
-StepSides sides_at(double step, const Matrix& series, const std::vector<double>& time, const StepOptions& o) {
-  const double far = o.window > 0 ? o.window : time.back() + 1;
-  const auto after_time = [&](double t) { return static_cast<std::size_t>(std::upper_bound(time.begin(), time.end(), t) - time.begin()); };
-  const auto from_time = [&](double t) { return static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), t) - time.begin()); };
-  return step_sides(series, time, step, o.drift_order, from_time(step - far), from_time(step - o.rise / 2), after_time(step + o.rise / 2),
-                    after_time(step + far));
 }
 
 /// Throws where the jumps that were sought in so many frames are no more than noise makes them once in a hundred films.
@@ -181,23 +174,24 @@ StepMaps step_load(FilmSource& film, const StepOptions& o) {
   if (series.rows() == 0) throw InputError("every pixel of the film is constant in time (or is no number); a step needs a film of a loaded sample");
   StepMaps maps;
   maps.time = o.time ? *o.time : find_step(series, time, o.drift_order);
-  const StepSides sides = sides_at(maps.time, series, time, o);
+  const StepSides sides = step_sides(series, time, maps.time, o);
   if (!o.time) refuse_without_step(sides, time.size());
   maps.width = film.info().width;
   maps.height = film.info().height;
-  maps.before = sides.before.count;
-  maps.after = sides.after.count;
+  const auto& [before, after] = sides.side;
+  maps.before = before.count;
+  maps.after = after.count;
   maps.drift_order = o.drift_order;
-  maps.relaxation_before = sides.before.relaxation;
-  maps.relaxation_after = sides.after.relaxation;
-  StepSums sums[2] = {StepSums(film.info().pixels(), sides.before.height.rows()), StepSums(film.info().pixels(), sides.after.height.rows())};
+  maps.relaxation_before = before.relaxation;
+  maps.relaxation_after = after.relaxation;
+  StepSums sums[2] = {StepSums(film.info().pixels(), before.height.rows()), StepSums(film.info().pixels(), after.height.rows())};
   const ThreadPool pool(o.threads);
   std::size_t read = 0;
   const auto progress = [&](std::size_t frames) {
     read += frames;
-    return !o.progress || o.progress((1 + static_cast<double>(read) / static_cast<double>(maps.before + maps.after)) / 2);
+    return !o.progress || o.progress((1 + static_cast<double>(read) / static_cast<double>(sides.frames())) / 2);
   };
-  if (!sums[0].pass(film, sides.before, pool, progress) || !sums[1].pass(film, sides.after, pool, progress)) return {};
+  if (!sums[0].pass(film, before, pool, progress) || !sums[1].pass(film, after, pool, progress)) return {};
   fill(maps, sides, sums);
   return maps;
 }

@@ -66,12 +66,12 @@ ResidualCorrelation residual_correlation(const Matrix& residual, const Matrix& f
   return result;
 }
 
-/// Where a side lies: its frames, and the end that is not at the step.
+/// Where a side lies: its frames.
 struct Place {
   const std::vector<double>& time;
-  std::size_t first, end;
   double step;
   int order;
+  std::size_t first, end;
 
   std::size_t count() const { return end - first; }
   double length() const { return std::max(std::abs(time[first] - step), std::abs(time[end - 1] - step)); }
@@ -149,12 +149,13 @@ StepSide choose(const Matrix& series, const Place& at, const StepSide& relaxing,
 }
 
 /// Divides every pixel by what the polynomials leave of it; one of which they leave nothing says nothing of the noise.
-void weigh(Matrix& series, const StepSide& before, const StepSide& after) {
+void weigh(Matrix& series, const std::array<Place, 2>& places) {
   std::vector<double> factor(series.rows());
-  for (const StepSide* side : {&before, &after}) {
-    const Matrix left = left_by(series, *side);
+  const auto frames = static_cast<double>(places[0].count() + places[1].count());
+  for (const Place& at : places) {
+    const Matrix left = left_by(series, side_of(at, 0));
     for (std::size_t n = 0; n < left.columns(); ++n)
-      for (std::size_t i = 0; i < factor.size(); ++i) factor[i] += left(i, n) * left(i, n) / static_cast<double>(before.count + after.count);
+      for (std::size_t i = 0; i < factor.size(); ++i) factor[i] += left(i, n) * left(i, n) / frames;
   }
   for (double& f : factor) f = f > 0 ? 1 / std::sqrt(f) : 0;
   for (std::size_t n = 0; n < series.columns(); ++n)
@@ -164,7 +165,35 @@ void weigh(Matrix& series, const StepSide& before, const StepSide& after) {
 /// Of every pixel, at the step.
 Matrix heights(const Matrix& series, const StepSide& side) { return series.part(side.first, side.count) * side.height_weights(); }
 
-double freedom(const StepSide& side) { return static_cast<double>(side.count) - static_cast<double>(side.height.rows()); }
+/// Variance of what the sides leave of the pixels, whose correlation becomes their noise.
+double measure_noise(const Matrix& series, StepSides& sides) {
+  Matrix left(series.rows(), sides.frames()), fitted(sides.functions(), sides.frames());
+  std::size_t at = 0, row = 0;
+  for (const StepSide& side : sides.side) {
+    const Matrix of_side = left_by(series, side);
+    std::copy_n(of_side.column(0), of_side.size(), left.column(at));
+    for (std::size_t n = 0; n < side.count; ++n)
+      for (std::size_t j = 0; j < side.height.rows(); ++j) fitted(row + j, at + n) = side.weight(n, j);
+    at += side.count, row += side.height.rows();
+  }
+  sides.noise = residual_correlation(left, fitted);
+  return squares(left) / static_cast<double>(left.rows()) / sides.freedom();
+}
+
+std::array<Place, 2> places_of(const std::vector<double>& time, double step, const StepOptions& o) {
+  const double far = o.window > 0 ? o.window : time.back() + 1;
+  const auto from = [&](double t) { return static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), t) - time.begin()); };
+  const auto after = [&](double t) { return static_cast<std::size_t>(std::upper_bound(time.begin(), time.end(), t) - time.begin()); };
+  const std::array places{Place{time, step, o.drift_order, from(step - far), from(step - o.rise / 2)},
+                          Place{time, step, o.drift_order, after(step + o.rise / 2), after(step + far)}};
+  for (const Place& at : places)
+    if (at.end < at.first + static_cast<std::size_t>(o.drift_order) + 3)
+      throw refusal(
+          "the film has {} frames {} the step at {:.6g} s that can be used, too few for a drift of order {}; give another time, a longer "
+          "window, a shorter rise or less drift",
+          at.end > at.first ? at.count() : 0, &at == places.data() ? "before" : "after", step, o.drift_order);
+  return places;
+}
 
 }  // namespace
 
@@ -181,52 +210,30 @@ double chi_squared_above(double numbers, double deviations) {
 }
 
 double StepSides::variance() const {
-  Matrix weight(before.count + after.count, 1);
-  const Matrix low = before.height_weights(), high = after.height_weights();
+  Matrix weight(frames(), 1);
+  const Matrix low = side[0].height_weights(), high = side[1].height_weights();
   std::transform(low.column(0), low.column(1), weight.column(0), std::negate());
-  std::copy(high.column(0), high.column(1), weight.column(0) + before.count);
-  return squares(weight) * noise.widening(weight) + before.misfit + after.misfit;
+  std::copy(high.column(0), high.column(1), weight.column(0) + side[0].count);
+  return squares(weight) * noise.widening(weight) + side[0].misfit + side[1].misfit;
 }
 
-StepSides step_sides(Matrix series, const std::vector<double>& time, double step, int order, std::size_t first, std::size_t end, std::size_t begin,
-                     std::size_t last) {
-  const auto check = [&](std::size_t from, std::size_t to, const char* name) {
-    if (to >= from + static_cast<std::size_t>(order) + 3) return;
-    throw refusal(
-        "the film has {} frames {} the step at {:.6g} s that can be used, too few for a drift of order {}; give another time, a longer "
-        "window, a shorter rise or less drift",
-        to > from ? to - from : 0, name, step, order);
-  };
-  check(first, end, "before");
-  check(begin, last, "after");
-  const Place places[2] = {{time, first, end, step, order}, {time, begin, last, step, order}};
-  weigh(series, side_of(places[0], 0), side_of(places[1], 0));
-  StepSide side[2];
-  for (int k = 0; k < 2; ++k) {
-    const bool room = places[k].count() >= static_cast<std::size_t>(order) + 12;
-    side[k] = side_of(places[k], room && series.rows() > 0 ? best_relaxation(series, places[k]) : 0);
+StepSides step_sides(Matrix series, const std::vector<double>& time, double step, const StepOptions& options) {
+  const std::array<Place, 2> places = places_of(time, step, options);
+  weigh(series, places);
+  StepSides sides;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const bool room = places[k].count() >= static_cast<std::size_t>(options.drift_order) + 12;
+    sides.side[k] = side_of(places[k], room && series.rows() > 0 ? best_relaxation(series, places[k]) : 0);
   }
-  if (series.rows() == 0) return {side[0], side[1], {}, 0};
-  const auto noise_of = [&](double& variance) {
-    const std::size_t frames = side[0].count + side[1].count;
-    Matrix left(series.rows(), frames), fitted(side[0].height.rows() + side[1].height.rows(), frames);
-    for (std::size_t k = 0, at = 0, row = 0; k < 2; at += side[k].count, row += side[k].height.rows(), ++k) {
-      const Matrix of_side = left_by(series, side[k]);
-      std::copy_n(of_side.column(0), of_side.size(), left.column(at));
-      for (std::size_t n = 0; n < side[k].count; ++n)
-        for (std::size_t j = 0; j < side[k].height.rows(); ++j) fitted(row + j, at + n) = side[k].weight(n, j);
-    }
-    variance = squares(left) / static_cast<double>(left.rows()) / (freedom(side[0]) + freedom(side[1]));
-    return residual_correlation(left, fitted);
-  };
-  double variance = 0;
-  const ResidualCorrelation noise = noise_of(variance);
-  for (int k = 0; k < 2; ++k)
-    if (side[k].relaxation > 0 && variance > 0) side[k] = choose(series, places[k], side[k], noise, variance);
-  StepSides sides{side[0], side[1], noise_of(variance), std::numeric_limits<double>::infinity()};
+  if (series.rows() == 0) return sides;
+  double variance = measure_noise(series, sides);
+  for (std::size_t k = 0; k < 2; ++k)
+    if (sides.side[k].relaxation > 0 && variance > 0) sides.side[k] = choose(series, places[k], sides.side[k], sides.noise, variance);
+  variance = measure_noise(series, sides);
+  sides.evidence = std::numeric_limits<double>::infinity();
   if (variance > 0) {
-    Matrix jump = heights(series, side[1]);
-    sides.evidence = squares(jump -= heights(series, side[0])) / static_cast<double>(series.rows()) / variance / sides.variance();
+    Matrix jump = heights(series, sides.side[1]);
+    sides.evidence = squares(jump -= heights(series, sides.side[0])) / static_cast<double>(series.rows()) / variance / sides.variance();
   }
   return sides;
 }

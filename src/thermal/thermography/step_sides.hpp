@@ -1,8 +1,10 @@
 #pragma once
+#include <array>
 #include <cstddef>
 #include <vector>
 
 #include "statistics/least_squares.hpp"
+#include "thermal/thermography/step_load.hpp"
 
 namespace arenite::thermography {
 
@@ -30,20 +32,21 @@ struct StepSide {
   statistics::Matrix height_weights() const { return weight * height; }
 };
 
-/// Both sides of a step, with what the pixels' noise does there.
+/// Both sides of a step, the one before it first, with what the pixels' noise does there.
 struct StepSides {
-  StepSide before, after;
+  std::array<StepSide, 2> side;
   ResidualCorrelation noise;
   double evidence = 0;  ///< mean square of the pixels' jumps over what noise alone would make them; infinite without noise
+  std::size_t frames() const { return side[0].count + side[1].count; }
+  std::size_t functions() const { return side[0].height.rows() + side[1].height.rows(); }
+  double freedom() const { return static_cast<double>(frames()) - static_cast<double>(functions()); }
   /// Variance of the jump over that of a frame's white noise.
   double variance() const;
 };
 
-/// Sides of a step at `step` (s) with polynomials of `order`. Heat that flows after the step, or a camera that warms up, makes
+/// Sides of a step at `step` (s) with the window, rise and polynomials of the options. Heat that flows after the step, or a camera that warms up, makes
 /// pixels relax exponentially: where the pixels of `series` (pixels x frames, each weighed by its noise) show by more than their noise that they do, an
-/// exponential in the time that fits them best is added to a side. `end` is one beyond the last frame of `before`, `begin` the
-/// first of `after`. Throws InputError for a side with too few frames.
-StepSides step_sides(statistics::Matrix series, const std::vector<double>& time, double step, int order, std::size_t first, std::size_t end, std::size_t begin,
-                     std::size_t last);
+/// exponential in the time that fits them best is added to a side. Throws InputError for a side with too few frames.
+StepSides step_sides(statistics::Matrix series, const std::vector<double>& time, double step, const StepOptions& options);
 
 }  // namespace arenite::thermography

@@ -157,9 +157,8 @@ std::optional<double> WatchedPixels::strongest_line() const {
         all.power[k] > clear * power_around(all.power, k, first, end))
       best = k;
   if (best == 0) return std::nullopt;
-  const double before = std::log(all.power[best - 1]), at = std::log(all.power[best]), after = std::log(all.power[best + 1]), curve = before - 2 * at + after;
-  const double shift = curve < 0 ? std::clamp(0.5 * (before - after) / curve, -0.5, 0.5) : 0;
-  return (static_cast<double>(best) + shift) * all.step;
+  const auto log_power = [&](std::size_t k) { return std::log(all.power[k]); };
+  return (static_cast<double>(best) + peak_between(log_power(best - 1), log_power(best), log_power(best + 1))) * all.step;
 }
 
 }  // namespace arenite::thermography

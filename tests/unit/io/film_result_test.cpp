@@ -49,8 +49,8 @@ TEST(FilmResultFile, ReadsBackWhatWasWritten) {
     EXPECT_EQ(back.maps.*map, r.maps.*map);
   EXPECT_EQ(back.grains.centre, r.grains.centre);
   for (auto column : {&PictureGrains::radius, &PictureGrains::position_error}) EXPECT_EQ(back.grains.*column, r.grains.*column);
-  for (auto column : {&GrainMotion::cos_x, &GrainMotion::sin_x, &GrainMotion::cos_y, &GrainMotion::sin_y, &GrainMotion::error})
-    EXPECT_EQ(back.motion.*column, r.motion.*column);
+  for (auto column : {&GrainMotion::cosine, &GrainMotion::sine}) EXPECT_EQ(back.motion.*column, r.motion.*column);
+  EXPECT_EQ(back.motion.error, r.motion.error);
   for (auto column : {&PeakToPeak::temperature, &PeakToPeak::sigma_hyd, &PeakToPeak::error, &PeakToPeak::pixels})
     EXPECT_EQ(back.peak_to_peak.*column, r.peak_to_peak.*column);
   EXPECT_EQ(back.simulation.peak_to_peak, r.simulation.peak_to_peak);

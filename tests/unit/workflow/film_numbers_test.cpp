@@ -63,7 +63,7 @@ TEST(FilmNumbers, TellWhatTheResultHolds) {
   EXPECT_EQ(j["grains"]["all"], 60);
   EXPECT_NEAR(j["grains"]["position_error_pixels"].get<double>(), 0.06, 1e-12);
   double largest = 0;
-  for (std::size_t i = 0; i < film.motion.size(); ++i) largest = std::max(largest, 2 * std::hypot(film.motion.cos_x[i], film.motion.cos_y[i]));
+  for (std::size_t i = 0; i < film.motion.size(); ++i) largest = std::max(largest, 2 * norm(film.motion.cosine[i]));
   EXPECT_NEAR(j["motion"]["largest_travel_pixels"].get<double>(), largest, 1e-9);
   EXPECT_EQ(j["forces"]["proposed"], film.fit.proposed);
   EXPECT_EQ(j["forces"]["present"], film.packing.contacts.size());

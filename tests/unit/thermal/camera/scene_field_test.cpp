@@ -54,7 +54,7 @@ TEST(FieldScene, ReadsALinearFieldAsItIs) {
   for (std::size_t g = 0; g < 2; ++g)
     for (const Vec2 off : {Vec2{0, 0}, Vec2{4e-3, -2e-3}, Vec2{-6e-3, 5e-3}, Vec2{1e-3, 7e-3}}) {
       const Vec2 at = scene.grains.position[g] + off;
-      EXPECT_NEAR(static_cast<double>(scene.stress[g].at(off.x, off.y)), sigma_xx(at.x, at.y) + sigma_yy(at.x, at.y), 2e3) << g;
+      EXPECT_NEAR(static_cast<double>(scene.stress[g].at(off)), sigma_xx(at.x, at.y) + sigma_yy(at.x, at.y), 2e3) << g;
     }
   EXPECT_NEAR(scene.travel[0].x, 1e-5, 1e-12);
   EXPECT_NEAR(scene.travel[1].x, -2e-5, 1e-12);

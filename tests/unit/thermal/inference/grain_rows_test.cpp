@@ -30,7 +30,7 @@ std::vector<double> warming(const Placed& p) {
   const GrainRows rows = rows_of_grain(p, 0, pixels, PointSpread(pixel, 0.5));
   std::vector<double> out = rows.spill;
   for (std::size_t q = 0; q < pixels.size(); ++q)
-    for (std::size_t k = 0; k < 6; ++k) out[q] += rows.response[6 * q + k] * p.force[k];
+    for (std::size_t k = 0; k < 6; ++k) out[q] += rows.response(k, q) * p.force[k];
   return out;
 }
 
@@ -42,7 +42,7 @@ TEST(GrainRows, TurningANormalDoesWhatItsColumnSays) {
     more.touches[0][k].normal += step * perpendicular(more.touches[0][k].normal);
     less.touches[0][k].normal -= step * perpendicular(less.touches[0][k].normal);
     const std::vector<double> a = warming(more), b = warming(less);
-    for (std::size_t q = 0; q < pixels.size(); ++q) EXPECT_NEAR(rows.turn[3 * q + k], (a[q] - b[q]) / (2 * step), 1e-6 + 1e-3 * std::abs(rows.turn[3 * q + k]));
+    for (std::size_t q = 0; q < pixels.size(); ++q) EXPECT_NEAR(rows.turn(k, q), (a[q] - b[q]) / (2 * step), 1e-6 + 1e-3 * std::abs(rows.turn(k, q)));
   }
 }
 
@@ -57,8 +57,8 @@ TEST(GrainRows, MovingTheCentreDoesWhatItsColumnsSay) {
       const Vec2 d = axis == 0 ? Vec2{step, 0} : Vec2{0, step};
       Placed more = alone, less = alone;
       more.centre[0] += d, less.centre[0] -= d;
-      const double size = std::hypot(rows.shift[2 * q], rows.shift[2 * q + 1]);
-      EXPECT_NEAR(rows.shift[2 * q + axis], (warming(more)[q] - warming(less)[q]) / (2 * step), (q == 0 ? 1e-4 : 0.15) * size) << q << axis;
+      const double size = norm(rows.shift[q]);
+      EXPECT_NEAR(rows.shift[q][axis], (warming(more)[q] - warming(less)[q]) / (2 * step), (q == 0 ? 1e-4 : 0.15) * size) << q << axis;
     }
 }
 
