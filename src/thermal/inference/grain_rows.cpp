@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/mapped.hpp"
+
 namespace arenite::inference {
 namespace {
 
@@ -82,9 +84,11 @@ class GrainField {
   std::vector<Pull> touches_;
 };
 
-/// What a pixel sees of a neighbour, Pa.
+/// What a pixel sees of a grain, Pa.
 double seen_of(const GrainField& field, double radius, Vec2 from_centre, const PointSpread& spread) {
-  if (norm(from_centre) >= radius + spread.reach) return 0;
+  const double away = norm(from_centre);
+  if (away >= radius + spread.reach) return 0;
+  if (away + spread.reach <= radius) return field.value(from_centre);  // harmonic
   double sum = 0;
   for (const PointSpread::Point& p : spread.points) {
     const Vec2 x = from_centre + p.place;
@@ -94,6 +98,30 @@ double seen_of(const GrainField& field, double radius, Vec2 from_centre, const P
 }
 
 GrainField field_of(const Placed& placed, std::size_t g) { return {placed.radius[g], placed.length, placed.touches[g], placed.force}; }
+
+/// A grain and those that may spill light over to its pixels.
+struct Neighbourhood {
+  const Placed& placed;
+  const PointSpread& spread;
+  std::size_t grain;
+  GrainField field;
+  std::vector<GrainField> others;
+
+  Neighbourhood(const Placed& p, std::size_t g, const PointSpread& s) : placed(p), spread(s), grain(g), field(field_of(p, g)) {
+    for (const Near& n : p.near[g]) others.push_back(field_of(p, n.grain));
+  }
+  Vec2 from_centre(const GrainPixel& pixel) const { return pixel.place + placed.found[grain] - placed.centre[grain]; }
+  /// Warming that a pixel sees of the others, K.
+  double spill(Vec2 x) const {
+    double sum = 0;
+    for (std::size_t o = 0; o < others.size(); ++o) {
+      const Near& n = placed.near[grain][o];
+      const Vec2 from_other = x + placed.centre[grain] - placed.centre[n.grain] - n.cells;
+      sum -= placed.factor[n.grain] * seen_of(others[o], placed.radius[n.grain], from_other, spread);
+    }
+    return sum;
+  }
+};
 
 /// One pixel of the grain itself: a pixel that sees nothing else sees a harmonic field as in its centre. The centre moves
 /// by d: a point of the grain is then seen at a place d farther, where the pixel's weight is slope.d larger.
@@ -128,26 +156,28 @@ PointSpread::PointSpread(double pixel, double blur) {
 }
 
 GrainRows rows_of_grain(const Placed& placed, std::size_t g, const std::vector<GrainPixel>& pixels, const PointSpread& spread) {
-  const GrainField field = field_of(placed, g);
-  std::vector<GrainField> others;
-  for (const Near& n : placed.near[g]) others.push_back(field_of(placed, n.grain));
-  const std::size_t z = field.size();
+  const Neighbourhood around(placed, g, spread);
+  const std::size_t z = around.field.size();
   const double factor = -placed.factor[g];
   GrainRows rows{{2 * z, pixels.size()}, std::vector<double>(pixels.size()), std::vector<Vec2>(pixels.size()), {z, pixels.size()}};
   for (std::size_t q = 0; q < pixels.size(); ++q) {
-    const Vec2 x = pixels[q].place + placed.found[g] - placed.centre[g];
+    const Vec2 x = around.from_centre(pixels[q]);
     double *row = rows.response.column(q), *turn = rows.turn.column(q);
-    fill_row(field, placed.radius[g], x, spread, row, turn, rows.shift[q]);
+    fill_row(around.field, placed.radius[g], x, spread, row, turn, rows.shift[q]);
     for (std::size_t k = 0; k < 2 * z; ++k) row[k] *= factor;
     for (std::size_t k = 0; k < z; ++k) turn[k] *= factor;
     rows.shift[q] = factor * rows.shift[q];
-    for (std::size_t o = 0; o < others.size(); ++o) {
-      const Near& n = placed.near[g][o];
-      const Vec2 from_other = x + placed.centre[g] - placed.centre[n.grain] - n.cells;
-      rows.spill[q] -= placed.factor[n.grain] * seen_of(others[o], placed.radius[n.grain], from_other, spread);
-    }
+    rows.spill[q] = around.spill(x);
   }
   return rows;
+}
+
+std::vector<double> warming_of_grain(const Placed& placed, std::size_t g, const std::vector<GrainPixel>& pixels, const PointSpread& spread) {
+  const Neighbourhood around(placed, g, spread);
+  return mapped(pixels, [&](const GrainPixel& pixel) {
+    const Vec2 x = around.from_centre(pixel);
+    return around.spill(x) - placed.factor[g] * seen_of(around.field, placed.radius[g], x, spread);
+  });
 }
 
 }  // namespace arenite::inference

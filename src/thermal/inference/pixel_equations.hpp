@@ -66,6 +66,9 @@ struct GrainRows {
 
 GrainRows rows_of_grain(const Placed& placed, std::size_t grain, const std::vector<GrainPixel>& pixels, const PointSpread& spread);
 
+/// Warming that the pixels of one grain see under the present forces, K.
+std::vector<double> warming_of_grain(const Placed& placed, std::size_t grain, const std::vector<GrainPixel>& pixels, const PointSpread& spread);
+
 /// Root mean square of the pixels' values, K.
 double root_mean_square(const std::vector<GrainPixel>& pixels);
 

@@ -116,14 +116,8 @@ std::vector<float> drawn(const Placed& placed, const Packing& packing, const The
   std::vector<float> fitted(picture.value.size(), std::numeric_limits<float>::quiet_NaN());
   const Pixels all = pixels_of_grains(picture, packing, placed.touches, 0, 0);
   for (std::size_t g = 0; g < all.size(); ++g) {
-    const auto& touches = placed.touches[g];
-    const std::size_t z = touches.size();
-    const GrainRows rows = rows_of_grain(placed, g, all[g], spread);
-    for (std::size_t q = 0; q < all[g].size(); ++q) {
-      double sum = rows.spill[q];
-      for (std::size_t k = 0; k < 2 * z; ++k) sum += rows.response(k, q) * touches[k / 2].of_contact(placed.force, k % 2);
-      fitted[all[g][q].number] = static_cast<float>(sum);
-    }
+    const std::vector<double> warming = warming_of_grain(placed, g, all[g], spread);
+    for (std::size_t q = 0; q < all[g].size(); ++q) fitted[all[g][q].number] = static_cast<float>(warming[q]);
   }
   return fitted;
 }

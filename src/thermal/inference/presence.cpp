@@ -14,18 +14,14 @@ namespace arenite::inference {
 namespace {
 
 constexpr double strong = 0.3;  // mean forces; from here on noise takes no contact for another
-/// Borders of the steps, in mean forces: of contacts that lost their force and are gone, and of those that are there.
-constexpr std::array gone{-1.5, -0.3, 0.0};
+/// Borders of the steps of contacts that are there, in mean forces. The first ones are those of contacts that lost their force and are gone, too.
 constexpr std::array there{-1.5, -0.3, 0.0, 0.3, 0.6, 1.0, 1.5, 2.2, 3.0, 6.0};
-constexpr std::size_t steps_gone = gone.size() - 1, steps_there = there.size() - 1, classes = 1 + steps_gone + steps_there;
+constexpr std::size_t steps_gone = 2, steps_there = there.size() - 1, classes = 1 + steps_gone + steps_there;
 /// Share of contacts that are there whose overlap follows no law: grains that are not round, centres that are wrong.
 constexpr double lawless = 0.03;
 
 double below(double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2); }
 double bell(double x, double deviation) { return std::exp(-0.5 * x * x / (deviation * deviation)) / (deviation * std::sqrt(2 * std::numbers::pi)); }
-/// Density at f of an even step between two borders that noise blurs.
-double step(double f, double error, double low, double high) { return (below((f - low) / error) - below((f - high) / error)) / (high - low); }
-
 /// Overlap of contacts of one kind: at + slope force, +- spread, in widest gaps and mean forces.
 struct OverlapLaw {
   double at = 0, slope = 0, spread = 0.25;
@@ -76,7 +72,9 @@ std::map<int, OverlapLaw> overlap_laws(const ContactEvidence& s) {
 
 class Mixture {
  public:
-  explicit Mixture(const ContactEvidence& e) : s_(scaled(e)), laws_(overlap_laws(s_)) {
+  explicit Mixture(const ContactEvidence& e) : s_(scaled(e)) {
+    const std::map<int, OverlapLaw> laws = overlap_laws(s_);
+    for (std::size_t c = 0; c < s_.fn.size(); ++c) overlap_.push_back(likelihood_of_overlap(c, laws.at(s_.kind[c])));
     share_.fill(0.75 / static_cast<double>(steps_there));
     share_[0] = 0.15;
     std::fill_n(share_.begin() + 1, steps_gone, 0.1 / static_cast<double>(steps_gone));
@@ -101,19 +99,29 @@ class Mixture {
  private:
   using Classes = std::array<double, classes>;
 
+  /// How likely the overlap of contact c is in every class.
+  Classes likelihood_of_overlap(std::size_t c, const OverlapLaw& law) const {
+    const double over = s_.overlap[c] - law.at;
+    Classes p;
+    std::fill_n(p.begin(), 1 + steps_gone, below(-over / law.spread));  // gaps from 0 to the widest are as likely
+    for (std::size_t k = 0; k < steps_there; ++k) {
+      const double force = std::max(0.0, std::clamp(s_.fn[c], there[k], there[k + 1]));
+      p[1 + steps_gone + k] = (1 - lawless) * bell(over - law.slope * force, law.spread) + lawless;
+    }
+    return p;
+  }
+
   /// Share of every class in contact c.
   Classes posteriors(std::size_t c) const {
-    const OverlapLaw& law = laws_.at(s_.kind[c]);
-    const double f = s_.fn[c], error = scale_ * s_.fn_error[c], over = s_.overlap[c] - law.at;
-    const double apart = below(-over / law.spread);  // gaps from 0 to the widest are as likely
+    const double f = s_.fn[c], error = scale_ * s_.fn_error[c];
+    const Classes& overlap = overlap_[c];
+    std::array<double, there.size()> under;
+    for (std::size_t k = 0; k < there.size(); ++k) under[k] = below((f - there[k]) / error);
+    const auto step = [&](std::size_t k) { return (under[k] - under[k + 1]) / (there[k + 1] - there[k]); };  // density of even forces that noise blurs
     Classes p;
-    p[0] = share_[0] * bell(f, error) * apart;
-    for (std::size_t k = 0; k < steps_gone; ++k) p[1 + k] = share_[1 + k] * step(f, error, gone[k], gone[k + 1]) * apart;
-    for (std::size_t k = 0; k < steps_there; ++k) {
-      const double force = std::max(0.0, std::clamp(f, there[k], there[k + 1]));
-      const double touching = (1 - lawless) * bell(over - law.slope * force, law.spread) + lawless;
-      p[1 + steps_gone + k] = share_[1 + steps_gone + k] * step(f, error, there[k], there[k + 1]) * touching;
-    }
+    p[0] = share_[0] * bell(f, error) * overlap[0];
+    for (std::size_t k = 0; k < steps_gone; ++k) p[1 + k] = share_[1 + k] * step(k) * overlap[1 + k];
+    for (std::size_t k = 0; k < steps_there; ++k) p[1 + steps_gone + k] = share_[1 + steps_gone + k] * step(k) * overlap[1 + steps_gone + k];
     const double sum = std::accumulate(p.begin(), p.end(), 0.0);
     if (sum > 0) {
       for (double& v : p) v /= sum;
@@ -138,7 +146,7 @@ class Mixture {
   }
 
   ContactEvidence s_;
-  std::map<int, OverlapLaw> laws_;
+  std::vector<Classes> overlap_;
   Classes share_{};
   double scale_ = 1;
 };
