@@ -95,8 +95,8 @@ Numbers numbers(const Statistics& s, bool curves) {
 }
 
 std::string to_text(const Statistics& s) {
-  return arenite::to_text(numbers(s), {"options", "quantiles", "own_variance", "mean_over_nodes_Pa", "mean_over_area_Pa", "line_slope", "line_r2",
-                                       "log_likelihood_ratio", "p_value", "centre", "peak"});
+  return arenite::to_text(numbers(s), {"options quantiles own_variance mean_over_nodes_Pa mean_over_area_Pa line_slope line_r2 log_likelihood_ratio "
+                                       "p_value centre peak"});
 }
 
 }  // namespace arenite::stress
