@@ -175,8 +175,9 @@ def save_all(result, folder, formats=("pdf",), names=None, width=None, stage=Non
     is_path = isinstance(result, (str, pathlib.Path))
     of_study = is_path and studies.is_study(result)
     found = study_figures(result) if of_study else figures_of(open_result(str(result)) if is_path else result, stage, state)
-    names = None if names is None else [name_now(name) for name in listed(names)]
-    refuse_unknown(names or [], [figure.name for figure, _ in found])
+    there = [figure.name for figure, _ in found]
+    names = None if names is None else [name if name in there else name_now(name) for name in listed(names)]
+    refuse_unknown(names or [], there)
     folder = pathlib.Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
     paths = []
