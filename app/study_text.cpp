@@ -112,7 +112,10 @@ std::vector<report::Figure> read_study_figures(const campaign::Study& study) {
   std::ifstream in(declared, std::ios::binary);
   if (!in && !std::filesystem::exists(declared)) return {};
   if (!in) throw InputError(declared.string(), 0, "cannot be read; it declares the figures of the study, one [[figures]] each (docs/studies.md)");
-  return report::read_figures({std::istreambuf_iterator<char>(in), {}}, declared.string());
+  std::vector<std::string> notices;
+  auto figures = report::read_figures({std::istreambuf_iterator<char>(in), {}}, declared.string(), &notices);
+  for (const std::string& sentence : notices) fmt::print(stderr, "{}: {}\n", declared.string(), sentence);
+  return figures;
 }
 
 namespace {

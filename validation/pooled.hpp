@@ -7,7 +7,7 @@
 
 namespace arenite::validation {
 
-/// |<exp(i m theta)>| of the contact directions of several runs together, with what as many random directions would give.
+/// |<exp(i m theta)>| of the contact orientations of several runs together, with what as many random directions would give.
 struct PooledMode {
   double contacts = 0;
   Value amplitude, phase_deg;  ///< phase in [0, 360/m); errors from the scatter of seeds

@@ -39,5 +39,5 @@ arenite.page(result, "report.html")
 print(arenite.export(result, "vtk", last=True))
 
 # %% Figures for a paper.
-for path in figures.save_all(result, "figures", names=["force-network", "contact-directions", "sigma-norm"]):
+for path in figures.save_all(result, "figures", names=["force-network", "contact-orientations", "sigma-norm"]):
     print(path)

@@ -155,7 +155,8 @@ void bind_store(py::module_& m) {
               if (meaning) meanings[py::str(name)] = py::make_tuple(meaning->unit, meaning->sentence);
             return meanings;
           },
-          "Unit and sentence of each number by its dotted name, {\"texture.solid_fraction\": (\"\", \"Area of grains over area of the sample\"), ...}.")
+          "Unit and sentence of each number by its dotted name, {\"texture.solid_fraction\": (\"\", \"Solid fraction, area of grains over area of the "
+          "sample\"), ...}.")
       .def("__repr__", [](const Result& r) {
         return fmt::format("<arenite.Result {}: {} stages, {} fields, {} films>", r.path.empty() ? r.title : r.path, r.run.stages.size(), r.run.fields.size(),
                            r.films.size());

@@ -138,6 +138,8 @@ CollectedTable collect(const Study& study, const StudyFolder& folder) {
       row.numbers.resize(std::max(row.numbers.size(), at->second + 1));
       row.numbers[at->second] = estimate;
     }
+    for (const auto& [name, number, meaning] : named_numbers(result.numbers))
+      if (meaning) table.meanings.emplace(name, *meaning);
     table.rows.push_back(std::move(row));
   }
   for (Row& row : table.rows) row.numbers.resize(table.names.size());

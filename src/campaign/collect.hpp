@@ -1,4 +1,5 @@
 #pragma once
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,7 +27,8 @@ struct CollectedTable {
     std::string name, unit;
   };  ///< unit empty where values have none, or several
   std::vector<Key> keys;
-  std::vector<std::string> names;  ///< of the numbers
+  std::vector<std::string> names;           ///< of the numbers
+  std::map<std::string, Meaning> meanings;  ///< of those that a statistic declares
   std::vector<Row> rows;
   bool means = false;
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace arenite {
 
@@ -11,6 +12,18 @@ namespace arenite {
 inline std::string_view trimmed(std::string_view text) {
   const auto first = text.find_first_not_of(" \t\r");
   return first == text.npos ? std::string_view() : text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+/// Words separated by blanks.
+inline std::vector<std::string_view> split_blanks(std::string_view line) {
+  std::vector<std::string_view> cells;
+  std::size_t at = 0;
+  while ((at = line.find_first_not_of(" \t\r", at)) != std::string_view::npos) {
+    const auto end = std::min(line.find_first_of(" \t\r", at), line.size());
+    cells.push_back(line.substr(at, end - at));
+    at = end;
+  }
+  return cells;
 }
 
 /// With the letters of ASCII in lower case; others stay, whatever the locale.

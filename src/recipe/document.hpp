@@ -65,6 +65,9 @@ void set_value(Node& root, const std::string& key, Node value);
 /// by itself is text (container.width=350 mm). Throws InputError for a key that leads nowhere.
 void apply_override(Node& root, const std::string& assignment);
 
+/// Adds the sentence that `former` is now called `now`, once.
+void note_former_name(std::vector<std::string>& notices, std::string_view former, std::string_view now);
+
 /// Gives keys and words that stand under a former name the one of now; a notice says so of each. Where both stand, the former is left as it is.
 void rename_former_keys(Node& root, std::vector<std::string>& notices);
 /// The same for one dotted key and the value that is put there.

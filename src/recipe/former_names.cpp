@@ -67,20 +67,16 @@ template <auto from, auto to> std::string_view renamed(std::string_view section,
 constexpr auto key_now = renamed<&Renamed::former, &Renamed::now>, key_then = renamed<&Renamed::now, &Renamed::former>;
 
 void rename_below(Node& node, const std::string& path, std::vector<std::string>& notices) {
-  const auto note = [&](std::string_view former, std::string_view now) {
-    std::string sentence = fmt::format("{} is now called {}; the former name is still read", former, now);
-    if (std::find(notices.begin(), notices.end(), sentence) == notices.end()) notices.push_back(std::move(sentence));
-  };
   for (const Renamed& each : former_words) {
     if (node.kind != Node::Kind::text || node.text != each.former || path != each.where) continue;
-    note(fmt::format("{} = \"{}\"", path, each.former), fmt::format("\"{}\"", each.now));
+    note_former_name(notices, fmt::format("{} = \"{}\"", path, each.former), fmt::format("\"{}\"", each.now));
     node.text = each.now;
   }
   for (Node& item : node.items) rename_below(item, below(path, "0"), notices);
   for (Entry& entry : node.entries) {
     const std::string_view now = key_now(path, entry.key);
     if (now != entry.key && !node.find(now)) {
-      note(below(path, entry.key), now);
+      note_former_name(notices, below(path, entry.key), now);
       entry.key = now;
     }
     rename_below(entry.value, below(path, entry.key), notices);
@@ -102,6 +98,11 @@ template <class Name> std::string renamed_path(std::string_view path, const Name
 }
 
 }  // namespace
+
+void note_former_name(std::vector<std::string>& notices, std::string_view former, std::string_view now) {
+  std::string sentence = fmt::format("{} is now called {}; the former name is still read", former, now);
+  if (std::find(notices.begin(), notices.end(), sentence) == notices.end()) notices.push_back(std::move(sentence));
+}
 
 void rename_former_keys(Node& root, std::vector<std::string>& notices) { rename_below(root, "", notices); }
 

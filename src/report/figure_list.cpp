@@ -10,6 +10,7 @@
 
 #include "core/error.hpp"
 #include "core/mapped.hpp"
+#include "io/results/results.hpp"
 #include "recipe/document.hpp"
 
 namespace arenite::report {
@@ -78,20 +79,15 @@ class Table {
 };
 
 constexpr std::array words = {"plot", "rose", "map", "grains", "forces", "stresses", "film", "phases", "zoom", "cracks"};
+constexpr std::array spreads = {"error", "deviation"};
 
-void read_kind(Table& table, const Node& node, Figure& figure) {
-  std::string word = word_for(figure.kind);
-  table.read("kind", word);
-  const auto at = std::find(words.begin(), words.end(), word);
-  if (at == words.end()) return table.refuse(node, "kind", fmt::format("is one of {}", fmt::join(words, ", ")));
-  figure.kind = static_cast<FigureKind>(at - words.begin());
-}
-
-void read_spread(Table& table, const Node& node, Figure& figure) {
-  std::string word = "error";
-  table.read("spread", word);
-  if (word == "deviation") figure.spread = Spread::deviation;
-  else if (word != "error") table.refuse(node, "spread", "is \"error\" or \"deviation\"");
+/// One of the words that the values of an enumeration have in their order.
+template <class Choice> void read_choice(Table& table, const Node& node, const char* key, const auto& among, Choice& choice) {
+  std::string word = among[static_cast<std::size_t>(choice)];
+  table.read(key, word);
+  const auto at = std::find(among.begin(), among.end(), word);
+  if (at == among.end()) return table.refuse(node, key, fmt::format("is one of {}", fmt::join(among, ", ")));
+  choice = static_cast<Choice>(at - among.begin());
 }
 
 /// What the kind of figure needs.
@@ -132,7 +128,19 @@ void read_each(Table& table, const char* key, const std::string& file, std::vect
   }
 }
 
-Figure read_figure(const Node& node, const std::string& file, std::vector<Problem>& problems) {
+/// Numbers under their names of now, each step of a dotted path.
+void rename_former(std::vector<std::string*> paths, std::vector<std::string>& notices) {
+  for (std::string* path : paths)
+    for (std::size_t begin = 0; begin < path->size(); begin = std::min(path->find('.', begin), path->size() - 1) + 1) {
+      const std::string step = path->substr(begin, path->find('.', begin) - begin);
+      const std::string_view now = io::number_name_now(step);
+      if (now == step) continue;
+      recipe::note_former_name(notices, step, now);
+      path->replace(begin, step.size(), now);
+    }
+}
+
+Figure read_figure(const Node& node, const std::string& file, std::vector<Problem>& problems, std::vector<std::string>& notices) {
   Figure figure;
   Table table(node, file, problems);
   table.read("id", figure.id, true);
@@ -144,13 +152,14 @@ Figure read_figure(const Node& node, const std::string& file, std::vector<Proble
   table.read("curves", figure.curves);
   table.read("curve_x", figure.curve_x);
   table.read("fits", figure.fits);
-  for (const char* key : {"survival", "share_above"}) table.read(key, figure.survival);  // the second is the former name
+  for (const char* key : {"survival", "share_above"}) table.read(key, figure.survival);
+  if (node.find("share_above")) recipe::note_former_name(notices, "share_above", "survival");
   table.read("counts", figure.counts);
   table.read("sectors", figure.sectors);
   table.read("window", figure.window);
-  read_spread(table, node, figure);
+  read_choice(table, node, "spread", spreads, figure.spread);
   table.read("stage", figure.stage);
-  read_kind(table, node, figure);
+  read_choice(table, node, "kind", words, figure.kind);
   table.read("names", figure.names);
   table.read("by", figure.by);
   table.read("by_label", figure.by_label);
@@ -183,6 +192,11 @@ Figure read_figure(const Node& node, const std::string& file, std::vector<Proble
     inner.read("y", curve.y, true);
     read_where(inner, curve.where);
   });
+  std::vector<std::string*> paths{&figure.x, &figure.curve_x};
+  for (auto* list : {&figure.y, &figure.curves, &figure.fits})
+    for (std::string& path : *list) paths.push_back(&path);
+  for (BesideCurve& curve : figure.beside) paths.insert(paths.end(), {&curve.x, &curve.y});
+  rename_former(paths, notices);
   table.refuse_unknown();
   check_figure(table, node, figure);
   return figure;
@@ -194,18 +208,20 @@ const char* word_for(FigureKind kind) { return words[static_cast<std::size_t>(ki
 
 bool shows_a_run(FigureKind kind) { return kind >= FigureKind::grains; }
 
-std::vector<Figure> read_figures(const std::string& text, const std::string& file) {
+std::vector<Figure> read_figures(const std::string& text, const std::string& file, std::vector<std::string>* notices) {
   const Node root = recipe::read_document(text, file);
   std::vector<Problem> problems;
+  std::vector<std::string> former;
   std::vector<Figure> figures;
   for (const Entry& entry : root.entries) {
     if (entry.key != "figures" || entry.value.kind != Kind::array) {
       problems.push_back({file, entry.place.line, entry.place.column, fmt::format("`{}` is unknown; figures are written as [[figures]]", entry.key)});
       continue;
     }
-    for (const Node& node : entry.value.items) figures.push_back(read_figure(node, file, problems));
+    for (const Node& node : entry.value.items) figures.push_back(read_figure(node, file, problems, former));
   }
   if (!problems.empty()) throw InputError(std::move(problems));
+  if (notices) *notices = std::move(former);
   return figures;
 }
 

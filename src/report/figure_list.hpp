@@ -74,7 +74,8 @@ struct Figure {
   std::vector<BesideCurve> beside;
 };
 
-/// Reads figures.toml. Throws InputError with every problem.
-std::vector<Figure> read_figures(const std::string& text, const std::string& file);
+/// Reads figures.toml. Former names of keys and of numbers count as those of now; each adds a sentence to `notices`. Throws InputError with every
+/// problem.
+std::vector<Figure> read_figures(const std::string& text, const std::string& file, std::vector<std::string>* notices = nullptr);
 
 }  // namespace arenite::report

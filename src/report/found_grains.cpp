@@ -1,18 +1,21 @@
 #include "report/found_grains.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
-#include "core/mapped.hpp"
 #include "core/median.hpp"
+#include "io/results/groups.hpp"
 #include "statistics/numbers.hpp"
 
 namespace arenite::report {
 namespace {
+
+using statistics::described;
 
 std::string material_name(const FoundGrains& g, std::int32_t k) {
   const auto at = static_cast<std::size_t>(k);
@@ -23,6 +26,64 @@ std::string material_name(const FoundGrains& g, std::int32_t k) {
 
 /// Length in the table's unit.
 double length(const FoundGrains& g, double pixels) { return g.pixel > 0 ? pixels * g.pixel * 1e3 : pixels; }
+
+/// A column of the table of grains: its name there and how it is written; in JSON its name, unit ("px" of lengths), what it is and where it stands.
+struct GrainColumn {
+  const char *name, *format;
+  io::Column<PictureGrains> values;
+  const char* sentence;
+};
+constexpr GrainColumn grain_columns[] = {
+    {"x", "{:.4f}", {"column", "px", &PictureGrains::centre, &Vec2::x}, "Column of the centre"},
+    {"y", "{:.4f}", {"row", "px", &PictureGrains::centre, &Vec2::y}, "Row of the centre, from the top"},
+    {"radius", "{:.4f}", {"radius", "px", &PictureGrains::radius}, "Radius"},
+    {"position_error", "{:.4f}", {"position_error", "px", &PictureGrains::position_error}, "Standard error of the centre along one axis"},
+    {"radius_error", "{:.4f}", {"radius_error", "px", &PictureGrains::radius_error}, "Standard error of the radius"},
+    {"brightness", "{:.6g}", {"brightness", "", &PictureGrains::brightness}, "Mean over the inner half of the disk"},
+    {"score", "{:.3f}", {"score", "", &PictureGrains::score}, "Share of the rim that shows an edge"}};
+
+/// Grains by column.
+Numbers by_grain(const PictureGrains& grains) {
+  Numbers out = Numbers::tree();
+  for (const auto& [name, format, values, sentence] : grain_columns)
+    out[fmt::format("{}{}{}", values.name, *values.unit ? "_" : "", values.unit)] = described(values.of(grains), values.unit, sentence);
+  out["material"] = grains.material;
+  out["size"] = grains.size_class;
+  return out;
+}
+
+/// All that the picture and its grains say.
+Numbers numbers_of(const FoundGrains& g) {
+  const imaging::CircleReport& r = g.found.report;
+  const PictureGrains& p = g.found.grains;
+  Numbers sizes = Numbers::list(), materials = Numbers::list();
+  for (std::size_t c = 0; c < r.sizes.size(); ++c)
+    sizes.push_back({{"radius_px", r.sizes.mean[c]}, {"spread_px", r.sizes.spread[c]}, {"grains", r.sizes.members[c]}});
+  for (std::size_t m = 0; m < r.materials.size(); ++m)
+    materials.push_back({{"name", material_name(g, static_cast<std::int32_t>(m))},
+                         {"brightness", r.materials.mean[m]},
+                         {"spread", r.materials.spread[m]},
+                         {"grains", r.materials.members[m]}});
+  return {{"file", g.file},
+          {"width", g.picture.image.width},
+          {"height", g.picture.image.height},
+          {"frames", described(g.picture.frames, "", "Frames that the picture is the mean of")},
+          {"bad_pixels_replaced", described(g.picture.replaced, "", "Bad pixels, replaced by good neighbours")},
+          {"pixel_m", described(g.pixel > 0 ? Numbers(g.pixel) : Numbers(), "m", "Width of a pixel on the sample")},
+          {"corner_px", described({g.corner.x, g.corner.y}, "px", "Column and row that x and y of the table count from")},
+          {"grains", p.size()},
+          {"bright", r.bright},
+          {"between", described(r.between ? Numbers(*r.between) : Numbers(), "", "Grey level between grains")},
+          {"blur_px", described(r.blur, "px", "Standard deviation of lens and pixel")},
+          {"noise", described(r.noise, "", "Noise of the picture near rims")},
+          {"overlapping_pairs", described(r.overlapping, "", "Pairs that overlap beyond their errors")},
+          {"largest_overlap_px", described(r.largest_overlap, "px", "Largest overlap of two circles")},
+          {"median_position_error_px", described(median(p.position_error), "px", "Median standard error of a centre")},
+          {"median_radius_error_px", described(median(p.radius_error), "px", "Median standard error of a radius")},
+          {"sizes", std::move(sizes)},
+          {"materials", std::move(materials)},
+          {"by_grain", by_grain(p)}};
+}
 
 using Colour = std::array<std::uint8_t, 3>;
 constexpr std::array<Colour, 5> colours{Colour{230, 85, 13}, Colour{0, 150, 220}, Colour{60, 170, 60}, Colour{200, 60, 180}, Colour{220, 190, 0}};
@@ -50,82 +111,42 @@ void draw_circle(io::ColourPicture& out, Vec2 centre, double radius, const Colou
 }  // namespace
 
 std::string grains_csv(const FoundGrains& g) {
-  const char* unit = g.pixel > 0 ? "mm" : "px";
-  const PictureGrains& p = g.found.grains;
   const bool named = !g.materials.empty() || g.found.report.materials.size() > 1;
-  std::string out = fmt::format("id,x,y,radius{},position_error,radius_error,brightness,score\n-,{u},{u},{u}{},{u},{u},-,-\n", named ? ",material" : "",
-                                named ? ",-" : "", fmt::arg("u", unit));
-  for (std::size_t k = 0; k < p.size(); ++k)
-    out += fmt::format("{},{:.4f},{:.4f},{:.4f}{},{:.4f},{:.4f},{:.6g},{:.3f}\n", k, length(g, p.centre[k].x - g.corner.x),
-                       length(g, g.corner.y - p.centre[k].y), length(g, p.radius[k]), named ? "," + material_name(g, p.material[k]) : "",
-                       length(g, p.position_error[k]), length(g, p.radius_error[k]), p.brightness[k], p.score[k]);
-  return out;
+  PictureGrains grains = g.found.grains;
+  for (Vec2& centre : grains.centre) centre = {centre.x - g.corner.x, g.corner.y - centre.y};
+  std::string names = "id", units = "-";
+  std::vector<std::string> rows;
+  for (std::size_t k = 0; k < grains.size(); ++k) rows.push_back(std::to_string(k));
+  for (const GrainColumn& c : grain_columns) {
+    const bool is_length = *c.values.unit;
+    names += fmt::format(",{}", c.name);
+    units += is_length ? g.pixel > 0 ? ",mm" : ",px" : ",-";
+    for (std::size_t k = 0; k < grains.size(); ++k)
+      rows[k] += "," + fmt::format(fmt::runtime(c.format), is_length ? length(g, c.values.at(grains, k)) : c.values.at(grains, k));
+    if (!named || c.values.numbers != &PictureGrains::radius) continue;
+    names += ",material", units += ",-";
+    for (std::size_t k = 0; k < grains.size(); ++k) rows[k] += "," + material_name(g, grains.material[k]);
+  }
+  return fmt::format("{}\n{}\n{}\n", names, units, fmt::join(rows, "\n"));
 }
 
 std::string grains_text(const FoundGrains& g) {
   const imaging::CircleReport& r = g.found.report;
+  const char* contrast = r.between ? "brighter and darker" : r.bright ? "brighter" : "darker";
   std::string out =
-      fmt::format("{} grains in {} x {} pixels, {} than what is around them\n", g.found.grains.size(), g.picture.image.width, g.picture.image.height,
-                  r.between  ? "brighter and darker"
-                  : r.bright ? "brighter"
-                             : "darker");
-  const auto line = [&](const char* name, const std::string& value) { out += fmt::format("{:<16}{}\n", name, value); };
-  if (g.picture.frames > 1) line("picture", fmt::format("mean of {} frames", g.picture.frames));
-  if (g.picture.replaced > 0) line("bad pixels", fmt::format("{} replaced by good neighbours", g.picture.replaced));
+      fmt::format("{} grains in {} x {} pixels, {} than what is around them\n", g.found.grains.size(), g.picture.image.width, g.picture.image.height, contrast);
   for (std::size_t c = 0; c < r.sizes.size(); ++c)
-    line("size", fmt::format("radius {:.2f} pixels{}: {} grains", r.sizes.mean[c], g.pixel > 0 ? fmt::format(" = {:.3g} mm", length(g, r.sizes.mean[c])) : "",
-                             r.sizes.members[c]));
+    out += fmt::format("  size: radius {:.2f} pixels{}, {} grains\n", r.sizes.mean[c],
+                       g.pixel > 0 ? fmt::format(" = {:.3g} mm", length(g, r.sizes.mean[c])) : "", r.sizes.members[c]);
   for (std::size_t m = 0; m < r.materials.size(); ++m) {
     const std::string name = material_name(g, static_cast<std::int32_t>(m));
-    line("material", fmt::format("{}{}brightness {:.5g} +- {:.2g}: {} grains", name, name.empty() ? "" : ", ", r.materials.mean[m], r.materials.spread[m],
-                                 r.materials.members[m]));
+    out += fmt::format("  material{}{}: brightness {:.5g} +- {:.2g}, {} grains\n", name.empty() ? "" : " ", name, r.materials.mean[m], r.materials.spread[m],
+                       r.materials.members[m]);
   }
-  line("errors",
-       fmt::format("{:.3f} pixels of a centre, {:.3f} of a radius (medians)", median(g.found.grains.position_error), median(g.found.grains.radius_error)));
-  line("lens and pixel", fmt::format("blur {:.2f} pixels, noise {:.3g}", r.blur, r.noise));
-  if (r.overlapping > 0) line("overlaps", fmt::format("{} pairs beyond their errors, {:.2f} pixels at most", r.overlapping, r.largest_overlap));
-  return out;
+  return out + to_text(numbers_of(g), {"file width height grains bright by_grain"});
 }
 
-std::string grains_json(const FoundGrains& g) {
-  const imaging::CircleReport& r = g.found.report;
-  const PictureGrains& p = g.found.grains;
-  Numbers j{{"file", g.file},
-            {"width", g.picture.image.width},
-            {"height", g.picture.image.height},
-            {"frames", g.picture.frames},
-            {"bad_pixels_replaced", g.picture.replaced},
-            {"pixel_m", g.pixel > 0 ? Numbers(g.pixel) : Numbers(nullptr)},
-            {"corner_px", {g.corner.x, g.corner.y}},
-            {"grains", p.size()},
-            {"bright", r.bright},
-            {"between", r.between ? Numbers(*r.between) : Numbers(nullptr)},
-            {"blur_px", r.blur},
-            {"noise", r.noise},
-            {"overlapping_pairs", r.overlapping},
-            {"largest_overlap_px", r.largest_overlap},
-            {"median_position_error_px", median(p.position_error)},
-            {"median_radius_error_px", median(p.radius_error)}};
-  j["sizes"] = Numbers::list();
-  for (std::size_t c = 0; c < r.sizes.size(); ++c)
-    j["sizes"].push_back({{"radius_px", r.sizes.mean[c]}, {"spread_px", r.sizes.spread[c]}, {"grains", r.sizes.members[c]}});
-  j["materials"] = Numbers::list();
-  for (std::size_t m = 0; m < r.materials.size(); ++m)
-    j["materials"].push_back({{"name", material_name(g, static_cast<std::int32_t>(m))},
-                              {"brightness", r.materials.mean[m]},
-                              {"spread", r.materials.spread[m]},
-                              {"grains", r.materials.members[m]}});
-  j["by_grain"] = {{"column_px", mapped(p.centre, &Vec2::x)},
-                   {"row_px", mapped(p.centre, &Vec2::y)},
-                   {"radius_px", p.radius},
-                   {"position_error_px", p.position_error},
-                   {"radius_error_px", p.radius_error},
-                   {"brightness", p.brightness},
-                   {"score", p.score},
-                   {"material", p.material},
-                   {"size", p.size_class}};
-  return to_json(j, 2) + '\n';
-}
+std::string grains_json(const FoundGrains& g) { return to_json(numbers_of(g), 2) + '\n'; }
 
 io::ColourPicture grains_overlay(const FoundGrains& g) {
   const FloatImage& picture = g.picture.image;

@@ -62,42 +62,12 @@ std::string state_text(const StageResult& last) {
 }
 
 std::string headlines(const Numbers& numbers) {
-  return rows_of(numbers, {"contacts",
-                           "wall_contacts",
-                           "solid_fraction",
-                           "coordination.all",
-                           "coordination.without_rattlers",
-                           "coordination.all, neighbours",
-                           "coordination.rattlers",
-                           "coordination.Z",
-                           "fabric.a_c",
-                           "fabric.a_c_noise",
-                           "long_axes.order",
-                           "long_axes.noise",
-                           "force.mean_N",
-                           "force.strong_share",
-                           "force.beta",
-                           "stress_details.pressure_Pa",
-                           "stress_details.deviator_Pa",
-                           "critical_state",
-                           "discharge",
-                           "surface",
-                           "floor",
-                           "cohesion",
-                           "map.lengths",
-                           "grains.all",
-                           "phases.void",
-                           "phases.matrix",
-                           "S_m",
-                           "pores.count",
-                           "pores.mean",
-                           "voids.count",
-                           "modulus_Pa",
-                           "poisson",
-                           "moduli",
-                           "strength_Pa",
-                           "failure.strain_at_strength",
-                           "stress.sigma_yy.sets.*.mean_over_sample_mean"});
+  return rows_of(numbers,
+                 "contacts wall_contacts solid_fraction coordination.all coordination.without_rattlers coordination.all,* "
+                 "coordination.rattlers coordination.Z fabric.a_c fabric.a_c_noise long_axes.order long_axes.noise force.mean_N "
+                 "force.strong_share force.beta stress_details.pressure_Pa stress_details.deviator_Pa critical_state discharge "
+                 "surface floor cohesion map.lengths grains.all phases.void phases.matrix S_m pores.count pores.mean voids.count "
+                 "modulus_Pa poisson moduli strength_Pa failure.strain_at_strength stress.sigma_yy.sets.*.mean_over_sample_mean");
 }
 
 }  // namespace arenite::report

@@ -62,13 +62,13 @@ Numbers domain(const FigureAxis& axis, const Reach& reach) {
   return {axis.low.value_or(low), axis.high.value_or(high)};
 }
 
-Numbers axis_json(const FigureAxis& axis, const std::string& name, const Reach& reach) {
-  return {{"label", axis.label.empty() ? name : axis.label}, {"log", axis.logarithmic}, {"domain", domain(axis, reach)}};
+Numbers axis_json(const FigureAxis& axis, const std::string& name, const Reach& reach, const campaign::CollectedTable& table) {
+  return {{"label", axis.label.empty() ? label_of(table, name) : axis.label}, {"log", axis.logarithmic}, {"domain", domain(axis, reach)}};
 }
 
 bool within(const FigureAxis& axis, double value) { return value >= axis.low.value_or(value) && value <= axis.high.value_or(value); }
 
-Numbers figure_json(const Figure& figure, const std::vector<FigureCurve>& curves) {
+Numbers figure_json(const Figure& figure, const std::vector<FigureCurve>& curves, const campaign::CollectedTable& table) {
   Reach x, y;
   Numbers series = Numbers::list();
   const bool density = !figure.curves.empty() && figure.curve_x.empty();
@@ -118,8 +118,8 @@ Numbers figure_json(const Figure& figure, const std::vector<FigureCurve>& curves
           {"density", density},
           {"counts", figure.counts},
           {"ordered", !figure.by.empty()},
-          {"x", axis_json(figure.x_axis, figure.x, x)},
-          {"y", axis_json(figure.y_axis, name, y)},
+          {"x", axis_json(figure.x_axis, figure.x, x, table)},
+          {"y", axis_json(figure.y_axis, name, y, table)},
           {"series", series},
           {"references", references}};
 }
@@ -172,7 +172,7 @@ std::string study_page(const StudyPage& page) {
   std::erase_if(table.rows, [](const auto& row) { return row.status != "done"; });
   for (const Figure& figure : page.figures) {
     const auto curves = curves_of(figure, table, page.numbers);
-    about["figures"].push_back(figure_json(figure, curves));
+    about["figures"].push_back(figure_json(figure, curves, page.table));
     if (const auto names = absent(figure, curves); !names.empty())
       about["figures"].back()["missing"] = fmt::format("No run has the numbers for it yet: {}.", names);
     if (shows_a_run(figure.kind)) add_drawing(about["figures"].back(), figure, run_of(figure, table), page);

@@ -56,11 +56,8 @@ struct StudyPage {
 std::string study_page(const StudyPage& page);
 void write_study_page(const std::filesystem::path& path, const StudyPage& page);
 
-/// A number of runs that one asks for first, where they have it.
-struct MainNumber {
-  std::string name, label;
-};
-std::vector<MainNumber> main_numbers(const campaign::CollectedTable& table);
+/// What stands at an axis for a swept key or a number: its name with its unit, or as much as its statistic says of it up to the first comma.
+std::string label_of(const campaign::CollectedTable& table, const std::string& name);
 
 /// What the page of a study without figures.toml shows: each main number against the swept key with the most values that are numbers, a curve
 /// for each value of the next one; none where no key but the seed has two numbers.

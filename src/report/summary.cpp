@@ -155,7 +155,7 @@ std::string Summary::all() const {
 
 std::string field_summary(const FieldResult& result) {
   return fmt::format("{}{}: {}\n", result.name, result.converged ? "" : " NOT SOLVED", result.outcome) +
-         to_text(result.numbers, {"cavity_rules", "options", "quantiles"});
+         to_text(result.numbers, {"cavity_rules options quantiles"});
 }
 
 Numbers field_numbers(const FieldResult& result) {

@@ -22,12 +22,4 @@ StressUnit stress_unit(double size) {
   return {"Pa", 1};
 }
 
-std::string Lines::text() const {
-  std::size_t width = 34;
-  for (const auto& [name, value] : rows_) width = std::max(width, name.size());
-  std::string text;
-  for (const auto& [name, value] : rows_) text += fmt::format("{:<{}} {}\n", name, width, value);
-  return text + notes_;
-}
-
 }  // namespace arenite::statistics

@@ -50,16 +50,4 @@ struct StressUnit {
 };
 StressUnit stress_unit(double size);
 
-/// Rows "name  value", the values in one column, then notes.
-class Lines {
- public:
-  void put(std::string name, std::string value) { rows_.emplace_back(std::move(name), std::move(value)); }
-  void note(const std::string& text) { notes_ += "note: " + text + "\n"; }
-  std::string text() const;
-
- private:
-  std::vector<std::pair<std::string, std::string>> rows_;
-  std::string notes_;
-};
-
 }  // namespace arenite::statistics

@@ -104,8 +104,8 @@ std::vector<double> exact_quantiles(std::vector<double> values, const std::vecto
   return result;
 }
 
-EvenDensity even_density(const std::vector<double>& x, double factor) {
-  EvenDensity result{{-1, 0.05, 140}, {}};
+Histogram histogram(const std::vector<double>& x, double factor) {
+  Histogram result{{-1, 0.05, 140}, {}};
   const Bins& bins = result.bins;
   std::vector<std::size_t> in(bins.count, 0);
   const double scale = factor / bins.width, shift = bins.low / bins.width, end = static_cast<double>(bins.count);

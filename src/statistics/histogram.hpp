@@ -68,13 +68,13 @@ Curve pdf(const BlockCounts& counts);
 std::vector<double> exact_quantiles(std::vector<double> values, const std::vector<double>& p);
 
 /// A pdf in bins that are the same for every sample, so that samples may be averaged.
-struct EvenDensity {
+struct Histogram {
   Bins bins;
   std::vector<double> density;  ///< values outside of the bins count in the total
 };
 
 /// The density of factor * x in bins of 0.05 from -1 to 6.
-EvenDensity even_density(const std::vector<double>& x, double factor);
+Histogram histogram(const std::vector<double>& x, double factor);
 
 /// Running means of three bins, of two at the ends.
 std::vector<double> smoothed(const std::vector<double>& density);

@@ -167,13 +167,15 @@ std::string to_json(const Numbers& numbers, int indent = -1);
 /// Nothing where the text is not JSON.
 std::optional<Numbers> from_json(std::string_view text);
 
-/// What is left out of a table: nodes with one of these names, or, where it begins with a blank, whose names end so.
-using LeftOut = std::vector<std::string_view>;
+/// What is left out of a table: nodes with one of these names, or whose names end with one of these words, separated by blanks.
+struct LeftOut {
+  std::string_view names, endings = {};
+};
 /// For people: a row for each value in the tree's order, "name  value +- error unit  what it is", under the names that files, CSV and Python have;
 /// texts too, and tensors, but no longer lists. A set of things that is all of what it is a part of repeats it and has no rows. Notes stand last.
 std::string to_text(const Numbers& tree, const LeftOut& left_out = {});
-/// The rows at these dotted names alone, in this order: a number's, or a whole group's; "*" stands for any step.
-std::string rows_of(const Numbers& tree, const std::vector<std::string_view>& names);
+/// The rows at these dotted names alone, separated by blanks, in this order: a number's, or a whole group's; "*" at the end of a step stands for anything.
+std::string rows_of(const Numbers& tree, std::string_view names);
 
 }  // namespace arenite
 

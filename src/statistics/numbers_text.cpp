@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/text.hpp"
 #include "statistics/numbers.hpp"
 
 namespace arenite {
@@ -61,7 +62,8 @@ std::string row(const std::string& name, const Numbers& node, const Meaning* mea
 }
 
 bool is_left_out(const std::string& name, const LeftOut& left_out) {
-  return std::any_of(left_out.begin(), left_out.end(), [&](std::string_view out) { return out.starts_with(' ') ? name.ends_with(out) : name == out; });
+  const auto names = split_blanks(left_out.names), endings = split_blanks(left_out.endings);
+  return std::ranges::count(names, name) > 0 || std::ranges::any_of(endings, [&](std::string_view end) { return name.ends_with(fmt::format(" {}", end)); });
 }
 
 /// Whether a set is all of what it is a part of: both begin with the same count.
@@ -94,7 +96,8 @@ struct Table {
     if (path.empty()) return add(name, node, meaning, {});
     const std::string_view step = path.substr(0, path.find('.'));
     for (const auto& [own, item] : node.items())
-      if (step == "*" || step == own) add_at(path.substr(std::min(path.size(), step.size() + 1)), joined(name, own), item, meaning);
+      if (step == own || (step.ends_with('*') && own.starts_with(step.substr(0, step.size() - 1))))
+        add_at(path.substr(std::min(path.size(), step.size() + 1)), joined(name, own), item, meaning);
   }
 };
 
@@ -106,9 +109,9 @@ std::string to_text(const Numbers& tree, const LeftOut& left_out) {
   return table.rows + table.notes;
 }
 
-std::string rows_of(const Numbers& tree, const std::vector<std::string_view>& names) {
+std::string rows_of(const Numbers& tree, std::string_view names) {
   Table table{{}, {}, {}};
-  for (const std::string_view name : names) table.add_at(name, "", tree, nullptr);
+  for (const std::string_view name : split_blanks(names)) table.add_at(name, "", tree, nullptr);
   return table.rows;
 }
 

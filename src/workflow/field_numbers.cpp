@@ -64,7 +64,7 @@ Numbers coordination(const texture::GapCoordination& z, double gap) {
             {"large_grains", described(z.large, "", "Large grains that count")},
             {"small_grains", described(z.small, "", "Small grains that count")}};
   const auto add = [&](const char* name, const statistics::Estimate& e, const char* sentence) { j[name] = described(estimate(e), "", sentence); };
-  add("Z", z.mean, "Mean of Z_l and Z_s");
+  add("Z", z.mean, "Neighbours Z of a grain, mean of Z_l and Z_s");
   add("Z_l", z.l, "Neighbours of a large grain");
   add("Z_s", z.s, "Neighbours of a small grain");
   add("Z_ll", z.ll, "Large neighbours of a large grain");
@@ -107,8 +107,8 @@ Numbers map_numbers(const PhaseMap& map, const grid::CavityRules& rules, double 
   j["grains"] = grains(map);
   j["phases"] = phases(map);
   const auto fractions = grid::phase_fractions(map);
-  j["solid_fraction"] = described(fractions.particle, "", "Share of the nodes in grains");
-  j["S_m"] = described(fractions.saturation, "", "Share of the space between grains that matrix fills, of the nodes");
+  j["solid_fraction"] = described(fractions.particle, "", "Solid fraction, share of the nodes in grains");
+  j["S_m"] = described(fractions.saturation, "", "Saturation S_m, share of the space between grains that matrix fills, of the nodes");
   if (fractions.small > 0) j["volume_ratio"] = described(fractions.large / fractions.small, "", "Area of large over area of small grains");
   const auto through = grid::find_percolation(map, rules.eight_connected);
   j["percolates"] = {{"solid_bottom_top", through.solid_bottom_top},
@@ -185,7 +185,7 @@ void add_failure(Numbers& j, const recipe::Load& load, const peridynamics::Damag
       {{"ending", peridynamics::damage_endings[static_cast<std::size_t>(result.ending)].word}, {"solves", result.solves}, {"iterations", result.iterations}});
   j["load"] = l;
   j["modulus_Pa"] = described(result.modulus, "Pa", "Apparent modulus before the first bond breaks");
-  j["strength_Pa"] = described(result.strength, "Pa", "Greatest mean stress");
+  j["strength_Pa"] = described(result.strength, "Pa", "Strength, greatest mean stress");
   std::array<std::size_t, 4> by_type{};
   for (const auto& bond : result.broken) ++by_type[bond.type & 3u];
   Numbers failure{{"broken", {{"matrix", by_type[1]}, {"interface", by_type[2]}, {"particle", by_type[3]}}},

@@ -15,18 +15,18 @@ using statistics::Estimate;
 using statistics::put;
 
 /// Adds the contact orientations of one source under its name, where it has contacts.
-void add_directions(Numbers& out, const char* source, const texture::Texture& texture) {
+void add_orientations(Numbers& out, const char* source, const texture::Texture& texture) {
   const Numbers measured = texture::numbers(texture, true);
   if (!measured.contains("fabric") || measured["fabric"].value("contacts", 0) == 0) return;
   for (const char* key : {"contacts", "a_c", "theta_c_deg", "a_c_noise", "sectors"})
     if (measured["fabric"].contains(key)) out[source][key] = measured["fabric"][key];
 }
 
-Numbers directions_of(const FilmResult& film, const texture::Texture& texture, const Packing* simulation) {
+Numbers orientations_of(const FilmResult& film, const texture::Texture& texture, const Packing* simulation) {
   Numbers out = Numbers::tree();
   if (film.packing.contacts.size() == 0) return out;
-  add_directions(out, "film", texture);
-  if (simulation) add_directions(out, "simulation", texture::measure(*simulation, {.rev_sizes = 0}));
+  add_orientations(out, "film", texture);
+  if (simulation) add_orientations(out, "simulation", texture::measure(*simulation, {.rev_sizes = 0}));
   return out;
 }
 
@@ -183,7 +183,7 @@ void normalise(GrainStresses& source, const Packing& packing, const std::vector<
 
 texture::Texture texture_of(const FilmResult& film) { return texture::measure(film.packing, {.rev_sizes = 0, .grain_sigma_hyd = film.peak_to_peak.sigma_hyd}); }
 
-Numbers film_directions(const FilmResult& film, const Packing* simulation) { return directions_of(film, texture_of(film), simulation); }
+Numbers film_orientations(const FilmResult& film, const Packing* simulation) { return orientations_of(film, texture_of(film), simulation); }
 
 Agreement agreement(const std::vector<double>& one, const std::vector<double>& other, const std::vector<std::uint8_t>& counts) {
   std::vector<double> a, b;
@@ -209,7 +209,7 @@ Numbers film_numbers(const FilmResult& r, const Packing* simulation) {
   if (r.fit.proposed > 0) j["checks"] = checks_of(r);
   if (r.packing.contacts.size() == 0 && r.peak_to_peak.size() == 0) return j;
   const texture::Texture texture = texture_of(r);
-  if (auto directions = directions_of(r, texture, simulation); !directions.empty()) j["directions"] = std::move(directions);
+  if (auto orientations = orientations_of(r, texture, simulation); !orientations.empty()) j["contact_orientations"] = std::move(orientations);
   if (r.peak_to_peak.size() == 0) return j;
   j["texture"] = texture::numbers(texture);
   if (!r.simulation.empty())

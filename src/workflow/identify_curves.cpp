@@ -9,12 +9,14 @@
 namespace arenite::workflow {
 namespace {
 
+using identify::Constant;
 using identify::Finding;
 using identify::Group;
 using identify::Identification;
 using statistics::Measured;
 
-constexpr double kN_per_mm = 1e6;
+const Constant stiffness{"stiffness", "kN/mm", "k, force over displacement, T eq. 2.1"},
+    stiffness_per_length{"stiffness_per_length", "MPa", "k over the length of the cylinders"};
 const io::Quantity stiffness_quantity{{"stiffness", "k"}, dimension::stiffness, "kN/mm"};
 constexpr const char* needs_of_stiffness =
     "has no columns for a stiffness; give displacement and force (a record), or stiffness (a table), or a table with the load or specimen in its first column "
@@ -38,8 +40,8 @@ template <class Findings> Group group_of(const std::string& name, const Tests& t
 }
 
 std::vector<Finding> findings_of(const Measured& k, const StiffnessRequest& request) {
-  std::vector<Finding> findings{{"stiffness", "kN/mm", kN_per_mm, k}};
-  if (request.length) findings.push_back({"stiffness_per_length", "MPa", 1e6, statistics::product({{k, 1}, {{*request.length}, -1}})});
+  std::vector<Finding> findings{{stiffness, k}};
+  if (request.length) findings.push_back({stiffness_per_length, statistics::product({{k, 1}, {{*request.length}, -1}})});
   return findings;
 }
 
@@ -92,6 +94,11 @@ Identification identify_stiffness(const std::string& file, const StiffnessReques
 
 namespace {
 
+const Constant separation_force{"separation_force", "N", "F_c, the largest tension that the bond holds"},
+    surface_energy{"surface_energy", "kN/mm", "gamma = sqrt(4 k F_c/r_eff), T eq. 1.25"},
+    threshold_force{"threshold_force", "N", "r_eff gamma^2/(4 k), the tension at which the law separates"},
+    overlap_without_force{"overlap_without_force", "um", "r_eff gamma^2/k^2, where attraction and repulsion balance"},
+    stiffness_over_surface_energy{"stiffness_over_surface_energy", "", "k/gamma; above 50 cohesion does not show in the mechanics, T 2.4.3"};
 const io::Quantity separation_quantity{{"separation_force", "mean_separation_force", "pull_off_force"}, dimension::force, ""};
 constexpr const char* needs_of_adhesion =
     "has no columns for an adhesion; give displacement (or time) and force (a record), or separation_force (a table), or a table with the specimen in its "
@@ -99,15 +106,15 @@ constexpr const char* needs_of_adhesion =
 constexpr double no_trace = 50;  // k/gamma above which cohesion does not show in the mechanics (T 2.4.3)
 
 std::vector<Finding> findings_of(const Measured& force, const AdhesionRequest& request) {
-  std::vector<Finding> findings{{"separation_force", "N", 1, force}};
+  std::vector<Finding> findings{{separation_force, force}};
   if (!request.stiffness || !request.radii) return findings;
   const double radius = identify::effective_radius(request.effective_radius, request.radii->first, request.radii->second);
   const Measured gamma = identify::surface_energy(force, *request.stiffness, radius);
   const auto at = identify::threshold(gamma.value, request.stiffness->value, radius);
-  findings.push_back({"surface_energy", "kN/mm", 1e6, gamma});
-  findings.push_back({"threshold_force", "N", 1, {at.force, force.error, force.freedom}});
-  findings.push_back({"overlap_without_force", "um", 1e-6, {at.free_overlap}});
-  findings.push_back({"stiffness_over_surface_energy", "", 1, {request.stiffness->value / gamma.value}});
+  findings.push_back({surface_energy, gamma});
+  findings.push_back({threshold_force, {at.force, force.error, force.freedom}});
+  findings.push_back({overlap_without_force, {at.free_overlap}});
+  findings.push_back({stiffness_over_surface_energy, {request.stiffness->value / gamma.value}});
   return findings;
 }
 

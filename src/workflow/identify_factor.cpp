@@ -9,15 +9,14 @@
 namespace arenite::workflow {
 namespace {
 
+using identify::Constant;
 using identify::Factor;
-using identify::Finding;
 using identify::Group;
 using identify::Identification;
 using io::Quantity;
 using statistics::Measured;
 using Column = std::vector<double>;
 
-constexpr double K_per_MPa = 1e-6;
 const Quantity stress_quantity{{"stress", "sigma", "stress_peak_to_peak", "stress_amplitude", "stress_swing"}, dimension::pressure, ""};
 const Quantity force_quantity{{"force", "f", "force_peak_to_peak", "force_amplitude", "force_swing"}, dimension::force, ""};
 const Quantity force_max_quantity{{"force_max", "f_max", "max_force"}, dimension::force, ""},
@@ -104,24 +103,32 @@ Column picked(const Column& from, const RowGroup& group) {
                    of + "the load is the same in every row, or nothing answers to it; give tests at several loads");
 }
 
+const Constant factor{"factor", "K/MPa", "A of dT = -A d(sigma_kk), T eq. 1.55"},
+    factor_from_strain{"factor_from_strain", "K/MPa", "A by the stresses of the strains, T eq. 1.70"},
+    signal_constant{"signal_constant", "MPa", "A' of sigma_kk = A' S, the stress of one level of signal, T eq. 1.69"},
+    signal_constant_from_strain{"signal_constant_from_strain", "MPa", "A' by the stresses of the strains, T eq. 1.71"},
+    signal_constant_direct{"signal_constant_direct", "MPa", "A' = D R F/(T eps A) with R of a detector of all wavelengths, T eq. 1.68"},
+    signal_constant_direct_in_band{"signal_constant_direct_in_band", "MPa", "The same with R of the band"},
+    exitance_exponent{"exitance_exponent", "", "n of the photons N ~ T^n in the band"};
+
 /// The findings of one slope: what it is, and its intercept, which a linear answer has at 0.
-void put_slope(Group& group, Identification& found, const Finding& finding, const Factor& f, const char* intercept_unit) {
-  group.findings.push_back(finding);
+void put_slope(Group& group, Identification& found, const Constant& constant, const Factor& f, const char* intercept_unit) {
+  group.findings.push_back({constant, f.factor});
   const auto& intercept = f.line.intercept;
   if (!std::isfinite(intercept.error)) return;
-  group.findings.push_back({finding.name + "_intercept", intercept_unit, 1, intercept});
+  group.findings.push_back({{constant.name + "_intercept", intercept_unit, "Where the line meets no load; 0 of a linear response"}, intercept});
   const auto range = statistics::confidence_95(intercept);
   if (range.low > 0 || range.high < 0)
     found.notes.push_back(fmt::format("{}: the line misses the origin beyond its error; see whether the response is linear in the load", group.name));
 }
 
-/// `factor` by value: it may stand in the group that grows.
-void put_direct(Group& group, const FactorRequest& request, const Measured factor) {
+/// `value` of the factor, a copy: it may stand in the group that grows.
+void put_direct(Group& group, const FactorRequest& request, const Measured value) {
   if (!request.detector) return;
   const auto& d = *request.detector;
-  group.findings.push_back({"signal_constant_direct", "MPa", 1e6, identify::direct_constant(d, identify::printed_correction(d), factor)});
-  group.findings.push_back({"signal_constant_direct_in_band", "MPa", 1e6, identify::direct_constant(d, identify::band_correction(d), factor)});
-  group.findings.push_back({"exitance_exponent", "", 1, {radiometry::exitance_exponent(d.band, d.surface)}});
+  group.findings.push_back({signal_constant_direct, identify::direct_constant(d, identify::printed_correction(d), value)});
+  group.findings.push_back({signal_constant_direct_in_band, identify::direct_constant(d, identify::band_correction(d), value)});
+  group.findings.push_back({exitance_exponent, {radiometry::exitance_exponent(d.band, d.surface)}});
 }
 
 /// Causes and responses, peak to peak, as far as the file has them.
@@ -134,8 +141,9 @@ void put_group(const io::LaboratoryTable& table, const RowGroup& rows, const Col
   const auto put = [&](bool warms, bool strained, Factor f) {
     if (!std::isfinite(f.factor.value) || !(f.factor.value > 0)) refuse_fit(table, rows, request.through_origin);
     if (strained && !warms) f.factor = statistics::product({{f.factor, 1}, {identify::stress_over_strain({*request.young, *request.poisson}), 1}});
-    const std::string name = std::string(warms ? "factor" : "signal_constant") + (strained && !columns.stress.empty() ? "_from_strain" : "");
-    put_slope(group, found, {name, warms ? "K/MPa" : "MPa", warms ? K_per_MPa : 1e6, f.factor}, f, warms ? "K" : "");
+    const bool beside = strained && !columns.stress.empty();
+    const Constant& constant = warms ? (beside ? factor_from_strain : factor) : beside ? signal_constant_from_strain : signal_constant;
+    put_slope(group, found, constant, f, warms ? "K" : "");
   };
   const auto of = [&](const Column& column) { return picked(column, rows); };
   const bool origin = request.through_origin, stressed = !columns.stress.empty(), strained = !columns.strain.empty();
@@ -181,12 +189,12 @@ void from_properties(io::LaboratoryTable& table, const FactorRequest& request, I
   }
   for (const auto& group : groups_of(table)) {
     for (const std::size_t row : group.rows) {
-      const Measured factor = identify::factor_from_properties(rows[row]);
+      const Measured of_properties = identify::factor_from_properties(rows[row]);
       Group one{
           group.rows.size() > 1 || group.name.empty() ? fmt::format("{}line {}", group.name.empty() ? "" : group.name + ", ", table.line(row)) : group.name,
           1,
-          {{"factor", "K/MPa", K_per_MPa, factor}}};
-      put_direct(one, request, factor);
+          {{factor, of_properties}}};
+      put_direct(one, request, of_properties);
       found.groups.push_back(std::move(one));
     }
   }

@@ -140,7 +140,7 @@ identify::Identification finished(identify::Identification found, const io::Labo
         if (table.cell(row, 0) != group->name || !std::isfinite(values[row])) continue;
         const std::string_view cell = table.cell(row, *column);
         const double written = io::to_number(cell).value_or(0);
-        finding.stated = identify::Stated{values[row], half_digit(cell) * (written != 0 ? std::abs(values[row] / written) : finding.scale)};
+        finding.stated = identify::Stated{values[row], half_digit(cell) * (written != 0 ? std::abs(values[row] / written) : finding.scale())};
       }
     }
   }

@@ -56,7 +56,7 @@ Agreement agreement(const std::vector<double>& one, const std::vector<double>& o
 
 /// Directions of the contacts that a film shows and, where it is given, of those of its companion simulation: "film" and "simulation", each with "contacts",
 /// "a_c", "theta_c_deg", "a_c_noise" and the numbers in "sectors" of 10 degrees, over the same window (without the border). Empty without contacts.
-Numbers film_directions(const FilmResult& film, const Packing* simulation = nullptr);
+Numbers film_orientations(const FilmResult& film, const Packing* simulation = nullptr);
 
 /// Stress of the grains from one source, Pa, tension positive, over the mean of the grains that count.
 struct GrainStresses {

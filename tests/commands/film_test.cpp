@@ -158,10 +158,10 @@ TEST(FilmCommand, PutsASimulationOfTheSameGrainsBesideTheFilm) {
   ASSERT_EQ(film.simulation.state.size(), 42u);
   EXPECT_GT(workflow::agreement(film.peak_to_peak.sigma_hyd, film.simulation.peak_to_peak, std::vector<std::uint8_t>(42, 1)).correlation, 0.2);
   for (const char* what : {"film", "simulation"}) {
-    const Json& directions = j.at("directions").at(what);  // of the few contacts away from the border
-    EXPECT_GT(directions.at("contacts"), 0) << what;
-    EXPECT_EQ(directions.at("sectors").size(), 18u) << what;
-    EXPECT_TRUE(directions.contains("a_c")) << what;
+    const Json& orientations = j.at("contact_orientations").at(what);  // of the few contacts away from the border
+    EXPECT_GT(orientations.at("contacts"), 0) << what;
+    EXPECT_EQ(orientations.at("sectors").size(), 18u) << what;
+    EXPECT_TRUE(orientations.contains("a_c")) << what;
   }
 }
 

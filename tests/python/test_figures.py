@@ -15,13 +15,13 @@ from arenite.figures import catalogue, densities, fields, film_forces, films, hi
 
 # The figures of the page by their ids, and the journal's: of a stage, a field or a film.
 cards = {
-    "fabric": ("stage", "contact-directions"), "sigma-norm": ("stage", "sigma-norm"), "forces": ("stage", "forces"), "coordination": ("stage", "coordination"),
+    "fabric": ("stage", "contact-orientations"), "sigma-norm": ("stage", "sigma-norm"), "forces": ("stage", "forces"), "coordination": ("stage", "coordination"),
     "grain-scatter": ("stage", "grain-scatter"), "size-curve": ("stage", "size-curve"), "coarse-fields": ("stage", "coarse-fields"),
-    "contact-numbers": ("stage", "contact-numbers"), "rev": ("stage", "rev"), "threshold": ("stage", "threshold"), "course": ("stage", "course"),
+    "contact-numbers": ("stage", "contact-numbers"), "rev": ("stage", "rev"), "threshold": ("stage", "threshold"), "stress-path": ("stage", "stress-path"),
     "wall-forces": ("stage", "wall-forces"), "travel": ("stage", "travel"), "energies": ("stage", "energies"), "rest": ("stage", "rest"),
     "test-curves": ("stage", "stress-strain"), "grain-bonds": ("stage", "broken-bonds"), "discharge": ("stage", "discharge"), "stress-strain": ("field", "stress-strain"), "broken-bonds": ("field", "broken-bonds"), "energy-balance": ("field", "energy-balance"),
     "stress-pdf": ("field", "stress-pdf"), "cavities": ("field", "cavities"), "convergence": ("field", "convergence"),
-    "film-maps": ("film", "beside-simulation"), "film-fit": ("film", "film-fit"), "film-simulation": ("film", "against-simulation"), "film-tails": ("film", "tails"), "film-directions": ("film", "contact-directions"),
+    "film-maps": ("film", "beside-simulation"), "film-fit": ("film", "film-fit"), "film-simulation": ("film", "against-simulation"), "film-tails": ("film", "tails"), "film-orientations": ("film", "contact-orientations"),
     "film-forces": ("film", "forces"), "film-certainty": ("film", "certainty"), "film-stresses": ("film", "stresses"),
 }
 # What the page shows in its pictures and not on cards.
@@ -45,10 +45,10 @@ def test_every_card_of_the_page_has_its_figure():
 
 def test_every_figure_of_a_run_is_drawn_and_embeds_its_fonts(result, tmp_path):
     paths = figures.save_all(result, tmp_path, ("pdf", "svg"))
-    stage = {name for kind, name in set(cards.values()) | pictures | printed if kind == "stage"} - {"course", "cycles", "stress-strain", "discharge", "size-curve", "broken-bonds", "cracks"}
+    stage = {name for kind, name in set(cards.values()) | pictures | printed if kind == "stage"} - {"stress-path", "cycles", "stress-strain", "discharge", "size-curve", "broken-bonds", "cracks"}
     field = {"stress", "displacement", "stress-pdf", "convergence"}
     expected = {f"rest-{name}" for name in stage} | {"cement-phases", "cement-cavities"} | {f"tension-{name}" for name in field}
-    drawn = {p.stem for p in paths} - {f"tension-{name}" for _, name in components} - {"rest-course"}
+    drawn = {p.stem for p in paths} - {f"tension-{name}" for _, name in components} - {"rest-stress-path"}
     assert drawn == expected
     for path in paths:
         content = path.read_bytes()
@@ -65,8 +65,15 @@ def test_formulas_in_an_svg_are_the_letters_that_are_meant(result, tmp_path):
     assert "σ" in letters and "β" in letters and "norm" in letters
 
 
+def test_former_names_of_figures_are_read_with_a_notice(result, tmp_path):
+    with pytest.warns(FutureWarning, match="contact-directions is now called contact-orientations"):
+        path, = figures.save_all(result, tmp_path, "svg", "contact-directions")
+    assert path.stem == "rest-contact-orientations"
+    assert figures.draw_course is figures.draw_stress_path
+
+
 def test_the_same_result_gives_the_same_bytes(result, tmp_path):
-    names = ["force-network", "contact-directions", "cavities", "stress-pdf"]
+    names = ["force-network", "contact-orientations", "cavities", "stress-pdf"]
     first, second = (figures.save_all(result, tmp_path / name, ("pdf", "svg"), names) for name in "ab")
     assert len(first) == 8 and [p.read_bytes() for p in first] == [p.read_bytes() for p in second]
 
@@ -206,7 +213,7 @@ def test_roses_are_of_all_of_strong_and_weak_contacts_and_of_types(result):
 def test_directions_of_a_film_and_its_simulation_are_on_one_scale():
     sets = {"film": {"contacts": 18, "sectors": [1] * 18}, "simulation": {"contacts": 18, "sectors": [3, 1, 0] * 4 + [0, 0, 0, 0, 0, 2]}}
     canvas = saving.Canvas()
-    panels.film_roses(canvas, types.SimpleNamespace(numbers={"directions": sets}))
+    panels.film_roses(canvas, types.SimpleNamespace(numbers={"contact_orientations": sets}))
     film, simulation = canvas.axes
     assert film.get_title() == "film (18)" and simulation.get_title() == "simulation (18)"
     assert film.get_ylim() == simulation.get_ylim() == (0, pytest.approx(3))

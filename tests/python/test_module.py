@@ -69,7 +69,7 @@ def test_notebooks_show_numbers_without_matplotlib(result, monkeypatch):
 
 
 def test_numbers_say_their_unit_and_what_they_are(result):
-    assert result.meanings["texture.force.mean_N"] == ("N", "Mean of the set")
+    assert result.meanings["texture.force.mean_N"] == ("N", "Mean normal force of the set")
     assert result.meanings["modulus_Pa"][0] == "Pa"
     assert arenite.open(result.path).meanings == result.meanings
 

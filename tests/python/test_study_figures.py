@@ -56,7 +56,7 @@ references = [{ y = 0.5, label = "half" }, { x = 0.3, label = "here" }, { slope 
 [[figures]]
 id = "density"
 title = "Stress"
-curves = ["stress.sigma_yy.sets.all.even_pdf"]
+curves = ["stress.sigma_yy.sets.all.histogram"]
 fits = ["stress.sigma_yy.sets.all.tail"]
 y_log = true
 y_low = 1e-3

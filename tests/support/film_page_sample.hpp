@@ -33,8 +33,9 @@ struct FilmPageSample {
     draw_maps();
     find_grains();
     infer_forces();
-    film.numbers = numbers_of(R"({"frequency_Hz": {"value": 3.0002, "error": 0.0001}, "noise_mK": 1.1, "grains": )" + std::to_string(grains) +
-                              R"(, "forces": {"residual": 1.02, "null_space": 0}, "directions": )" + to_json(workflow::film_directions(film, &truth_)) + "}");
+    film.numbers =
+        numbers_of(R"({"frequency_Hz": {"value": 3.0002, "error": 0.0001}, "noise_mK": 1.1, "grains": )" + std::to_string(grains) +
+                   R"(, "forces": {"residual": 1.02, "null_space": 0}, "contact_orientations": )" + to_json(workflow::film_orientations(film, &truth_)) + "}");
     data.title = "A film of <two> materials in a frame";
     maps_only.name = "maps";
     maps_only.outcome = "Locked in at the load frequency.";

@@ -94,7 +94,7 @@ Judgement judge_t15(const Results& results) {
   return judgement;
 }
 
-/// Four-fold order of contact directions, pooled over seeds: how far they lie along 45 degrees. The thesis sees it in one sample, so it
+/// Four-fold order of contact orientations, pooled over seeds: how far they lie along 45 degrees. The thesis sees it in one sample, so it
 /// must be more than one sample has by chance.
 Judgement judge_t16(const Results& results) {
   Judgement judgement;

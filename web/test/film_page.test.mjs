@@ -213,7 +213,7 @@ test("zoomed in, a pixel is a square of one colour; 0 shows all again", async (p
 
 test("every figure is drawn and saved as a whole SVG, and its choices redraw it", async (page) => {
   const names = await page.locator("[data-figure]:visible").evaluateAll((all) => all.map((f) => f.dataset.figure));
-  assert.deepEqual(names, ["film-maps", "film-simulation", "film-tails", "film-directions", "film-fit", "film-forces", "film-certainty", "film-stresses"]);
+  assert.deepEqual(names, ["film-maps", "film-simulation", "film-tails", "film-orientations", "film-fit", "film-forces", "film-certainty", "film-stresses"]);
   for (const name of names) {
     const source = (await saved(page, `[data-figure="${name}"] [data-save="svg"]:visible`)).toString("utf8");
     assert.ok(source.match(/<(path|rect|circle|line)/g).length > 5, `${name} is bare`);
@@ -247,12 +247,12 @@ test("film and simulation are compared grain by grain, with the correlation in t
   assert.match(tables.join("\n"), /Experiment and simulation[\s\S]*Simulation, peak to peak[\s\S]*HDPE[\s\S]*Agreement/);
 });
 
-test("directions of contacts in film and simulation stand side by side on one scale", async (page) => {
-  const roses = await page.locator('[data-figure="film-directions"]:visible [data-set]').evaluateAll((all) => all.map((g) => ({
+test("contact orientations in film and simulation stand side by side on one scale", async (page) => {
+  const roses = await page.locator('[data-figure="film-orientations"]:visible [data-set]').evaluateAll((all) => all.map((g) => ({
     name: g.dataset.set, petals: g.querySelectorAll("path[fill-opacity]").length, radii: [...g.querySelectorAll("circle")].map((c) => Number(c.getAttribute("r"))), words: g.textContent })));
   assert.deepEqual(roses.map((r) => r.name), ["film", "simulation"]);
   assert.deepEqual(roses[0].radii, roses[1].radii);
-  const said = await page.evaluate(() => window.arenite.film.film.numbers.directions);
+  const said = await page.evaluate(() => window.arenite.film.film.numbers.contact_orientations);
   for (const [k, set] of [said.film, said.simulation].entries()) {
     assert.equal(roses[k].petals, 36);
     assert.equal(set.sectors.reduce((a, b) => a + b, 0), set.contacts);

@@ -176,7 +176,7 @@ test("keys of numbers become words of the field with their unit", () => {
 });
 
 test("what is said of several sets alike stands in one table, and what is drawn is left out", () => {
-  const of = (count) => ({ count, tail: { slope: { value: 5, error: 1 }, low: 2 }, even_pdf: { low: -1, width: 0.05 } });
+  const of = (count) => ({ count, tail: { slope: { value: 5, error: 1 }, low: 2 }, histogram: { low: -1, width: 0.05 } });
   const all = tables("Result", { modulus_Pa: 1, stress: { nodes: 9, sigma_yy: { sets: { all: of(9), matrix: of(3), large: of(6) } } }, load: { stiffness_Pa: { matrix: 1, grain: 2 }, toughness_Pa: { matrix: 3, grain: 4 } } });
   assert.deepEqual(all.map(({ title, keys, rows }) => [title, keys, rows.map(([name]) => name)]), [
     ["Result", null, ["modulus_Pa"]],

@@ -3,6 +3,7 @@
 import argparse
 import pathlib
 import sys
+import warnings
 
 from .._said import said
 from .catalogue import save_all
@@ -17,6 +18,7 @@ def main():
     parser.add_argument("--only", nargs="+", metavar="NAME", help="names of figures; all if not given")
     parser.add_argument("--width", type=float, metavar="MM", help="width in millimetres (default: 85 for one column, 175 for two)")
     a = parser.parse_args()
+    warnings.showwarning = lambda message, *_: print(message, file=sys.stderr)  # notices of former names, without a line of code
     result = pathlib.Path(a.result)
     out = a.out or (result if result.is_dir() else result.parent) / "figures"
     try:

@@ -1,6 +1,7 @@
 """The figures that are made of a result; a new one is one more row."""
 
 import pathlib
+import warnings
 
 from .._core import open as open_result
 from . import bonds, densities, failure, fields, film_forces, films, flows, histories, loadings, packings, panels, samples, studies, textures
@@ -97,7 +98,7 @@ figures = [
     Figure("packing", "stage", one(packings.draw_packing, lambda s: s.packing), height=of_packing),
     Figure("sigma-norm-map", "stage", with_bar(packings.draw_packing, lambda s: s.packing, sigma_norm, by="sigma_norm"), has_contacts, lambda s: 0.85 * of_packing(s)),
     Figure("force-network", "stage", force_network, has_contacts, of_packing),
-    Figure("contact-directions", "stage", panels.roses, has("fabric", "sectors"), panels.roses_height, True),
+    Figure("contact-orientations", "stage", panels.roses, has("fabric", "sectors"), panels.roses_height, True),
     Figure("sigma-norm", "stage", panels.sigma_norm_tails, has("sigma_norm", "cumulative"), 0.45, True),
     Figure("forces", "stage", panels.forces, has("force", "pdf"), 0.46, True),
     Figure("grain-scatter", "stage", samples.grain_scatter, has_contacts),
@@ -107,7 +108,7 @@ figures = [
     Figure("contact-numbers", "stage", one(textures.draw_contact_numbers, lambda s: s.texture["coordination"]), has("coordination", "histogram")),
     Figure("rev", "stage", one(textures.draw_rev, lambda s: s.texture), has("rev")),
     Figure("threshold", "stage", one(textures.draw_threshold, lambda s: s.texture["fabric"]["threshold"]), has("fabric", "threshold")),
-    Figure("course", "stage", panels.course, lambda s: sum(len(frame.packing.contacts) > 10 for frame in s.frames) > 2, 0.4, True),
+    Figure("stress-path", "stage", panels.stress_path, lambda s: sum(len(frame.packing.contacts) > 10 for frame in s.frames) > 2, 0.4, True),
     Figure("wall-forces", "stage", one(histories.draw_wall_forces, lambda s: s.history), has_time(*(f"{side}_force" for side in histories.sides))),
     Figure("travel", "stage", travel, lambda s: histories.moving_wall(s.history) is not None),
     Figure("energies", "stage", one(histories.draw_energies, lambda s: s.history), has_time("elastic")),
@@ -140,13 +141,16 @@ figures = [
     Figure("beside-simulation", "film", panels.beside, has_simulation, 0.38, True),
     Figure("against-simulation", "film", panels.against, has_simulation, 0.48, True),
     Figure("tails", "film", panels.film_tails, lambda f: len(f.sigma_hyd) > 1),
-    Figure("contact-directions", "film", panels.film_roses, lambda f: "film" in f.numbers.get("directions", {}), lambda f: 0.68 if len(panels.film_rose_sets(f)) > 1 else 1.1),
+    Figure("contact-orientations", "film", panels.film_roses, lambda f: "film" in f.numbers.get("contact_orientations", {}), lambda f: 0.68 if len(panels.film_rose_sets(f)) > 1 else 1.1),
 ]
+
+
+former_names = {"course": "stress-path", "contact-directions": "contact-orientations"}
 
 
 def figures_of(result, stage=None, state=None):
     """(figure, part) of all that can be drawn of a result: every field and film, and of its stages the last state. `stage`: only
-    this stage, load or film, by name; `state`: the stored state of this number, counted as in the figure `course`."""
+    this stage, load or film, by name; `state`: the stored state of this number, counted as in the figure `stress-path`."""
     parts, found = list(parts_of(result, stage, state)), []
     for k, (kind, part) in enumerate(parts):
         again = kind == "field" and any(before == "field" and same_map(other.map, part.map) for before, other in parts[:k])
@@ -171,8 +175,9 @@ def save_all(result, folder, formats=("pdf",), names=None, width=None, stage=Non
     is_path = isinstance(result, (str, pathlib.Path))
     of_study = is_path and studies.is_study(result)
     found = study_figures(result) if of_study else figures_of(open_result(str(result)) if is_path else result, stage, state)
-    names = None if names is None else listed(names)
-    refuse_unknown(names or [], [figure.name for figure, _ in found])
+    there = [figure.name for figure, _ in found]
+    names = None if names is None else [name if name in there else name_now(name) for name in listed(names)]
+    refuse_unknown(names or [], there)
     folder = pathlib.Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
     paths = []
@@ -184,6 +189,12 @@ def save_all(result, folder, formats=("pdf",), names=None, width=None, stage=Non
         save(figure, part, new, width)
         paths += new
     return paths
+
+
+def name_now(name):
+    if name in former_names:
+        warnings.warn(f"the figure {name} is now called {former_names[name]}; the former name is still read", FutureWarning, stacklevel=3)
+    return former_names.get(name, name)
 
 
 def refuse_unknown(names, there):

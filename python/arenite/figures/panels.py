@@ -58,7 +58,7 @@ def roses_height(state):
 
 def film_rose_sets(film):
     names = [("film", "film", strong), ("simulation", "simulation", colours[1])]
-    found = film.numbers["directions"]
+    found = film.numbers["contact_orientations"]
     return [(name, found[key], None, colour) for key, name, colour in names if "sectors" in found.get(key, {})]
 
 
@@ -68,11 +68,11 @@ def film_roses(figure, film):
     draw_roses(figure, sets, reach=max(textures.reach_of(of) for _, of, _, _ in sets), columns=2)
 
 
-def course(figure, state):
+def stress_path(figure, state):
     """Over all stored states of the run that have contacts, numbered from the first."""
     measured = [(k, measure(frame.packing, curves=False)) for k, frame in enumerate(state.frames, 1) if len(frame.packing.contacts) > 0]
     known = [(k, texture) for k, texture in measured if "a_c" in texture.get("fabric", {})]
-    side_by_side(figure, [lambda axes, of=of: textures.draw_course(axes, [texture for _, texture in known], of, [k for k, _ in known]) for of in ("coordination", "anisotropy")])
+    side_by_side(figure, [lambda axes, of=of: textures.draw_stress_path(axes, [texture for _, texture in known], of, [k for k, _ in known]) for of in ("coordination", "anisotropy")])
 
 
 def components(figure, field, names, columns=3):

@@ -72,7 +72,7 @@ def reach_of(fabric):
 
 
 def draw_rose(axes, sectors, fabric=None, inner=None, colour=colours[0], reach=None, load_axis=None):
-    """Polar histogram of contact directions in sectors of 10 degrees over the isotropic share (T Fig. 3.8), darker the sectors of
+    """Polar histogram of contact orientations in sectors of 10 degrees over the isotropic share (T Fig. 3.8), darker the sectors of
     a part of them, `inner`; `reach` is the outer circle, arrows mark `load_axis` (degrees). `axes` are polar."""
     isotropic = np.mean(sectors)
     angle, width = np.radians(np.arange(5, 365, 10)), np.radians(9)
@@ -145,7 +145,7 @@ def draw_threshold(axes, threshold):
     axes.legend(ncols=2, loc="lower center", bbox_to_anchor=(0.5, 1))
 
 
-def course_lines(of):
+def stress_path_lines(of):
     """(label, colour, function of a texture) of what is followed over the states."""
     def ratio(t):
         return {"value": t["stress_details"]["deviator_Pa"] / t["stress_details"]["pressure_Pa"]}
@@ -157,10 +157,10 @@ def course_lines(of):
     }[of]
 
 
-def draw_course(axes, textures, of="anisotropy", numbers=None):
+def draw_stress_path(axes, textures, of="anisotropy", numbers=None):
     """Over the stored states, numbered from 1 if no `numbers` are given: "coordination", with and without rattlers, or "anisotropy"
     of all, strong and weak contacts beside the stress ratio."""
-    for (label, colour, number), marker in zip(course_lines(of), "os^v"):
+    for (label, colour, number), marker in zip(stress_path_lines(of), "os^v"):
         points = []
         for k, texture in zip(numbers or range(1, len(textures) + 1), textures):
             try:

@@ -66,7 +66,7 @@ void put_runout(Numbers& j, const FreeSurface& now, const FreeSurface& then) {
   const double height = std::accumulate(then.height.begin(), then.height.end(), 0.0) / static_cast<double>(then.height.size()) - then.bottom;
   if (way > 0.5 * now.diameter) {
     j["runout_m"] = estimate(way, 0.5 * now.diameter, "m", "How far the farther front has moved");
-    j["runout_over_width"] = estimate(way / width, 0.5 * now.diameter / width, "", "The same over the width before");
+    j["runout_over_width"] = estimate(way / width, 0.5 * now.diameter / width, "", "Run-out over the width before");
   }
   j["width_before_m"] = described(width, "m", "Width before the stage");
   j["height_before_m"] = described(height, "m", "Mean height before the stage");

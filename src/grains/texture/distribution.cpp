@@ -103,8 +103,8 @@ constexpr Declared<Distribution> relation_numbers[] = {
 
 Numbers numbers_of(const Distribution& d, const DistributionNames& names, bool curves) {
   Numbers j{{"count", described(d.count, "", "Values of the set")}};
-  put(j, names.mean, d.mean, names.unit, "Mean of the set");
-  put(j, names.share, d.fraction_above_mean, "", "Share above the set's own mean, P_0");
+  put(j, names.mean, d.mean, names.unit, names.mean_is);
+  put(j, names.share, d.fraction_above_mean, "", names.share_is);
   put(j, d, distribution_numbers);
   put(j, "beta", d.tail.beta, "", "Decay of values above the mean, P ~ exp(-beta x), by maximum likelihood");
   put(j, "beta_error", d.tail.beta.error, "", "Standard error of beta");
@@ -176,7 +176,7 @@ void measure_forces(const View& view, Texture& texture) {
 }
 
 void put_forces(const Texture& t, Numbers& to, bool curves) {
-  constexpr DistributionNames names{"mean_N", "N", "strong_share", "by_type"};
+  constexpr DistributionNames names{"mean_N", "N", "strong_share", "by_type", "Mean normal force of the set", "Share of contacts above the set's own mean"};
   if (t.force.compressive.empty()) return;
   Numbers& j = to["force"] = numbers(t.force.compressive, names, curves);
   put(j, "tensile_share", t.force.tensile_share, "", "Share of contacts that pull");

@@ -158,7 +158,7 @@ void measure_threshold(const View& view, Texture& texture) {
 
 constexpr Declared<Fabric> fabric_numbers[] = {
     {"contacts", "", "Contacts of the set", &Fabric::contacts},
-    {"a_c", "", "Contact anisotropy 2 (phi_1 - phi_2), T eq. 1.8; 0: contacts in all directions alike", &Fabric::a_c},
+    {"a_c", "", "Contact anisotropy a_c, 2 (phi_1 - phi_2), T eq. 1.8; 0: contacts in all directions alike", &Fabric::a_c},
     {"theta_c_deg", "deg", "Direction of most contacts, from x", &Fabric::theta_c_deg},
     {"phi", "", "Fabric tensor <n (x) n>, T eq. 1.6", &Fabric::phi},
     {"a_c_signed", "", "a_c cos 2(theta_c - theta_load): positive along the load", &Fabric::a_c_signed},
@@ -167,7 +167,7 @@ constexpr Declared<Fabric> fabric_numbers[] = {
     {"theta_n_deg", "deg", "Direction of the largest normal forces, from x", &Fabric::theta_n_deg},
     {"a_t", "", "Anisotropy of the mean tangential force", &Fabric::a_t}};
 
-constexpr Declared<Mode> mode_numbers[] = {{"amplitude", "", "|<exp(i m theta)>| of contact directions", &Mode::amplitude},
+constexpr Declared<Mode> mode_numbers[] = {{"amplitude", "", "|<exp(i m theta)>| of contact orientations", &Mode::amplitude},
                                            {"phase_deg", "deg", "Direction of its maximum, in [0, 360/m)", &Mode::phase_deg},
                                            {"noise", "", "Amplitude that as many random directions give", &Mode::noise}};
 

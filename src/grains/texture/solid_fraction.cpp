@@ -28,7 +28,7 @@ void measure_solid_fraction(const View& view, Texture& texture) {
 }
 
 void put_solid_fraction(const Texture& t, Numbers& to, bool /*curves*/) {
-  put(to, "solid_fraction", t.solid_fraction, "", "Area of grains over area of the sample");
+  put(to, "solid_fraction", t.solid_fraction, "", "Solid fraction, area of grains over area of the sample");
 }
 
 /// Solid fractions of windows of the box's shape, `side` of its side long, at random places in the whole box.

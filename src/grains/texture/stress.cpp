@@ -214,8 +214,8 @@ constexpr Declared<Stress> stress_numbers[] = {
     {"in_window", "Pa", "Stress of the grains in the window, tension positive", &Stress::inner},
     {"sum_over_grains", "Pa", "Stress as the sum over grains", &Stress::grains},
     {"from_walls_and_weight", "Pa", "Stress from the forces on walls and from weight; the same in equilibrium", &Stress::walls},
-    {"pressure_Pa", "Pa", "Mean of the principal stresses, compression positive", &Stress::pressure},
-    {"deviator_Pa", "Pa", "Half the difference of the principal stresses", &Stress::deviator},
+    {"pressure_Pa", "Pa", "Pressure p, mean of the principal stresses, compression positive", &Stress::pressure},
+    {"deviator_Pa", "Pa", "Deviator q, half the difference of the principal stresses", &Stress::deviator},
     {"axis_of_compression_deg", "deg", "Direction of greatest compression, from x", &Stress::axis_deg},
     {"strong_share_of_pressure", "", "Share of the pressure that contacts above the mean force carry", &Stress::strong_pressure_share},
     {"strong_share_of_deviator", "", "Share of the deviator that contacts above the mean force carry", &Stress::strong_deviator_share}};
@@ -226,7 +226,9 @@ void put_stress(const Texture& t, Numbers& to, bool /*curves*/) {
 }
 
 void put_sigma_norm(const Texture& t, Numbers& to, bool curves) {
-  if (!t.sigma_norm.sets.empty()) to["sigma_norm"] = numbers(t.sigma_norm.sets, {"mean_Pa", "Pa", "P0", "by_material"}, curves);
+  if (!t.sigma_norm.sets.empty())
+    to["sigma_norm"] = numbers(
+        t.sigma_norm.sets, {"mean_Pa", "Pa", "P0", "by_material", "Mean stress of the set's grains", "Share of grains above the set's own mean, P_0"}, curves);
 }
 
 }  // namespace

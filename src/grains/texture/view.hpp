@@ -117,7 +117,7 @@ template <class T, class Make> Numbers by_set(const ByName<T>& sets, const char*
 
 /// What a kind of values calls its mean and the share above it.
 struct DistributionNames {
-  const char *mean, *unit, *share, *group;
+  const char *mean, *unit, *share, *group, *mean_is, *share_is;
 };
 Numbers numbers(const ByName<Distribution>& sets, const DistributionNames& names, bool curves);
 

@@ -40,9 +40,7 @@ void rename_former(Numbers& numbers) {
     tree[to] = Numbers(tree.at(from));
     tree.erase(from);
   };
-  rename(numbers, "twin", "simulation");
   if (numbers.contains("simulation")) rename(numbers["simulation"], "swing", "peak_to_peak");
-  if (numbers.contains("directions")) rename(numbers["directions"], "twin", "simulation");
   if (!numbers.contains("lockin") || !numbers["lockin"].contains("swing")) return;
   rename(numbers["lockin"], "swing", "convention");
   numbers["lockin"]["convention"] = name_of(numbers["lockin"]["convention"] == "full" ? AmplitudeConvention::peak_to_peak : AmplitudeConvention::amplitude);

@@ -76,7 +76,11 @@ Numbers leaf(Numbers::Kind kind, double value, const std::string& text) {
 }
 
 /// Names in results of former versions, and what they are called now.
-constexpr std::pair<std::string_view, std::string_view> former_names[] = {{"raster", "grid"},
+constexpr std::pair<std::string_view, std::string_view> former_names[] = {{"twin", "simulation"},
+                                                                          {"raster", "grid"},
+                                                                          {"even_pdf", "histogram"},
+                                                                          {"own_even_pdf", "own_histogram"},
+                                                                          {"directions", "contact_orientations"},
                                                                           {"joints", "necks"},
                                                                           {"lost_joints", "lost_necks"},
                                                                           {"thinnest_joint_nodes", "thinnest_neck_nodes"},
@@ -87,12 +91,6 @@ constexpr std::pair<std::string_view, std::string_view> former_names[] = {{"rast
                                                                           {"share_above_sample_mean", "fraction_above_sample_mean"},
                                                                           {"share_above_mean_of_all", "fraction_above_mean_of_all"}};
 
-std::string_view name_now(std::string_view name) {
-  for (const auto& [former, now] : former_names)
-    if (name == former) return now;
-  return name;
-}
-
 /// The tree with other names, or other values in place of its own.
 template <class Name, class Leaf> Numbers remade(const Numbers& numbers, const Name& name, const Leaf& leaf) {
   if (numbers.is_list()) return mapped(numbers, [&](const Numbers& item) { return remade(item, name, leaf); });
@@ -102,7 +100,7 @@ template <class Name, class Leaf> Numbers remade(const Numbers& numbers, const N
   return made;
 }
 
-Numbers under_names_of_now(const Numbers& numbers) { return remade(numbers, name_now, std::identity()); }
+Numbers under_names_of_now(const Numbers& numbers) { return remade(numbers, number_name_now, std::identity()); }
 
 /// With nothing in place of numbers that are not finite.
 Numbers finite(const Numbers& numbers) {
@@ -156,6 +154,12 @@ Numbers read_json(const Hdf5Group& at, const std::string& name) {
 void transfer_file(const Hdf5Group& at, Numbers& numbers) { transfer_numbers(at, "numbers", numbers); }
 
 }  // namespace
+
+std::string_view number_name_now(std::string_view name) {
+  for (const auto& [former, now] : former_names)
+    if (name == former) return now;
+  return name;
+}
 
 void transfer_numbers(const Hdf5Group& at, const std::string& name, Numbers& numbers) {
   if (at.reads()) {

@@ -37,6 +37,9 @@ FilmResult read_film_result(const std::filesystem::path& path);
 /// Reads a result of whichever kind its file says it is.
 std::variant<StageResult, FieldResult, FilmResult> read_result(const std::filesystem::path& path);
 
+/// What a number that former versions called so is called now; other names as they are. All that is read comes under the names of now.
+std::string_view number_name_now(std::string_view name);
+
 /// Writes a tree of numbers as one HDF5 file, all or nothing; numbers that are not finite become unknown.
 void write_numbers_file(const std::filesystem::path& path, const Numbers& numbers);
 

@@ -71,17 +71,6 @@ std::string quoted_cell(const std::string& text) {
   return quoted + '"';
 }
 
-std::vector<std::string_view> split_blanks(std::string_view line) {
-  std::vector<std::string_view> cells;
-  std::size_t at = 0;
-  while ((at = line.find_first_not_of(" \t\r", at)) != std::string_view::npos) {
-    const auto end = std::min(line.find_first_of(" \t\r", at), line.size());
-    cells.push_back(line.substr(at, end - at));
-    at = end;
-  }
-  return cells;
-}
-
 bool Lines::next(std::string_view& line) {
   if (rest_.empty()) return false;
   const auto end = std::min(rest_.find('\n'), rest_.size());

@@ -37,9 +37,6 @@ Table read_table(std::string_view text, const std::string& columns, Problems& pr
 /// A cell of text as it is written, in quotes where a reader would take it for several.
 std::string quoted_cell(const std::string& text);
 
-/// Cells separated by blanks.
-std::vector<std::string_view> split_blanks(std::string_view line);
-
 /// The lines of a text without their ends, one after the other.
 class Lines {
  public:

@@ -35,7 +35,7 @@ constexpr Declared<ComponentStatistics> component_numbers[] = {
     {"mean_over_area_Pa", "Pa", "Mean over the whole area, the void as zero", &ComponentStatistics::mean_over_area}};
 
 /// Six digits are more than counting gives.
-Numbers even(const statistics::EvenDensity& pdf) {
+Numbers rounded(const statistics::Histogram& pdf) {
   Numbers density = Numbers::list();
   for (const double y : pdf.density) density.push_back(std::round(y * 1e6) * 1e-6);
   return {{"low", pdf.bins.low}, {"width", pdf.bins.width}, {"density", density}};
@@ -46,8 +46,8 @@ Numbers distribution(const Distribution& d, bool curves) {
   if (d.tail.count > 0) j["tail"] = tree_of(d.tail, statistics::tail_numbers);
   if (Numbers fit = tree_of(d.q_gaussian, statistics::q_gaussian_numbers); !fit.empty()) j["q_gaussian"] = fit;
   if (std::isfinite(d.peak.at)) j["peak"] = {{"at", d.peak.at}, {"height", d.peak.height}};
-  if (!d.even_pdf.density.empty()) j["even_pdf"] = even(d.even_pdf);
-  if (!d.own_even_pdf.density.empty()) j["own_even_pdf"] = even(d.own_even_pdf);
+  if (!d.histogram.density.empty()) j["histogram"] = rounded(d.histogram);
+  if (!d.own_histogram.density.empty()) j["own_histogram"] = rounded(d.own_histogram);
   if (curves && !d.pdf.x.empty()) j["pdf"] = d.pdf;
   if (curves && !d.own_pdf.x.empty()) j["own_pdf"] = d.own_pdf;
   return j;
@@ -95,8 +95,8 @@ Numbers numbers(const Statistics& s, bool curves) {
 }
 
 std::string to_text(const Statistics& s) {
-  return arenite::to_text(numbers(s), {"options", "quantiles", "own_variance", "mean_over_nodes_Pa", "mean_over_area_Pa", "line_slope", "line_r2",
-                                       "log_likelihood_ratio", "p_value", "centre", "peak"});
+  return arenite::to_text(numbers(s), {"options quantiles own_variance mean_over_nodes_Pa mean_over_area_Pa line_slope line_r2 log_likelihood_ratio "
+                                       "p_value centre peak"});
 }
 
 }  // namespace arenite::stress

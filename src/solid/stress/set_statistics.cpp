@@ -166,7 +166,7 @@ Distribution describe(const std::string& name, BlockedSample& sigma, const Norma
     notes.push_back(fmt::format("{} is the same in every node: it has no distribution", name));
     return d;
   }
-  d.even_pdf = statistics::even_density(sigma.x, r);
+  d.histogram = statistics::histogram(sigma.x, r);
   const Curve pdf = statistics::pdf(counts);
   d.pdf = rescaled(pdf, std::abs(r));
   if (!own) {
@@ -174,7 +174,7 @@ Distribution describe(const std::string& name, BlockedSample& sigma, const Norma
     return d;
   }
   d.own_pdf = pdf;
-  d.own_even_pdf = statistics::even_density(sigma.x, 1);
+  d.own_histogram = statistics::histogram(sigma.x, 1);
   d.peak = statistics::peak_of(counts.bins, counts.all);
   d.tail = statistics::fit_tail(sigma, counts, s.unit_without);
   d.q_gaussian = statistics::fit_q_gaussian(counts, s.unit_without);

@@ -66,8 +66,8 @@ struct Distribution {
   statistics::TailFit tail;                     ///< of the stress over the set's own mean (P IV.B, Fig. 14d)
   statistics::QGaussian q_gaussian;             ///< of the stress over the set's own mean (P IV.A)
   statistics::Peak peak;                        ///< of the pdf of the stress over the set's own mean
-  statistics::EvenDensity even_pdf;             ///< of the stress over the sample's mean, in bins that all samples share
-  statistics::EvenDensity own_even_pdf;         ///< of the stress over the set's own mean
+  statistics::Histogram histogram;              ///< of the stress over the sample's mean, in bins that all samples share
+  statistics::Histogram own_histogram;          ///< of the stress over the set's own mean
   Curve pdf;                                    ///< of the stress over the sample's mean (P Figs. 9 and 13)
   Curve own_pdf;                                ///< of the stress over the set's own mean (P Fig. 14)
 };

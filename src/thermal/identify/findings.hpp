@@ -13,11 +13,14 @@ struct Stated {
   double value = 0, half_digit = 0;
 };
 
-/// One identified quantity.
-struct Finding {
-  std::string name;            ///< "surface_energy", as in JSON
-  std::string unit;            ///< in which it is shown, "kN/mm"
-  double scale = 1;            ///< of one such unit, SI
+/// What is identified, declared once: its name in JSON ("surface_energy"), the unit in which it is shown ("kN/mm"), and what it is.
+struct Constant {
+  std::string name, unit, sentence;
+  double scale() const;  ///< of one such unit, SI
+};
+
+/// One identified constant.
+struct Finding : Constant {
   statistics::Measured value;  ///< SI
   std::optional<Stated> stated = {};
 };
@@ -46,7 +49,7 @@ struct Identification {
   std::vector<std::string> notes = {};
 };
 
-/// Lines "name  value +- error unit (95 %: low to high)".
+/// Lines "name  value +- error unit (95 %: low to high)", then what each name means.
 std::string to_text(const Identification& i);
 
 /// Everything in SI; a quantity is {value, error, confidence_95: [low, high], unit}.

@@ -76,10 +76,11 @@ TEST(FilmResultFile, OfVersion01IsReadUnderItsFormerNames) {
   EXPECT_DOUBLE_EQ(r.simulation.peak_to_peak[1], -2.2e5);
   EXPECT_DOUBLE_EQ(r.simulation.state[2], -3.7e5);
   EXPECT_EQ(r.numbers["lockin"]["convention"], "peak_to_peak");
-  EXPECT_EQ(r.numbers["directions"]["simulation"]["contacts"], 4);
+  EXPECT_EQ(r.numbers["contact_orientations"]["simulation"]["contacts"], 4);
   EXPECT_NEAR(r.numbers["simulation"]["peak_to_peak"]["all"]["correlation"].get<double>(), 1, 1e-12);
   EXPECT_TRUE(r.numbers["simulation"]["state"].contains("all"));
-  for (const char* former : {"/twin", "/lockin/swing", "/directions/twin", "/simulation/swing"}) EXPECT_FALSE(r.numbers.at_path(former)) << former;
+  for (const char* former : {"/twin", "/lockin/swing", "/directions", "/contact_orientations/twin", "/simulation/swing"})
+    EXPECT_FALSE(r.numbers.at_path(former)) << former;
 }
 
 TEST(FilmResultFile, MapsAloneReadBack) {

@@ -83,8 +83,12 @@ TEST(NumbersTable, NumbersOfVersion01AreRead) {
 }
 
 TEST(NumbersTable, FormerNamesAreReadUnderThoseOfNow) {
-  const Numbers former{{"raster", {{"joints", 5}, {"lost_joints", 1}, {"thinnest_joint_nodes", 3}}}, {"sets", {{{"share_above_own_mean", 0.4}}}}};
-  const Numbers now{{"grid", {{"necks", 5}, {"lost_necks", 1}, {"thinnest_neck_nodes", 3}}}, {"sets", {{{"fraction_above_own_mean", 0.4}}}}};
+  const Numbers former{{"raster", {{"joints", 5}, {"lost_joints", 1}, {"thinnest_joint_nodes", 3}}},
+                       {"sets", {{{"share_above_own_mean", 0.4}, {"own_even_pdf", {{"width", 0.05}}}}}},
+                       {"directions", {{"film", 1}}}};
+  const Numbers now{{"grid", {{"necks", 5}, {"lost_necks", 1}, {"thinnest_neck_nodes", 3}}},
+                    {"sets", {{{"fraction_above_own_mean", 0.4}, {"own_histogram", {{"width", 0.05}}}}}},
+                    {"contact_orientations", {{"film", 1}}}};
   EXPECT_EQ(through_a_file(former), now);
   EXPECT_EQ(numbers_in(file_of({{"numbers", to_json(former)}}), "numbers"), now);
 }

@@ -9,6 +9,7 @@ campaign::CollectedTable table() {
   campaign::CollectedTable t;
   t.keys = {{"cement.kind", ""}, {"contact.friction", ""}, {"seed", ""}};
   t.names = {"odd.number", "coordination.all", "solid_fraction"};
+  t.meanings = {{"coordination.all", {"", "Contacts of a grain, mean of all"}}, {"solid_fraction", {"%", "Area of grains"}}};
   for (const char* kind : {"bridges", "full"})
     for (const char* friction : {"0.1", "0.3", "10"})
       for (const char* seed : {"1", "2"})
@@ -22,6 +23,10 @@ TEST(DefaultFigures, AreMainNumbersAgainstTheKeyWithTheMostNumbers) {
   EXPECT_EQ(figures[0].y.front(), "solid_fraction");
   EXPECT_EQ(figures[1].y.front(), "coordination.all");
   EXPECT_EQ(figures[2].y.front(), "odd.number");  // what there is, where less is known
+  EXPECT_EQ(figures[0].title, "Area of grains, %");
+  EXPECT_EQ(figures[1].title, "Contacts of a grain");
+  EXPECT_EQ(figures[1].caption, "Contacts of a grain, mean of all.");
+  EXPECT_EQ(figures[2].title, "odd.number");
   for (const auto& figure : figures) {
     EXPECT_EQ(figure.x, "contact.friction");
     EXPECT_TRUE(figure.x_axis.logarithmic);
@@ -42,6 +47,7 @@ TEST(DefaultFigures, AreNoneWhereNothingIsSweptButTheSeedOrWords) {
 TEST(DefaultFigures, TheTableHasEveryRunWithItsNumbersAndItsPage) {
   const Numbers runs = runs_table(table(), [](const std::string& run) { return "runs/" + run + "/report.html"; });
   ASSERT_EQ(runs["rows"].size(), 12u);
+  EXPECT_EQ(runs["names"], Numbers({"Area of grains, %", "Contacts of a grain", "odd.number"}));
   const Numbers& first = runs["rows"][0];
   EXPECT_EQ(first["link"].get<std::string>(), "runs/bridges0.11/report.html");
   EXPECT_EQ(first["values"][1].get<std::string>(), "0.1");

@@ -209,6 +209,23 @@ TEST(StudyFigures, OtherRunsAndTheSourcesPointsStandBeside) {
   EXPECT_THROW(figures("x = \"gamma\"\ny = [\"z\"]\nbeside = [{ name = \"T\" }]"), InputError);
 }
 
+TEST(StudyFigures, FormerNamesAreReadWithANotice) {
+  std::vector<std::string> notices;
+  const auto read = read_figures(
+      "[[figures]]\nid = \"f\"\ntitle = \"F\"\ncurves = [\"stress.sets.all.even_pdf\", \"film.directions.film.sectors\", \"stress.sets.small.even_pdf\"]\n"
+      "share_above = true\nbeside = [{ name = \"b\", x = \"raster.dx\", y = \"raster\" }]",
+      "figures.toml", &notices);
+  EXPECT_EQ(read.front().curves,
+            (std::vector<std::string>{"stress.sets.all.histogram", "film.contact_orientations.film.sectors", "stress.sets.small.histogram"}));
+  EXPECT_EQ(read.front().beside.front().x, "grid.dx");
+  EXPECT_EQ(read.front().beside.front().y, "grid");
+  EXPECT_TRUE(read.front().survival);
+  EXPECT_EQ(notices,
+            (std::vector<std::string>{
+                "share_above is now called survival; the former name is still read", "even_pdf is now called histogram; the former name is still read",
+                "directions is now called contact_orientations; the former name is still read", "raster is now called grid; the former name is still read"}));
+}
+
 TEST(StudyFigures, SectorsAndWindowsAreWithinReason) {
   EXPECT_THROW(figures("kind = \"rose\"\ncurves = [\"s\"]\nsectors = 12.5"), InputError);
   EXPECT_THROW(figures("curves = [\"window.solid_fraction\"]\ncurve_x = \"window.place\"\nwindow = 72"), InputError);

@@ -67,7 +67,7 @@ TEST(SharesAboveTheMean, AreSetAgainstATableThatContradictsItsSentence) {
   EXPECT_EQ(judgement.verdict(), Verdict::source_inconsistent);
 }
 
-/// 4-fold order of contact directions: amplitude and phase in every one of eight samples.
+/// 4-fold order of contact orientations: amplitude and phase in every one of eight samples.
 Judgement four_fold(double amplitude, double phase) {
   std::vector<MadeUpRun> runs;
   for (int seed = 1; seed <= 8; ++seed) {

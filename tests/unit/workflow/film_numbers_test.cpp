@@ -91,22 +91,22 @@ FilmResult row_of_grains() {
   return film;
 }
 
-TEST(FilmDirections, AreOfTheFilmsContactsAndTheSimulations) {
+TEST(FilmOrientations, AreOfTheFilmsContactsAndTheSimulations) {
   FilmResult film = row_of_grains();
   const Packing simulation = film.packing;
   film.packing.contacts = {};
   for (std::size_t c = 0; c < 3; ++c)
     film.packing.contacts.add(simulation.contacts.i[c], simulation.contacts.j[c], simulation.contacts.normal[c], 100, 0, 0.00475, 0.00475);
-  const auto directions = film_directions(film, &simulation);
-  EXPECT_EQ(directions["film"]["contacts"], 3);
-  EXPECT_NEAR(directions["film"]["a_c"]["value"].get<double>(), 2, 1e-12);
-  EXPECT_NEAR(std::fmod(directions["film"]["theta_c_deg"]["value"].get<double>(), 180), 0, 1e-9);
-  EXPECT_EQ(directions["film"]["sectors"].size(), 18u);
-  EXPECT_EQ(directions["simulation"]["contacts"], 4);
-  EXPECT_NEAR(directions["simulation"]["a_c"]["value"].get<double>(), 1, 1e-12);
-  EXPECT_FALSE(film_directions(film).contains("simulation"));
+  const auto orientations = film_orientations(film, &simulation);
+  EXPECT_EQ(orientations["film"]["contacts"], 3);
+  EXPECT_NEAR(orientations["film"]["a_c"]["value"].get<double>(), 2, 1e-12);
+  EXPECT_NEAR(std::fmod(orientations["film"]["theta_c_deg"]["value"].get<double>(), 180), 0, 1e-9);
+  EXPECT_EQ(orientations["film"]["sectors"].size(), 18u);
+  EXPECT_EQ(orientations["simulation"]["contacts"], 4);
+  EXPECT_NEAR(orientations["simulation"]["a_c"]["value"].get<double>(), 1, 1e-12);
+  EXPECT_FALSE(film_orientations(film).contains("simulation"));
   film.packing.contacts = {};
-  EXPECT_TRUE(film_directions(film).empty());
+  EXPECT_TRUE(film_orientations(film).empty());
 }
 
 TEST(FilmSimulation, StressOfDisksCountsFullRadii) {

@@ -4,7 +4,7 @@ import { prefixOf, text } from "../text.js";
 const units = [["_Pa_m0.5", "Pa\u2009m^{1/2}"], ["_MPa", "MPa"], ["_Pa", "Pa"], ["_m2", "m\u00b2"], ["_J_per_m", "J/m"], ["_J_m", "J/m"], ["_N_m", "N/m"], ["_N", "N"], ["_m", "m"], ["_s", "s"], ["_deg", "\u00b0"], ["_percent", "%"], ["_MB", "MB"], ["_mK", "mK"], ["_K", "K"], ["_Hz", "Hz"], ["_px", "px"], ["_pixels", "px"]];
 
 /** What is told elsewhere on the page, or is drawn. */
-const hidden = new Set(["provenance", "stages", "notes", "curves", "pdf", "even_pdf", "own_even_pdf", "cumulative", "histogram", "recipe", "texture", "directions"]);
+const hidden = new Set(["provenance", "stages", "notes", "curves", "pdf", "histogram", "own_histogram", "cumulative", "recipe", "texture", "contact_orientations"]);
 
 /** Keys that are no words, and words that are not the field's. */
 const names = {

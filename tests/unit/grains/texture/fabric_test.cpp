@@ -15,7 +15,7 @@ using test::empty_box;
 
 const Fabric& all(const Texture& t) { return *find(t.fabric, "all"); }
 
-/// Grains along rays from a central one, so that contact directions and forces are what one asks for.
+/// Grains along rays from a central one, so that contact orientations and forces are what one asks for.
 Packing star(const std::vector<double>& degrees, const std::vector<double>& forces) {
   Packing p = empty_box(0, 0);
   add_grain(p, {0, 0}, 1);

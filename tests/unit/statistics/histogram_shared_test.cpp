@@ -7,8 +7,8 @@
 namespace arenite::statistics {
 namespace {
 
-TEST(EvenDensity, CountsEachValueInItsBinAndOthersInTheTotal) {
-  const auto pdf = even_density({0.26, 0.26, 1.01, 50}, 2);  // 0.52, 0.52, 2.02 and one beyond
+TEST(Histogram, CountsEachValueInItsBinAndOthersInTheTotal) {
+  const auto pdf = histogram({0.26, 0.26, 1.01, 50}, 2);  // 0.52, 0.52, 2.02 and one beyond
   ASSERT_EQ(pdf.density.size(), 140u);
   EXPECT_NEAR(pdf.density[30], 2 / (4 * 0.05), 1e-12);
   EXPECT_NEAR(pdf.density[60], 1 / (4 * 0.05), 1e-12);
