@@ -18,7 +18,7 @@ cards = {
     "fabric": ("stage", "contact-orientations"), "sigma-norm": ("stage", "sigma-norm"), "forces": ("stage", "forces"), "coordination": ("stage", "coordination"),
     "grain-scatter": ("stage", "grain-scatter"), "size-curve": ("stage", "size-curve"), "coarse-fields": ("stage", "coarse-fields"),
     "contact-numbers": ("stage", "contact-numbers"), "rev": ("stage", "rev"), "threshold": ("stage", "threshold"), "stress-path": ("stage", "stress-path"),
-    "wall-forces": ("stage", "wall-forces"), "travel": ("stage", "travel"), "energies": ("stage", "energies"), "rest": ("stage", "rest"),
+    "wall-forces": ("stage", "wall-forces"), "travel": ("stage", "travel"), "energies": ("stage", "energies"), "equilibrium": ("stage", "equilibrium"),
     "test-curves": ("stage", "stress-strain"), "grain-bonds": ("stage", "broken-bonds"), "discharge": ("stage", "discharge"), "stress-strain": ("field", "stress-strain"), "broken-bonds": ("field", "broken-bonds"), "energy-balance": ("field", "energy-balance"),
     "stress-pdf": ("field", "stress-pdf"), "cavities": ("field", "cavities"), "convergence": ("field", "convergence"),
     "film-maps": ("film", "beside-simulation"), "film-fit": ("film", "film-fit"), "film-simulation": ("film", "against-simulation"), "film-tails": ("film", "tails"), "film-orientations": ("film", "contact-orientations"),
@@ -69,7 +69,7 @@ def test_former_names_of_figures_are_read_with_a_notice(result, tmp_path):
     with pytest.warns(FutureWarning, match="contact-directions is now called contact-orientations"):
         path, = figures.save_all(result, tmp_path, "svg", "contact-directions")
     assert path.stem == "rest-contact-orientations"
-    assert figures.draw_course is figures.draw_stress_path
+    assert figures.draw_course is figures.draw_stress_path and figures.draw_rest is figures.draw_equilibrium
 
 
 def test_the_same_result_gives_the_same_bytes(result, tmp_path):

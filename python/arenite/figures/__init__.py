@@ -11,7 +11,7 @@ from .failure import draw_broken_bonds, draw_convergence, draw_energy_balance, d
 from .fields import draw_cracks, draw_field, draw_phases
 from .film_forces import draw_against_simulation, draw_certainty, draw_ranked_forces, draw_ranked_stresses
 from .films import draw_bad_pixels, draw_film_grains, draw_map, draw_phase, draw_simulated_grains
-from .histories import draw_energies, draw_rest, draw_travel, draw_wall_forces
+from .histories import draw_energies, draw_equilibrium, draw_travel, draw_wall_forces
 from .loadings import draw_against_rate, draw_cycles, draw_friction, draw_pressure, draw_volume
 from .packings import draw_forces, draw_packing
 from .parts import State
@@ -24,4 +24,6 @@ from .textures import draw_contact_numbers, draw_coordination, draw_cumulative, 
 __all__ = [name for name in dir() if name.startswith("draw_")] + [
     "Figure", "State", "column_width", "figures", "figures_of", "journal_style", "page_width", "save", "save_all", "study_document", "study_figures"]
 
-draw_course = draw_stress_path  # the former name
+# Former names.
+draw_course = draw_stress_path
+draw_rest = draw_equilibrium

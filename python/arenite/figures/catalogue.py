@@ -117,7 +117,7 @@ figures = [
     Figure("broken-bonds", "stage", one(bonds.draw_broken_bonds, lambda s: s.history), lambda s: bonds.has_broken(s.history)),
     Figure("cracks", "stage", one(bonds.draw_cracks, lambda s: s.packing), lambda s: bonds.has_broken(s.history), of_packing),
     Figure("discharge", "stage", one(histories.draw_discharge, lambda s: s.history), has_time("passed_mass")),
-    Figure("rest", "stage", one(histories.draw_rest, lambda s: s.history), has_time("unbalanced_ratio")),
+    Figure("equilibrium", "stage", one(histories.draw_equilibrium, lambda s: s.history), has_time("unbalanced_ratio")),
     Figure("phases", "field", one(fields.draw_phases, lambda f: f), height=of_field, of_map=True),
     Figure("cavities", "field", one(densities.draw_cavities, lambda f: f.numbers), lambda f: densities.has_cavities(f.numbers), of_map=True),
     Figure("stress", "field", of_components("sigma_yy", "sigma_xx", "sigma_xy", "sigma_hyd", "sigma_1", "sigma_2"), lambda f: f.loaded, of_components_height(2), True),
@@ -145,7 +145,7 @@ figures = [
 ]
 
 
-former_names = {"course": "stress-path", "contact-directions": "contact-orientations"}
+former_names = {"course": "stress-path", "contact-directions": "contact-orientations", "rest": "equilibrium"}
 
 
 def figures_of(result, stage=None, state=None):

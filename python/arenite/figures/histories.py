@@ -69,7 +69,7 @@ def draw_discharge(axes, history):
     axes.set(xlabel="time, s", ylabel=f"mass passed, {unit}")
 
 
-def draw_rest(axes, history):
+def draw_equilibrium(axes, history):
     """How far the sample is from equilibrium."""
     _lines(axes, history, [("unbalanced_ratio", "unbalanced force"), ("kinetic_ratio", "kinetic/elastic"), ("mobilisation", r"mean $|F_{\mathrm{t}}|/F_{\mathrm{n}}$")], positive=True, columns=2)
     axes.set(ylabel="ratio", yscale="log")

@@ -86,7 +86,7 @@ export const energies = {
 const measures = [["unbalanced_ratio", "unbalanced force ratio"], ["kinetic_ratio", "kinetic/elastic energy"], ["loose_kinetic_ratio", "kinetic/elastic energy of rattlers"], ["falling", "share of falling grains"], ["mobilisation", "mean |F_{t}|/F_{n}"]];
 
 export const approach = {
-  id: "rest", title: "Approach to equilibrium", follows: true,
+  id: "equilibrium", title: "Approach to equilibrium", follows: true,
   caption: "How far the sample is from equilibrium while it is loaded; every increment ends in equilibrium.",
   when: (texture, sample) => anyStageHas(sample, ["unbalanced_ratio"]),
   key: ({ theme }) => measures.map(([, name], k) => ({ name, colour: lineColours(theme)[k], values: [] })),

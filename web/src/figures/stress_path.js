@@ -50,7 +50,7 @@ function spread(labels, data) {
 }
 
 export const stressPath = {
-  id: "stress-path", title: "Along the loading", wide: true, follows: true,
+  id: "stress-path", title: "Stress path", wide: true, follows: true,
   caption: "Stored states in order, with standard errors: coordination; a_{c} of the contacts, signed against the axis of loading, beside the stress ratio q/p.",
   when: (texture, sample) => states(sample).length > 2,
   draw({ sample, state, theme, width }) {
