@@ -15,6 +15,7 @@ std::string padded(std::string_view text) { return text.empty() ? std::string(1,
 
 /// A quoted text is JSON if it is UTF-8; what else a text may hold is written for the check as a blank.
 bool is_utf8(std::string text) {
+  if (std::all_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x80; })) return true;
   for (char& c : text)
     if (static_cast<unsigned char>(c) < 0x20 || c == '"' || c == '\\') c = ' ';
   return from_json('"' + text + '"').has_value();

@@ -2,6 +2,8 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numeric>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -15,24 +17,46 @@ namespace arenite::io {
 namespace {
 
 struct NumberRows {
-  std::vector<std::string> name, text;
+  std::vector<std::string> name;
   std::vector<std::uint8_t> depth, kind;
   std::vector<double> value;
-  std::vector<std::int64_t> described;  ///< rows of what has a meaning
-  std::vector<std::string> unit, sentence;
+  std::vector<std::int64_t> worded, described;  ///< rows of what is a text, and of what has a meaning
+  std::vector<std::string> text, unit, sentence;
 
   void transfer(const Hdf5Group& at) {
     at.texts("name", name);
     at.array("depth", depth);
     at.array("kind", kind);
     at.array("value", value, "of the name");
-    at.texts("text", text);
-    if (at.reads() ? !at.has_group("meaning") : described.empty()) return;
-    const auto meaning = at.group("meaning");
-    meaning.note("row", "place in the arrays of numbers");
-    meaning.array("row", described);
-    meaning.texts("unit", unit);
-    meaning.texts("sentence", sentence);
+    if (at.reads() && at.has("text") && !at.has_group("text")) {  // former files have a text in every row
+      at.texts("text", text);
+      worded.resize(text.size());
+      std::iota(worded.begin(), worded.end(), 0);
+    } else {
+      transfer_some(at, "text", worded, {{"text", &text}});
+    }
+    transfer_some(at, "meaning", described, {{"unit", &unit}, {"sentence", &sentence}});
+  }
+
+  /// What only some rows have, as a group that lists these; a text of one row widens all that stand with it.
+  static void transfer_some(const Hdf5Group& at, const char* what, std::vector<std::int64_t>& rows,
+                            const std::vector<std::pair<const char*, std::vector<std::string>*>>& columns) {
+    if (at.reads() ? !at.has_group(what) : rows.empty()) return;
+    const auto group = at.group(what);
+    group.note("row", "place in the arrays of numbers");
+    group.array("row", rows);
+    for (const auto& [name, texts] : columns) {
+      group.texts(name, *texts);
+      if (texts->size() != rows.size()) group.refuse("holds columns that do not agree");
+    }
+    if (!std::ranges::is_sorted(rows)) group.refuse("lists rows out of their order");
+  }
+
+  /// The place of a row in such a list; nothing if it is not there.
+  static std::optional<std::size_t> place_of(std::size_t row, const std::vector<std::int64_t>& rows) {
+    const auto at = std::ranges::lower_bound(rows, static_cast<std::int64_t>(row));
+    if (at == rows.end() || *at != static_cast<std::int64_t>(row)) return std::nullopt;
+    return static_cast<std::size_t>(at - rows.begin());
   }
 
   void add(const std::string& path, std::uint8_t level, const Numbers& node) {
@@ -47,7 +71,10 @@ struct NumberRows {
     kind.push_back(static_cast<std::uint8_t>(node.kind()));
     const bool number = node.is_number() || node.is_truth();
     value.push_back(number ? node.get<double>() : std::numeric_limits<double>::quiet_NaN());
-    text.push_back(node.is_text() ? node.get<std::string>() : node.is_integer() && std::abs(value.back()) >= exact ? to_json(node) : "");
+    if (node.is_text() || (node.is_integer() && std::abs(value.back()) >= exact)) {
+      worded.push_back(static_cast<std::int64_t>(name.size() - 1));
+      text.push_back(node.is_text() ? node.get<std::string>() : to_json(node));
+    }
     std::size_t i = 0;
     for (const Numbers& item : node) {
       const std::string& own = node.is_tree() ? node.items()[i].first : std::to_string(i);
@@ -111,9 +138,8 @@ Numbers finite(const Numbers& numbers) {
 /// Takes rows from `row` on that lie deeper than their parent.
 Numbers node_at(const NumberRows& table, std::size_t& row) {
   const std::size_t own = row++;
-  const auto described = std::ranges::lower_bound(table.described, static_cast<std::int64_t>(own));
-  const auto m = static_cast<std::size_t>(described - table.described.begin());
-  Numbers node = leaf(static_cast<Numbers::Kind>(table.kind[own]), table.value[own], table.text[own]);
+  const auto text = NumberRows::place_of(own, table.worded), meaning = NumberRows::place_of(own, table.described);
+  Numbers node = leaf(static_cast<Numbers::Kind>(table.kind[own]), table.value[own], text ? table.text[*text] : "");
   const std::size_t prefix = table.name[own].empty() ? 0 : table.name[own].size() + 1;
   while (row < table.name.size() && table.depth[row] == table.depth[own] + 1) {
     if (table.name[row].size() < prefix) throw NumbersError("a name is shorter than its parent's");
@@ -122,7 +148,7 @@ Numbers node_at(const NumberRows& table, std::size_t& row) {
     if (node.is_list()) node.push_back(std::move(item));
     else node[name] = std::move(item);
   }
-  if (described != table.described.end() && *described == static_cast<std::int64_t>(own)) node.means({table.unit[m], table.sentence[m]});
+  if (meaning) node.means({table.unit[*meaning], table.sentence[*meaning]});
   return node;
 }
 
@@ -131,8 +157,7 @@ Numbers read_rows(const Hdf5Group& at) {
   table.transfer(at);
   const std::size_t rows = table.name.size();
   if (rows == 0) return {};
-  if (table.text.size() != rows || table.depth.size() != rows || table.kind.size() != rows || table.value.size() != rows || table.depth[0] != 0 ||
-      table.unit.size() != table.described.size() || table.sentence.size() != table.described.size() || !std::ranges::is_sorted(table.described))
+  if (table.depth.size() != rows || table.kind.size() != rows || table.value.size() != rows || table.depth[0] != 0)
     at.refuse("holds numbers whose columns do not agree");
   std::size_t row = 0;
   try {

@@ -113,6 +113,49 @@ TEST(NumbersTable, WhatIsDamagedIsTold) {
   refused({"", "a", "b"}, {0, 0, 0}, {7, 4, 4});
   refused({"", "a"}, {1, 2}, {7, 4});
   refused({"", "list", ""}, {0, 1, 2}, {7, 4, 4});  // a real holds nothing
+  const auto refused_rows = [](std::vector<std::int64_t> row, std::vector<std::string> text) {
+    std::vector<std::string> name{"", "a", "b"};
+    std::vector<std::uint8_t> depth{0, 1, 1}, kind{7, 5, 5};
+    std::vector<double> value(3, 1.0);
+    const io::Hdf5Group file;
+    const auto group = file.group("n");
+    group.texts("name", name);
+    group.array("depth", depth);
+    group.array("kind", kind);
+    group.array("value", value);
+    const auto some = group.group("text");
+    some.array("row", row);
+    some.texts("text", text);
+    EXPECT_THROW(numbers_in({file.bytes(), "some.h5"}, "n"), InputError);
+  };
+  refused_rows({1, 2}, {"one"});         // a row without its text
+  refused_rows({2, 1}, {"one", "two"});  // rows out of order
+}
+
+/// As files before had it.
+TEST(NumbersTable, ATextInEveryRowIsRead) {
+  std::vector<std::string> name{"", "a", "b"}, text{"", "one", ""};
+  std::vector<std::uint8_t> depth{0, 1, 1}, kind{7, 5, 4};
+  std::vector<double> value{0, std::nan(""), 2};
+  const io::Hdf5Group file;
+  const auto group = file.group("n");
+  group.texts("name", name);
+  group.array("depth", depth);
+  group.array("kind", kind);
+  group.array("value", value);
+  group.texts("text", text);
+  EXPECT_EQ(numbers_in({file.bytes(), "some.h5"}, "n"), (Numbers{{"a", "one"}, {"b", 2.0}}));
+}
+
+/// A recipe among thousands of numbers: no number is as wide as it.
+TEST(NumbersTable, ALongTextDoesNotWidenNumbers) {
+  Numbers n{{"recipe", std::string(3000, 'x')}};
+  for (int k = 0; k < 5000; ++k) n["values"].push_back(k / 7.0);
+  const io::Hdf5Group file(false);
+  transfer_numbers(file, "n", n);
+  const std::string bytes = file.bytes();
+  EXPECT_LT(bytes.size(), 300'000U);
+  EXPECT_EQ(numbers_in({bytes, "some.h5"}, "n"), n);
 }
 
 }  // namespace
