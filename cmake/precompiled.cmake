@@ -4,8 +4,8 @@ set(arenite_common_headers <algorithm> <array> <cmath> <cstdint> <filesystem> <f
   <string> <string_view> <vector> <fmt/format.h>)
 
 # For a target without loops over grains, nodes or pixels: -O1 compiles sooner by a quarter, and the loops' precompiled headers serve it, with
-# the loops' other flags. Inline functions that it shares with the
-# loops may be linked from it; they are copies of strings, lists and nouns, and none is in a kernel (compare what `nm` says of both).
+# the loops' other flags. Inline functions that it shares with the loops may be linked from it; they are copies of strings, lists and nouns, and
+# none is in a kernel (compare what `nm` says of both).
 function(compile_cold target)
   set_target_properties(${target} PROPERTIES CXX_VISIBILITY_PRESET hidden)
   if(ARENITE_PYTHON)

@@ -52,7 +52,8 @@ std::string film_format_of(const std::filesystem::path& path);
 
 /// A new film; the format of the name's ending unless another is given. `info` says size, kind of pixel and what the film is to say about itself, so
 /// far as the format has a place for it; the number of frames is that of the frames appended, and times must be there for as many. TIFF is
-/// BigTIFF where `info` does not announce fewer than 4 GiB. InputError where the format has no place for such pixels (ptw is for levels), or the file cannot be written.
+/// BigTIFF where `info` does not announce fewer than 4 GiB. InputError where the format has no place for such pixels (ptw is for levels), or the file
+/// cannot be written.
 std::unique_ptr<FilmWriter> create_film(const std::filesystem::path& path, const FilmInfo& info, const std::string& format = {});
 
 /// Writes a whole film, some frames at a time; false where `progress`, called with the share that is written, stopped it.

@@ -145,21 +145,24 @@ class TiffFilm : public KnownFilm {
 /// A page a frame, one strip each; 64-bit places where the film may outgrow those of 32 bits.
 class TiffFilmWriter : public FilmWriter {
  public:
-  TiffFilmWriter(const std::filesystem::path& path, const FilmInfo& info) : file_(path), name_(path.string()), info_(info) {
+  TiffFilmWriter(const std::filesystem::path& path, const FilmInfo& info)
+      : file_(path),
+        name_(path.string()),
+        info_(info),
+        frame_size_(info.pixels() * (info.floating ? sizeof(float) : sizeof(std::uint16_t))) {
     constexpr std::int64_t most = 0xffffffff, most_a_directory = 4096;
-    const auto frame = static_cast<std::int64_t>(info.pixels() * (info.floating ? 4 : 2));
-    const bool small = info.frames > 0 && info.frames <= most / (frame + most_a_directory);
+    const bool small = info.frames > 0 && info.frames <= most / (static_cast<std::int64_t>(frame_size_) + most_a_directory);
     tiff_ = create_tiff(file_.beside(), !small);
     if (!tiff_) refuse();
   }
 
   void append(const FrameBlock& block) override {
     const std::string_view bytes = pixel_bytes(info_, block);
-    const std::size_t size = info_.pixels() * (info_.floating ? 4 : 2);
     for (std::size_t i = 0; i < block.frames; ++i) {
       describe_page();
-      const auto written = TIFFWriteRawStrip(tiff_.get(), 0, const_cast<char*>(bytes.data() + i * size), static_cast<tmsize_t>(size));
-      if (written != static_cast<tmsize_t>(size) || TIFFWriteDirectory(tiff_.get()) != 1) refuse();
+      const auto size = static_cast<tmsize_t>(frame_size_);
+      const tmsize_t written = TIFFWriteRawStrip(tiff_.get(), 0, const_cast<char*>(bytes.data() + i * frame_size_), size);
+      if (written != size || TIFFWriteDirectory(tiff_.get()) != 1) refuse();
       ++frames_;
     }
   }
@@ -191,6 +194,7 @@ class TiffFilmWriter : public FilmWriter {
   AtomicFile file_;
   std::string name_;
   FilmInfo info_;
+  std::size_t frame_size_;  ///< bytes
   Tiff tiff_{nullptr, TIFFClose};
   std::size_t frames_ = 0;
 };

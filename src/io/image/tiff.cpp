@@ -151,9 +151,9 @@ using TiffOptions = std::unique_ptr<TIFFOpenOptions, void (*)(TIFFOpenOptions*)>
 
 int say_nothing(TIFF*, void*, const char*, const char*, va_list) { return 1; }
 
-TiffOptions options_with(TIFFErrorHandlerExtR complain, TiffSource* to) {
+TiffOptions options_with(TIFFErrorHandlerExtR on_error, TiffSource* to) {
   TiffOptions options(TIFFOpenOptionsAlloc(), TIFFOpenOptionsFree);
-  TIFFOpenOptionsSetErrorHandlerExtR(options.get(), complain, to);
+  TIFFOpenOptionsSetErrorHandlerExtR(options.get(), on_error, to);
   TIFFOpenOptionsSetWarningHandlerExtR(options.get(), say_nothing, nullptr);
   return options;
 }

@@ -30,6 +30,7 @@ struct NumberRows {
     at.array("value", value, "of the name");
     if (at.reads() && at.has("text") && !at.has_group("text")) {  // former files have a text in every row
       at.texts("text", text);
+      if (text.size() != name.size()) at.refuse("holds numbers whose columns do not agree");
       worded.resize(text.size());
       std::iota(worded.begin(), worded.end(), 0);
     } else {
@@ -39,17 +40,18 @@ struct NumberRows {
   }
 
   /// What only some rows have, as a group that lists these; a text of one row widens all that stand with it.
-  static void transfer_some(const Hdf5Group& at, const char* what, std::vector<std::int64_t>& rows,
-                            const std::vector<std::pair<const char*, std::vector<std::string>*>>& columns) {
+  void transfer_some(const Hdf5Group& at, const char* what, std::vector<std::int64_t>& rows,
+                     const std::vector<std::pair<const char*, std::vector<std::string>*>>& columns) const {
     if (at.reads() ? !at.has_group(what) : rows.empty()) return;
     const auto group = at.group(what);
     group.note("row", "place in the arrays of numbers");
     group.array("row", rows);
-    for (const auto& [name, texts] : columns) {
-      group.texts(name, *texts);
+    for (const auto& [column, texts] : columns) {
+      group.texts(column, *texts);
       if (texts->size() != rows.size()) group.refuse("holds columns that do not agree");
     }
-    if (!std::ranges::is_sorted(rows)) group.refuse("lists rows out of their order");
+    const bool there = rows.empty() || (rows.front() >= 0 && rows.back() < static_cast<std::int64_t>(name.size()));
+    if (!std::ranges::is_sorted(rows) || !there) group.refuse("lists rows that are not there, or out of their order");
   }
 
   /// The place of a row in such a list; nothing if it is not there.

@@ -93,57 +93,51 @@ TEST(NumbersTable, FormerNamesAreReadUnderThoseOfNow) {
   EXPECT_EQ(numbers_in(file_of({{"numbers", to_json(former)}}), "numbers"), now);
 }
 
+/// A table as it lies in a file, but for its texts; every value is 2.
+io::Hdf5Group table_in(const io::Hdf5Group& file, std::vector<std::string> name, std::vector<std::uint8_t> depth, std::vector<std::uint8_t> kind) {
+  std::vector<double> value(name.size(), 2.0);
+  const auto group = file.group("n");
+  group.texts("name", name);
+  group.array("depth", depth);
+  group.array("kind", kind);
+  group.array("value", value);
+  return group;
+}
+
 TEST(NumbersTable, WhatIsDamagedIsTold) {
   for (const char* json : {R"({"grains": )", "[1, 2]", "5", "{\"grains\": \"\xff\"}"})
     EXPECT_THROW(numbers_in(file_of({{"texture", json}}), "texture"), InputError) << json;
-  const auto refused = [](std::vector<std::string> name, std::vector<std::uint8_t> depth, std::vector<std::uint8_t> kind) {
-    std::vector<double> value(name.size(), 1.0);
-    std::vector<std::string> text(name.size());
+  const auto refused = [](const std::vector<std::string>& name, const std::vector<std::uint8_t>& depth, const std::vector<std::uint8_t>& kind,
+                          std::size_t texts) {
     const io::Hdf5Group file;
-    const auto group = file.group("n");
-    group.texts("name", name);
-    group.array("depth", depth);
-    group.array("kind", kind);
-    group.array("value", value);
-    group.texts("text", text);
+    std::vector<std::string> text(texts);
+    table_in(file, name, depth, kind).texts("text", text);
     EXPECT_THROW(numbers_in({file.bytes(), "some.h5"}, "n"), InputError);
   };
-  refused({"", "a"}, {0, 1}, {7});     // columns of unlike length
-  refused({"", "a"}, {0, 2}, {7, 4});  // a child without its parent
-  refused({"", "a", "b"}, {0, 0, 0}, {7, 4, 4});
-  refused({"", "a"}, {1, 2}, {7, 4});
-  refused({"", "list", ""}, {0, 1, 2}, {7, 4, 4});  // a real holds nothing
+  refused({"", "a"}, {0, 1}, {7}, 2);  // columns of unlike length
+  refused({"", "a"}, {0, 1}, {7, 4}, 1);
+  refused({"", "a"}, {0, 2}, {7, 4}, 2);  // a child without its parent
+  refused({"", "a", "b"}, {0, 0, 0}, {7, 4, 4}, 3);
+  refused({"", "a"}, {1, 2}, {7, 4}, 2);
+  refused({"", "list", ""}, {0, 1, 2}, {7, 4, 4}, 3);  // a real holds nothing
   const auto refused_rows = [](std::vector<std::int64_t> row, std::vector<std::string> text) {
-    std::vector<std::string> name{"", "a", "b"};
-    std::vector<std::uint8_t> depth{0, 1, 1}, kind{7, 5, 5};
-    std::vector<double> value(3, 1.0);
     const io::Hdf5Group file;
-    const auto group = file.group("n");
-    group.texts("name", name);
-    group.array("depth", depth);
-    group.array("kind", kind);
-    group.array("value", value);
-    const auto some = group.group("text");
+    const auto some = table_in(file, {"", "a", "b"}, {0, 1, 1}, {7, 5, 5}).group("text");
     some.array("row", row);
     some.texts("text", text);
     EXPECT_THROW(numbers_in({file.bytes(), "some.h5"}, "n"), InputError);
   };
   refused_rows({1, 2}, {"one"});         // a row without its text
   refused_rows({2, 1}, {"one", "two"});  // rows out of order
+  refused_rows({1, 3}, {"one", "two"});  // a row that is not there
+  refused_rows({-1, 1}, {"one", "two"});
 }
 
 /// As files before had it.
 TEST(NumbersTable, ATextInEveryRowIsRead) {
-  std::vector<std::string> name{"", "a", "b"}, text{"", "one", ""};
-  std::vector<std::uint8_t> depth{0, 1, 1}, kind{7, 5, 4};
-  std::vector<double> value{0, std::nan(""), 2};
+  std::vector<std::string> text{"", "one", ""};
   const io::Hdf5Group file;
-  const auto group = file.group("n");
-  group.texts("name", name);
-  group.array("depth", depth);
-  group.array("kind", kind);
-  group.array("value", value);
-  group.texts("text", text);
+  table_in(file, {"", "a", "b"}, {0, 1, 1}, {7, 5, 4}).texts("text", text);
   EXPECT_EQ(numbers_in({file.bytes(), "some.h5"}, "n"), (Numbers{{"a", "one"}, {"b", 2.0}}));
 }
 

@@ -11,8 +11,8 @@ template <class T, int bytes> struct VectorOf { typedef T type __attribute__((ve
 template <class T, int bytes> using Vector = typename VectorOf<T, bytes>::type;
 
 /// As many numbers as a vector of the machine holds. `Machine` says how wide its vectors are (`bytes`), how many doubles a sum is kept in (`sum_lanes`)
-/// and how a vector is cut into as many (`doubles`), how a b + c is rounded (`fma`), and how one of four moduli is found for every lane (`Words`, `Table`). Each is a type of its own source, in an unnamed
-/// namespace, so that nothing compiled for one processor is ever linked into another's loops.
+/// and how a vector is cut into as many (`doubles`), how a b + c is rounded (`fma`), and how one of four moduli is found for every lane (`Words`,
+/// `Table`). Each is a type of its own source, in an unnamed namespace, so that nothing compiled for one processor is ever linked into another's loops.
 template <class Machine, class T> struct Lanes {
   using Scalar = T;
   static constexpr int lanes = Machine::bytes / static_cast<int>(sizeof(T));
