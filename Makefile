@@ -40,7 +40,7 @@ test:
 	@scripts/setup run test docs
 	@$(COMMON) -DARENITE_TESTS=ON >/dev/null
 	@ninja -C $(BUILD) -j $(JOBS)
-	@ctest --test-dir $(BUILD) -j $(JOBS) --timeout 1200 --output-on-failure
+	@ctest --test-dir $(BUILD) -j $$(($(JOBS) + 1)) --timeout 1200 --output-on-failure  # some wait for a browser or a killed run
 
 bench:
 	@scripts/setup run bench
