@@ -146,7 +146,7 @@ Packing crowd(bool periodic, std::uint64_t seed = 1, int side = 6) {
 }
 
 /// The crowd pressed together until every grain touches several others.
-Packing pressed(bool periodic, int side = 6) {
+Packing pressed_clumps(bool periodic, int side = 6) {
   dem::ContactParameters smooth;
   smooth.friction = 0;
   smooth.restitution = 0.3;
@@ -165,7 +165,7 @@ TEST(Clumps, EnergyIsClosedToAMillionthOfTheWorkAtAStepOfTcOver500) {
     dem::IntegrationParameters how;
     how.safety = 1.0 / 500;
     how.track_energy = true;
-    Engine engine(pressed(boundary > 0), law, how);
+    Engine engine(pressed_clumps(boundary > 0), law, how);
     engine.set_drives({moved(0.8), moved(-0.8), moved(0.8), moved(-0.8)});
     if (boundary == 2) engine.set_shear_rate(30);
     const Energies before = engine.energies();
@@ -180,7 +180,7 @@ TEST(Clumps, EnergyIsClosedToAMillionthOfTheWorkAtAStepOfTcOver500) {
 }
 
 TEST(Clumps, SameBitsOnOneAndTwoThreadsAndForEveryKernel) {
-  const Packing p = pressed(true, 48);  // enough for two threads
+  const Packing p = pressed_clumps(true, 48);  // enough for two threads
   std::uint64_t hash = 0;
   for (const char* kernel : {"portable", "auto"})
     for (const int threads : {1, 2}) {

@@ -12,7 +12,7 @@
 namespace arenite {
 namespace {
 
-std::string refusal(std::string_view text, Dimension wanted, std::string_view unit = {}) {
+std::string refused(std::string_view text, Dimension wanted, std::string_view unit = {}) {
   try {
     parse_si(text, wanted, unit);
   } catch (const InputError& error) { return error.what(); }
@@ -48,14 +48,14 @@ TEST(Units, ProductsQuotientsAndPowersCombine) {
 }
 
 TEST(Units, BareNumberForADimensionSaysWhichUnitToWrite) {
-  EXPECT_EQ(refusal("350", dimension::length, "mm"), "\"350\" has no unit; write it with its unit, for example \"350 mm\"");
-  EXPECT_NE(refusal("350", dimension::force).find("\"350 N\""), std::string::npos);
+  EXPECT_EQ(refused("350", dimension::length, "mm"), "\"350\" has no unit; write it with its unit, for example \"350 mm\"");
+  EXPECT_NE(refused("350", dimension::force).find("\"350 N\""), std::string::npos);
 }
 
 TEST(Units, WrongDimensionNamesBoth) {
-  EXPECT_EQ(refusal("50 mm", dimension::force, "kN"), "\"50 mm\" is a length (m), but a force (N) is needed; write it in kN");
-  EXPECT_EQ(refusal("1 m^4", dimension::force), "\"1 m^4\" is a quantity in m^4, but a force (N) is needed; write it in N");
-  EXPECT_EQ(refusal("1 mm", dimension::none), "\"1 mm\" is a length (m), but a number without unit is needed");
+  EXPECT_EQ(refused("50 mm", dimension::force, "kN"), "\"50 mm\" is a length (m), but a force (N) is needed; write it in kN");
+  EXPECT_EQ(refused("1 m^4", dimension::force), "\"1 m^4\" is a quantity in m^4, but a force (N) is needed; write it in N");
+  EXPECT_EQ(refused("1 mm", dimension::none), "\"1 mm\" is a length (m), but a number without unit is needed");
 }
 
 TEST(Units, HalfPowersSpeakOfToughness) {
@@ -63,31 +63,31 @@ TEST(Units, HalfPowersSpeakOfToughness) {
   EXPECT_NEAR(parse_si("1 MPa mm^0.5", dimension::toughness), 31622.7766, 1e-4);
   EXPECT_EQ(parse_si("4 m^0.5", parse_unit("km^0.5").dimension), 4);
   EXPECT_EQ(format_quantity(2.5e6, "MPa m^0.5"), "2.5 MPa m^0.5");
-  EXPECT_EQ(refusal("1 MPa", dimension::toughness), "\"1 MPa\" is a pressure (Pa), but a fracture toughness (Pa m^0.5) is needed; write it in Pa m^0.5");
-  EXPECT_NE(refusal("1 m^0.3", dimension::toughness).find("or a half"), std::string::npos);
+  EXPECT_EQ(refused("1 MPa", dimension::toughness), "\"1 MPa\" is a pressure (Pa), but a fracture toughness (Pa m^0.5) is needed; write it in Pa m^0.5");
+  EXPECT_NE(refused("1 m^0.3", dimension::toughness).find("or a half"), std::string::npos);
 }
 
 TEST(Units, UnknownUnitOffersTheNearest) {
-  EXPECT_EQ(refusal("5 kNn", dimension::force), "unknown unit \"kNn\"; did you mean kN?");
-  EXPECT_EQ(refusal("5 mpa", dimension::pressure), "unknown unit \"mpa\"; did you mean mPa?");
-  EXPECT_EQ(refusal("5 hz", dimension::frequency), "unknown unit \"hz\"; did you mean Hz?");
-  EXPECT_NE(refusal("5 furlongs", dimension::length).find("unknown unit \"furlongs\""), std::string::npos);
+  EXPECT_EQ(refused("5 kNn", dimension::force), "unknown unit \"kNn\"; did you mean kN?");
+  EXPECT_EQ(refused("5 mpa", dimension::pressure), "unknown unit \"mpa\"; did you mean mPa?");
+  EXPECT_EQ(refused("5 hz", dimension::frequency), "unknown unit \"hz\"; did you mean Hz?");
+  EXPECT_NE(refused("5 furlongs", dimension::length).find("unknown unit \"furlongs\""), std::string::npos);
 }
 
 TEST(Units, WhatIsNoQuantityIsRefusedWithAReason) {
-  EXPECT_NE(refusal("", dimension::length).find("does not start with a number"), std::string::npos);
-  EXPECT_NE(refusal("mm", dimension::length).find("does not start with a number"), std::string::npos);
-  EXPECT_NE(refusal("nan mm", dimension::length).find("not a finite number"), std::string::npos);
-  EXPECT_NE(refusal("inf mm", dimension::length).find("not a finite number"), std::string::npos);
-  EXPECT_NE(refusal("1e999 mm", dimension::length).find("beyond the range"), std::string::npos);
-  EXPECT_NE(refusal("27,35 kN", dimension::force).find("decimal point"), std::string::npos);
-  EXPECT_NE(refusal("5 N/m s", dimension::force).find("brackets"), std::string::npos);
-  EXPECT_NE(refusal("5 m^", dimension::area).find("power"), std::string::npos);
-  EXPECT_NE(refusal("5 m^99", dimension::area).find("power"), std::string::npos);
-  EXPECT_NE(refusal("5 m^nan", dimension::area).find("power"), std::string::npos);
-  EXPECT_NE(refusal("5 (m", dimension::length).find("bracket"), std::string::npos);
-  EXPECT_NE(refusal("5 m)", dimension::length).find("unexpected"), std::string::npos);
-  EXPECT_NE(refusal("5 m/", dimension::length).find("missing"), std::string::npos);
+  EXPECT_NE(refused("", dimension::length).find("does not start with a number"), std::string::npos);
+  EXPECT_NE(refused("mm", dimension::length).find("does not start with a number"), std::string::npos);
+  EXPECT_NE(refused("nan mm", dimension::length).find("not a finite number"), std::string::npos);
+  EXPECT_NE(refused("inf mm", dimension::length).find("not a finite number"), std::string::npos);
+  EXPECT_NE(refused("1e999 mm", dimension::length).find("beyond the range"), std::string::npos);
+  EXPECT_NE(refused("27,35 kN", dimension::force).find("decimal point"), std::string::npos);
+  EXPECT_NE(refused("5 N/m s", dimension::force).find("brackets"), std::string::npos);
+  EXPECT_NE(refused("5 m^", dimension::area).find("power"), std::string::npos);
+  EXPECT_NE(refused("5 m^99", dimension::area).find("power"), std::string::npos);
+  EXPECT_NE(refused("5 m^nan", dimension::area).find("power"), std::string::npos);
+  EXPECT_NE(refused("5 (m", dimension::length).find("bracket"), std::string::npos);
+  EXPECT_NE(refused("5 m)", dimension::length).find("unexpected"), std::string::npos);
+  EXPECT_NE(refused("5 m/", dimension::length).find("missing"), std::string::npos);
 }
 
 TEST(Units, WrittenQuantitiesAreShortAndReadable) {
@@ -103,7 +103,7 @@ TEST(Units, WrittenQuantitiesAreShortAndReadable) {
 
 TEST(Units, NumbersThatNothingMeasuredHasAreRefused) {
   for (const char* text : {"5e-324 kN", "1e-310 m", "1e-70 m", "-1e-64 kN", "1e61 m", "1e300 N"})
-    EXPECT_NE(refusal(text, parse_quantity("1" + std::string(text).substr(std::string(text).find(' '))).dimension).find("beyond the range"), std::string::npos)
+    EXPECT_NE(refused(text, parse_quantity("1" + std::string(text).substr(std::string(text).find(' '))).dimension).find("beyond the range"), std::string::npos)
         << text;
   EXPECT_EQ(parse_si("0 kN", dimension::force), 0);
   EXPECT_EQ(parse_si("1e-59 m", dimension::length), 1e-59);

@@ -10,7 +10,7 @@
 #include "validation/studies.hpp"
 
 namespace arenite::validation {
-namespace {
+namespace claim_test {
 
 struct Question {
   Kind kind;
@@ -111,5 +111,5 @@ TEST(Claims, AreUnknownWithoutRunsUnlessTheSourceContradictsItself) {
   }
 }
 
-}  // namespace
+}  // namespace claim_test
 }  // namespace arenite::validation

@@ -11,6 +11,7 @@
 namespace {
 using namespace arenite;
 using namespace arenite::identify;
+using identify::Curve;
 
 /// A straight pull to 100 N at point 80 of 100, then nothing.
 Curve pulled(double noise = 0, std::uint64_t seed = 1) {
