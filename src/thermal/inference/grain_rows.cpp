@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include "core/mapped.hpp"
 
@@ -20,122 +21,154 @@ Profile profile(double u, double blur) {
   return {0.5 * (std::erf(a) - std::erf(b)), scale / std::sqrt(std::numbers::pi) * (std::exp(-a * a) - std::exp(-b * b))};
 }
 
+/// Points side by side: the same bits whether the processor computes two or four at once.
+using Four = double __attribute__((vector_size(32)));
+
+double sum_of(const Four& v) { return (v[0] + v[1]) + (v[2] + v[3]); }
+
+Vec2 product(Vec2 a, Vec2 b) { return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x}; }
+
+/// The points of a pixel that lie in a grain, in fours; points without weight fill up the last four.
+class PointsInside {
+ public:
+  struct Points {
+    Four x, y, weight, slope_x, slope_y;
+  };
+  explicit PointsInside(const PointSpread& spread) : spread_(spread), fours_(spread.points.size() / 4 + 1) {}
+
+  std::span<const Points> operator()(Vec2 from_centre, double radius) {
+    std::size_t n = 0;
+    const auto put = [&](Vec2 x, double weight, Vec2 slope) {
+      Points& p = fours_[n / 4];
+      const std::size_t lane = n % 4;
+      p.x[lane] = x.x, p.y[lane] = x.y, p.weight[lane] = weight, p.slope_x[lane] = slope.x, p.slope_y[lane] = slope.y;
+    };
+    for (const PointSpread::Point& p : spread_.points) {  // whether a point is inside nobody can foretell: it is written anyway
+      const Vec2 x = from_centre + p.place;
+      put(x, p.weight, p.slope);
+      n += dot(x, x) < radius * radius ? 1 : 0;
+    }
+    const std::size_t inside = n;
+    for (; n % 4 != 0; ++n) put({}, 0, {});
+    return {fours_.data(), (inside + 3) / 4};
+  }
+  double reach() const { return spread_.reach; }
+
+ private:
+  const PointSpread& spread_;
+  std::vector<Points> fours_;
+};
+
 /// sigma_kk inside a grain by its touches (elasticity/disk_field.hpp), written for speed. As complex numbers, with the
-/// normal n of a touch, rho = x + R n and q = 1/rho, a force F adds -2/(pi L) Re(F q); moved points and turned normals
-/// follow from q^2.
+/// normal n of a touch, rho = x + R n and q = 1/rho, a force F adds fn/(pi L R) - 2/(pi L) Re(F q); turned normals and moved
+/// points follow from F q x q = F (q - R n q^2) and F q^2. Sums of q and q^2 over a pixel's points are thus all that it sees.
 class GrainField {
  public:
   GrainField(double radius, double length, const std::vector<Touch>& touches, const std::vector<double>& force)
       : scale_(1 / (std::numbers::pi * length)),
-        over_radius_(1 / radius) {
-    for (const Touch& t : touches) touches_.push_back({t.normal, radius * t.normal, t.force_of(force), t.of_contact(force, 0)});
+        radius_(radius) {
+    for (const Touch& t : touches) {
+      touches_.push_back({t.normal, radius * t.normal, t.force_of(force)});
+      pressure_ += t.of_contact(force, 0) / radius;
+    }
   }
 
   std::size_t size() const { return touches_.size(); }
 
-  /// sigma_kk under the present forces, Pa.
-  double value(Vec2 x) const {
-    double sum = 0;
-    for (const Pull& t : touches_) {
-      const Vec2 rho = x + t.back;
-      sum += t.fn * over_radius_ - 2 * dot(t.force, rho) / dot(rho, rho);
+  /// What a pixel sees of sigma_kk under the present forces, Pa. One that sees nothing else sees a harmonic field as in its centre.
+  double seen(Vec2 x, PointsInside& inside) const {
+    const double away = norm(x);
+    if (away >= radius_ + inside.reach()) return 0;
+    if (away + inside.reach() <= radius_) {
+      double sum = pressure_;
+      for (const Pull& t : touches_) sum -= 2 * dot(t.force, x + t.back) / dot(x + t.back, x + t.back);
+      return scale_ * sum;
     }
-    return scale_ * sum;
+    Four sum{};
+    for (const auto& p : inside(x, radius_)) {
+      Four stress = pressure_ - Four{};
+      for (const Pull& t : touches_) {
+        const Four x_ = p.x + t.back.x, y_ = p.y + t.back.y;
+        stress -= 2 * (t.force.x * x_ + t.force.y * y_) / (x_ * x_ + y_ * y_);
+      }
+      sum += p.weight * stress;
+    }
+    return scale_ * sum_of(sum);
   }
 
-  /// Adds weight times sigma_kk per newton of every touch's fn and ft to `row` (2 a touch), and times its change per
-  /// radian by which a normal turns, its force with it, to `turn`; returns sigma_kk.
-  double add(Vec2 x, double weight, double* row, double* turn) const {
-    const double w = scale_ * weight;
-    double sum = 0;
+  /// What a pixel sees per newton of every touch's fn and ft goes to `row` (2 a touch), its change per radian by which a normal
+  /// turns, its force with it, to `turn`; all times `factor`. Returns the same for a move of the centre by d: a point of the
+  /// grain is then seen at a place d farther, where the pixel's weight is slope.d larger.
+  Vec2 fill_row(Vec2 x, PointsInside& inside, double factor, double* row, double* turn) {
+    const double scale = factor * scale_;
+    const auto fill = [&](std::size_t k, double weight, Vec2 q, Vec2 squared) {
+      const Pull& t = touches_[k];
+      const Vec2 nq = product(t.normal, q);
+      row[2 * k] = scale * (weight / radius_ - 2 * nq.x), row[2 * k + 1] = 2 * scale * nq.y;
+      turn[k] = 2 * scale * product(t.force, q - product(t.back, squared)).y;
+    };
+    if (norm(x) + inside.reach() <= radius_) {
+      Vec2 gradient;
+      for (std::size_t k = 0; k < touches_.size(); ++k) {
+        const Vec2 rho = x + touches_[k].back, q = 1 / dot(rho, rho) * Vec2{rho.x, -rho.y}, squared = product(q, q);
+        fill(k, 1, q, squared);
+        gradient += product(touches_[k].force, squared);
+      }
+      return -2 * scale * Vec2{gradient.x, -gradient.y};
+    }
+    const auto points = inside(x, radius_);
+    stress_.assign(points.size(), pressure_ - Four{});
+    Four weight{}, shift_x{}, shift_y{};
+    for (const auto& p : points) weight += p.weight;
     for (std::size_t k = 0; k < touches_.size(); ++k) {
       const Pull& t = touches_[k];
-      const Vec2 rho = x + t.back;
-      const double inverse = 1 / dot(rho, rho), qx = rho.x * inverse, qy = -rho.y * inverse;
-      const double along = t.normal.x * qx - t.normal.y * qy, across = t.normal.x * qy + t.normal.y * qx;  // n q
-      row[2 * k] += w * (over_radius_ - 2 * along);
-      row[2 * k + 1] += 2 * w * across;
-      const double fx = t.force.x * qx - t.force.y * qy, fy = t.force.x * qy + t.force.y * qx;  // F q
-      const double xx = x.x * qx - x.y * qy, xy = x.x * qy + x.y * qx;                          // x q
-      turn[k] += 2 * w * (fx * xy + fy * xx);
-      sum += t.fn * over_radius_ - 2 * fx;
+      Four qx{}, qy{}, squared_x{}, squared_y{};
+      for (std::size_t p = 0; p < points.size(); ++p) {
+        const Four rx = points[p].x + t.back.x, ry = points[p].y + t.back.y, inverse = 1 / (rx * rx + ry * ry);
+        const Four x1 = rx * inverse, y1 = -ry * inverse, wx = points[p].weight * x1, wy = points[p].weight * y1;
+        qx += wx, qy += wy, squared_x += wx * x1 - wy * y1, squared_y += wx * y1 + wy * x1;
+        stress_[p] -= 2 * (t.force.x * x1 - t.force.y * y1);
+      }
+      fill(k, sum_of(weight), {sum_of(qx), sum_of(qy)}, {sum_of(squared_x), sum_of(squared_y)});
     }
-    return scale_ * sum;
-  }
-
-  /// Gradient of sigma_kk, Pa/m.
-  Vec2 gradient(Vec2 x) const {
-    Vec2 sum;
-    for (const Pull& t : touches_) {
-      const Vec2 rho = x + t.back;
-      const double inverse = 1 / dot(rho, rho), qx = rho.x * inverse, qy = -rho.y * inverse;
-      const double fx = t.force.x * qx - t.force.y * qy, fy = t.force.x * qy + t.force.y * qx;
-      sum += Vec2{fx * qx - fy * qy, -(fx * qy + fy * qx)};
-    }
-    return 2 * scale_ * sum;
+    for (std::size_t p = 0; p < points.size(); ++p) shift_x += stress_[p] * points[p].slope_x, shift_y += stress_[p] * points[p].slope_y;
+    return scale * Vec2{sum_of(shift_x), sum_of(shift_y)};
   }
 
  private:
   struct Pull {
     Vec2 normal, back, force;
-    double fn;
   };
-  double scale_, over_radius_;
+  double scale_, radius_, pressure_ = 0;  // pressure: what the touches' fn add everywhere, in 1/scale
   std::vector<Pull> touches_;
+  std::vector<Four> stress_;  // of a pixel's points
 };
-
-/// What a pixel sees of a grain, Pa.
-double seen_of(const GrainField& field, double radius, Vec2 from_centre, const PointSpread& spread) {
-  const double away = norm(from_centre);
-  if (away >= radius + spread.reach) return 0;
-  if (away + spread.reach <= radius) return field.value(from_centre);  // harmonic
-  double sum = 0;
-  for (const PointSpread::Point& p : spread.points) {
-    const Vec2 x = from_centre + p.place;
-    if (dot(x, x) < radius * radius) sum += p.weight * field.value(x);
-  }
-  return sum;
-}
 
 GrainField field_of(const Placed& placed, std::size_t g) { return {placed.radius[g], placed.length, placed.touches[g], placed.force}; }
 
 /// A grain and those that may spill light over to its pixels.
 struct Neighbourhood {
   const Placed& placed;
-  const PointSpread& spread;
   std::size_t grain;
   GrainField field;
   std::vector<GrainField> others;
+  PointsInside inside;
 
-  Neighbourhood(const Placed& p, std::size_t g, const PointSpread& s) : placed(p), spread(s), grain(g), field(field_of(p, g)) {
+  Neighbourhood(const Placed& p, std::size_t g, const PointSpread& spread) : placed(p), grain(g), field(field_of(p, g)), inside(spread) {
     for (const Near& n : p.near[g]) others.push_back(field_of(p, n.grain));
   }
   Vec2 from_centre(const GrainPixel& pixel) const { return pixel.place + placed.found[grain] - placed.centre[grain]; }
   /// Warming that a pixel sees of the others, K.
-  double spill(Vec2 x) const {
+  double spill(Vec2 x) {
     double sum = 0;
     for (std::size_t o = 0; o < others.size(); ++o) {
       const Near& n = placed.near[grain][o];
       const Vec2 from_other = x + placed.centre[grain] - placed.centre[n.grain] - n.cells;
-      sum -= placed.factor[n.grain] * seen_of(others[o], placed.radius[n.grain], from_other, spread);
+      sum -= placed.factor[n.grain] * others[o].seen(from_other, inside);
     }
     return sum;
   }
 };
-
-/// One pixel of the grain itself: a pixel that sees nothing else sees a harmonic field as in its centre. The centre moves
-/// by d: a point of the grain is then seen at a place d farther, where the pixel's weight is slope.d larger.
-void fill_row(const GrainField& field, double radius, Vec2 x, const PointSpread& spread, double* row, double* turn, Vec2& shift) {
-  if (norm(x) + spread.reach <= radius) {
-    field.add(x, 1, row, turn);
-    shift = -field.gradient(x);
-    return;
-  }
-  for (const PointSpread::Point& p : spread.points) {
-    const Vec2 y = x + p.place;
-    if (dot(y, y) < radius * radius) shift += field.add(y, p.weight, row, turn) * p.slope;
-  }
-}
 
 }  // namespace
 
@@ -156,27 +189,22 @@ PointSpread::PointSpread(double pixel, double blur) {
 }
 
 GrainRows rows_of_grain(const Placed& placed, std::size_t g, const std::vector<GrainPixel>& pixels, const PointSpread& spread) {
-  const Neighbourhood around(placed, g, spread);
+  Neighbourhood around(placed, g, spread);
   const std::size_t z = around.field.size();
-  const double factor = -placed.factor[g];
   GrainRows rows{{2 * z, pixels.size()}, std::vector<double>(pixels.size()), std::vector<Vec2>(pixels.size()), {z, pixels.size()}};
   for (std::size_t q = 0; q < pixels.size(); ++q) {
     const Vec2 x = around.from_centre(pixels[q]);
-    double *row = rows.response.column(q), *turn = rows.turn.column(q);
-    fill_row(around.field, placed.radius[g], x, spread, row, turn, rows.shift[q]);
-    for (std::size_t k = 0; k < 2 * z; ++k) row[k] *= factor;
-    for (std::size_t k = 0; k < z; ++k) turn[k] *= factor;
-    rows.shift[q] = factor * rows.shift[q];
+    rows.shift[q] = around.field.fill_row(x, around.inside, -placed.factor[g], rows.response.column(q), rows.turn.column(q));
     rows.spill[q] = around.spill(x);
   }
   return rows;
 }
 
 std::vector<double> warming_of_grain(const Placed& placed, std::size_t g, const std::vector<GrainPixel>& pixels, const PointSpread& spread) {
-  const Neighbourhood around(placed, g, spread);
+  Neighbourhood around(placed, g, spread);
   return mapped(pixels, [&](const GrainPixel& pixel) {
     const Vec2 x = around.from_centre(pixel);
-    return around.spill(x) - placed.factor[g] * seen_of(around.field, placed.radius[g], x, spread);
+    return around.spill(x) - placed.factor[g] * around.field.seen(x, around.inside);
   });
 }
 
