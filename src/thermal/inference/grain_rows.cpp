@@ -21,42 +21,44 @@ Profile profile(double u, double blur) {
   return {0.5 * (std::erf(a) - std::erf(b)), scale / std::sqrt(std::numbers::pi) * (std::exp(-a * a) - std::exp(-b * b))};
 }
 
-/// Points side by side: the same bits whether the processor computes two or four at once.
-using Four = double __attribute__((vector_size(32)));
+/// Two points side by side: as many as every processor computes at once.
+using Two = double __attribute__((vector_size(16)));
 
-double sum_of(const Four& v) { return (v[0] + v[1]) + (v[2] + v[3]); }
+double sum_of(const Two& v) { return v[0] + v[1]; }
 
 Vec2 product(Vec2 a, Vec2 b) { return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x}; }
 
-/// The points of a pixel that lie in a grain, in fours; points without weight fill up the last four.
+/// The points of a pixel, two by two, of which at least one lies in a grain; the other, where it does not, is in its centre without weight.
 class PointsInside {
  public:
   struct Points {
-    Four x, y, weight, slope_x, slope_y;
+    Two x{}, y{}, weight{}, slope_x{}, slope_y{};
   };
-  explicit PointsInside(const PointSpread& spread) : spread_(spread), fours_(spread.points.size() / 4 + 1) {}
+  const double reach;
+
+  explicit PointsInside(const PointSpread& spread) : reach(spread.reach), all_((spread.points.size() + 1) / 2), inside_(all_.size() + 1) {
+    for (std::size_t n = 0; n < spread.points.size(); ++n) {
+      const PointSpread::Point& from = spread.points[n];
+      Points& p = all_[n / 2];
+      const std::size_t lane = n % 2;
+      p.x[lane] = from.place.x, p.y[lane] = from.place.y, p.weight[lane] = from.weight, p.slope_x[lane] = from.slope.x, p.slope_y[lane] = from.slope.y;
+    }
+  }
 
   std::span<const Points> operator()(Vec2 from_centre, double radius) {
+    constexpr Two none{};
     std::size_t n = 0;
-    const auto put = [&](Vec2 x, double weight, Vec2 slope) {
-      Points& p = fours_[n / 4];
-      const std::size_t lane = n % 4;
-      p.x[lane] = x.x, p.y[lane] = x.y, p.weight[lane] = weight, p.slope_x[lane] = slope.x, p.slope_y[lane] = slope.y;
-    };
-    for (const PointSpread::Point& p : spread_.points) {  // whether a point is inside nobody can foretell: it is written anyway
-      const Vec2 x = from_centre + p.place;
-      put(x, p.weight, p.slope);
-      n += dot(x, x) < radius * radius ? 1 : 0;
+    for (const Points& p : all_) {
+      const Two x = p.x + from_centre.x, y = p.y + from_centre.y;
+      const auto in = x * x + y * y < radius * radius;
+      inside_[n] = {in ? x : none, in ? y : none, in ? p.weight : none, in ? p.slope_x : none, in ? p.slope_y : none};
+      n += (in[0] | in[1]) != 0 ? 1 : 0;  // written anyway: which are inside nobody can foretell
     }
-    const std::size_t inside = n;
-    for (; n % 4 != 0; ++n) put({}, 0, {});
-    return {fours_.data(), (inside + 3) / 4};
+    return {inside_.data(), n};
   }
-  double reach() const { return spread_.reach; }
 
  private:
-  const PointSpread& spread_;
-  std::vector<Points> fours_;
+  std::vector<Points> all_, inside_;
 };
 
 /// sigma_kk inside a grain by its touches (elasticity/disk_field.hpp), written for speed. As complex numbers, with the
@@ -70,6 +72,7 @@ class GrainField {
     for (const Touch& t : touches) {
       touches_.push_back({t.normal, radius * t.normal, t.force_of(force)});
       pressure_ += t.of_contact(force, 0) / radius;
+      pressed_ = pressed_ || touches_.back().force != Vec2{};
     }
   }
 
@@ -78,17 +81,17 @@ class GrainField {
   /// What a pixel sees of sigma_kk under the present forces, Pa. One that sees nothing else sees a harmonic field as in its centre.
   double seen(Vec2 x, PointsInside& inside) const {
     const double away = norm(x);
-    if (away >= radius_ + inside.reach()) return 0;
-    if (away + inside.reach() <= radius_) {
+    if (!pressed_ || away >= radius_ + inside.reach) return 0;
+    if (away + inside.reach <= radius_) {
       double sum = pressure_;
       for (const Pull& t : touches_) sum -= 2 * dot(t.force, x + t.back) / dot(x + t.back, x + t.back);
       return scale_ * sum;
     }
-    Four sum{};
+    Two sum{};
     for (const auto& p : inside(x, radius_)) {
-      Four stress = pressure_ - Four{};
+      Two stress = pressure_ - Two{};
       for (const Pull& t : touches_) {
-        const Four x_ = p.x + t.back.x, y_ = p.y + t.back.y;
+        const Two x_ = p.x + t.back.x, y_ = p.y + t.back.y;
         stress -= 2 * (t.force.x * x_ + t.force.y * y_) / (x_ * x_ + y_ * y_);
       }
       sum += p.weight * stress;
@@ -107,7 +110,7 @@ class GrainField {
       row[2 * k] = scale * (weight / radius_ - 2 * nq.x), row[2 * k + 1] = 2 * scale * nq.y;
       turn[k] = 2 * scale * product(t.force, q - product(t.back, squared)).y;
     };
-    if (norm(x) + inside.reach() <= radius_) {
+    if (norm(x) + inside.reach <= radius_) {
       Vec2 gradient;
       for (std::size_t k = 0; k < touches_.size(); ++k) {
         const Vec2 rho = x + touches_[k].back, q = 1 / dot(rho, rho) * Vec2{rho.x, -rho.y}, squared = product(q, q);
@@ -117,15 +120,15 @@ class GrainField {
       return -2 * scale * Vec2{gradient.x, -gradient.y};
     }
     const auto points = inside(x, radius_);
-    stress_.assign(points.size(), pressure_ - Four{});
-    Four weight{}, shift_x{}, shift_y{};
+    stress_.assign(points.size(), pressure_ - Two{});
+    Two weight{}, shift_x{}, shift_y{};
     for (const auto& p : points) weight += p.weight;
     for (std::size_t k = 0; k < touches_.size(); ++k) {
       const Pull& t = touches_[k];
-      Four qx{}, qy{}, squared_x{}, squared_y{};
+      Two qx{}, qy{}, squared_x{}, squared_y{};
       for (std::size_t p = 0; p < points.size(); ++p) {
-        const Four rx = points[p].x + t.back.x, ry = points[p].y + t.back.y, inverse = 1 / (rx * rx + ry * ry);
-        const Four x1 = rx * inverse, y1 = -ry * inverse, wx = points[p].weight * x1, wy = points[p].weight * y1;
+        const Two rx = points[p].x + t.back.x, ry = points[p].y + t.back.y, inverse = 1 / (rx * rx + ry * ry);
+        const Two x1 = rx * inverse, y1 = -ry * inverse, wx = points[p].weight * x1, wy = points[p].weight * y1;
         qx += wx, qy += wy, squared_x += wx * x1 - wy * y1, squared_y += wx * y1 + wy * x1;
         stress_[p] -= 2 * (t.force.x * x1 - t.force.y * y1);
       }
@@ -140,8 +143,9 @@ class GrainField {
     Vec2 normal, back, force;
   };
   double scale_, radius_, pressure_ = 0;  // pressure: what the touches' fn add everywhere, in 1/scale
+  bool pressed_ = false;
   std::vector<Pull> touches_;
-  std::vector<Four> stress_;  // of a pixel's points
+  std::vector<Two> stress_;  // of a pixel's points
 };
 
 GrainField field_of(const Placed& placed, std::size_t g) { return {placed.radius[g], placed.length, placed.touches[g], placed.force}; }
