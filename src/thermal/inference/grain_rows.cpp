@@ -91,8 +91,8 @@ class GrainField {
     for (const auto& p : inside(x, radius_)) {
       Two stress = pressure_ - Two{};
       for (const Pull& t : touches_) {
-        const Two x_ = p.x + t.back.x, y_ = p.y + t.back.y;
-        stress -= 2 * (t.force.x * x_ + t.force.y * y_) / (x_ * x_ + y_ * y_);
+        const Two rx = p.x + t.back.x, ry = p.y + t.back.y;
+        stress -= 2 * (t.force.x * rx + t.force.y * ry) / (rx * rx + ry * ry);
       }
       sum += p.weight * stress;
     }
@@ -100,48 +100,60 @@ class GrainField {
   }
 
   /// What a pixel sees per newton of every touch's fn and ft goes to `row` (2 a touch), its change per radian by which a normal
-  /// turns, its force with it, to `turn`; all times `factor`. Returns the same for a move of the centre by d: a point of the
-  /// grain is then seen at a place d farther, where the pixel's weight is slope.d larger.
+  /// turns, its force with it, to `turn`; all times `factor`. Returns the same for a move of the centre by d.
   Vec2 fill_row(Vec2 x, PointsInside& inside, double factor, double* row, double* turn) {
     const double scale = factor * scale_;
-    const auto fill = [&](std::size_t k, double weight, Vec2 q, Vec2 squared) {
+    const auto fill = [&](std::size_t k, const Seen& s) {
       const Pull& t = touches_[k];
-      const Vec2 nq = product(t.normal, q);
-      row[2 * k] = scale * (weight / radius_ - 2 * nq.x), row[2 * k + 1] = 2 * scale * nq.y;
-      turn[k] = 2 * scale * product(t.force, q - product(t.back, squared)).y;
+      const Vec2 nq = product(t.normal, s.q);
+      row[2 * k] = scale * (s.weight / radius_ - 2 * nq.x), row[2 * k + 1] = 2 * scale * nq.y;
+      turn[k] = 2 * scale * product(t.force, s.q - product(t.back, s.squared)).y;
     };
-    if (norm(x) + inside.reach <= radius_) {
-      Vec2 gradient;
-      for (std::size_t k = 0; k < touches_.size(); ++k) {
-        const Vec2 rho = x + touches_[k].back, q = 1 / dot(rho, rho) * Vec2{rho.x, -rho.y}, squared = product(q, q);
-        fill(k, 1, q, squared);
-        gradient += product(touches_[k].force, squared);
-      }
-      return -2 * scale * Vec2{gradient.x, -gradient.y};
-    }
-    const auto points = inside(x, radius_);
-    stress_.assign(points.size(), pressure_ - Two{});
-    Two weight{}, shift_x{}, shift_y{};
-    for (const auto& p : points) weight += p.weight;
-    for (std::size_t k = 0; k < touches_.size(); ++k) {
-      const Pull& t = touches_[k];
-      Two qx{}, qy{}, squared_x{}, squared_y{};
-      for (std::size_t p = 0; p < points.size(); ++p) {
-        const Two rx = points[p].x + t.back.x, ry = points[p].y + t.back.y, inverse = 1 / (rx * rx + ry * ry);
-        const Two x1 = rx * inverse, y1 = -ry * inverse, wx = points[p].weight * x1, wy = points[p].weight * y1;
-        qx += wx, qy += wy, squared_x += wx * x1 - wy * y1, squared_y += wx * y1 + wy * x1;
-        stress_[p] -= 2 * (t.force.x * x1 - t.force.y * y1);
-      }
-      fill(k, sum_of(weight), {sum_of(qx), sum_of(qy)}, {sum_of(squared_x), sum_of(squared_y)});
-    }
-    for (std::size_t p = 0; p < points.size(); ++p) shift_x += stress_[p] * points[p].slope_x, shift_y += stress_[p] * points[p].slope_y;
-    return scale * Vec2{sum_of(shift_x), sum_of(shift_y)};
+    return scale * (norm(x) + inside.reach <= radius_ ? see_centre(x, fill) : see_points(inside(x, radius_), fill));
   }
 
  private:
   struct Pull {
     Vec2 normal, back, force;
   };
+  /// Sums over a pixel's points of weight, weight q and weight q^2.
+  struct Seen {
+    double weight;
+    Vec2 q, squared;
+  };
+
+  /// Hands what a pixel that sees nothing else sees of every touch to `fill`; returns the change when the centre moves, in 1/scale.
+  template <class Fill> Vec2 see_centre(Vec2 x, const Fill& fill) const {
+    Vec2 gradient;
+    for (std::size_t k = 0; k < touches_.size(); ++k) {
+      const Vec2 rho = x + touches_[k].back, q = 1 / dot(rho, rho) * Vec2{rho.x, -rho.y}, squared = product(q, q);
+      fill(k, {1, q, squared});
+      gradient += product(touches_[k].force, squared);
+    }
+    return -2 * Vec2{gradient.x, -gradient.y};
+  }
+
+  /// The same at the rim. The centre moves by d: a point of the grain is then seen at a place d farther, where the pixel's weight
+  /// is slope.d larger.
+  template <class Fill> Vec2 see_points(std::span<const PointsInside::Points> points, const Fill& fill) {
+    stress_.assign(points.size(), pressure_ - Two{});
+    Two weight{}, shift_x{}, shift_y{};
+    for (const auto& p : points) weight += p.weight;
+    for (std::size_t k = 0; k < touches_.size(); ++k) {
+      const Pull& t = touches_[k];
+      Two sum_x{}, sum_y{}, squared_x{}, squared_y{};
+      for (std::size_t p = 0; p < points.size(); ++p) {
+        const Two x = points[p].x + t.back.x, y = points[p].y + t.back.y, inverse = 1 / (x * x + y * y);
+        const Two qx = x * inverse, qy = -y * inverse, wx = points[p].weight * qx, wy = points[p].weight * qy;
+        sum_x += wx, sum_y += wy, squared_x += wx * qx - wy * qy, squared_y += wx * qy + wy * qx;
+        stress_[p] -= 2 * (t.force.x * qx - t.force.y * qy);
+      }
+      fill(k, {sum_of(weight), {sum_of(sum_x), sum_of(sum_y)}, {sum_of(squared_x), sum_of(squared_y)}});
+    }
+    for (std::size_t p = 0; p < points.size(); ++p) shift_x += stress_[p] * points[p].slope_x, shift_y += stress_[p] * points[p].slope_y;
+    return {sum_of(shift_x), sum_of(shift_y)};
+  }
+
   double scale_, radius_, pressure_ = 0;  // pressure: what the touches' fn add everywhere, in 1/scale
   bool pressed_ = false;
   std::vector<Pull> touches_;
