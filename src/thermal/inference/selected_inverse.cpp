@@ -45,17 +45,7 @@ std::vector<Supernode> supernodes(const Lower& l, int n) {
   return nodes;
 }
 
-/// Columns of L of a supernode, from its first row on.
-Dense columns_of(const Lower& l, const Supernode& node) {
-  Dense dense = Dense::Identity(node.size(), node.columns);
-  for (int c = 0; c < node.columns; ++c) {
-    const std::size_t from = l.start(node.first + c);
-    for (int r = c + 1; r < node.size(); ++r) dense(r, c) = l.value[from + static_cast<std::size_t>(r - c - 1)];
-  }
-  return dense;
-}
-
-/// Z in the rows and columns below a supernode, all of which its parent's Z has.
+/// Z in the rows and columns below a supernode, all of which its parent's Z has; lower triangles only.
 void take_over(const Dense& parent, const Supernode& of, const Supernode& node, Dense& z) {
   std::vector<Eigen::Index> place;
   Eigen::Index at = 0;
@@ -69,14 +59,14 @@ void take_over(const Dense& parent, const Supernode& of, const Supernode& node, 
     place.push_back(at);
   }
   for (std::size_t c = 0; c < place.size(); ++c)
-    for (std::size_t r = 0; r < place.size(); ++r)
+    for (std::size_t r = c; r < place.size(); ++r)
       z(node.columns + static_cast<Eigen::Index>(r), node.columns + static_cast<Eigen::Index>(c)) = parent(place[r], place[c]);
 }
 
 }  // namespace
 
-// With the columns S of a supernode and the rows R below them, Y = L_RS L_SS^-1: Z_RS = -Z_RR Y and
-// Z_SS = L_SS^-T D^-1 L_SS^-1 - Y^T Z_RS. Z_RR is a part of what the parent has of Z, which goes when its first child has it.
+// Z = (L D L^T)^-1 obeys Z = D^-1 L^-1 + (1 - L^T) Z. With the rows R below the diagonal of L's column j, Z_Rj = -Z_RR L_Rj and
+// Z_jj = 1/D_j - L_Rj . Z_Rj. Z of the rows below a supernode is a part of its parent's, which goes when its first child has it.
 std::vector<double> selected_inverse_diagonal(const std::vector<int>& begin, const std::vector<int>& row, const std::vector<double>& value,
                                               const std::vector<double>& d) {
   const Lower l{begin, row, value};
@@ -88,23 +78,19 @@ std::vector<double> selected_inverse_diagonal(const std::vector<int>& begin, con
   std::vector<double> diagonal(d.size());
   for (std::size_t k = nodes.size(); k-- > 0;) {
     const Supernode& node = nodes[k];
-    const auto s = node.columns, r = node.size() - s;
     z[k].resize(node.size(), node.size());
-    const Dense own = columns_of(l, node);
-    const auto unit = own.topRows(s).triangularView<Eigen::UnitLower>();
-    const Dense inverse = unit.solve(Dense::Identity(s, s));
-    const auto pivots = Eigen::Map<const Eigen::VectorXd>(d.data() + node.first, s).asDiagonal();
-    z[k].topLeftCorner(s, s).noalias() = inverse.transpose() * (pivots.inverse() * inverse);
-    if (r > 0) {
+    if (node.parent >= 0) {
       const auto parent = static_cast<std::size_t>(node.parent);
       take_over(z[parent], nodes[parent], node, z[k]);
       if (first_child[parent] == k) z[parent] = {};
-      const Dense y = own.bottomRows(r) * inverse;
-      z[k].bottomLeftCorner(r, s).noalias() = -z[k].bottomRightCorner(r, r) * y;
-      z[k].topLeftCorner(s, s).noalias() -= y.transpose() * z[k].bottomLeftCorner(r, s);
-      z[k].topRightCorner(s, r) = z[k].bottomLeftCorner(r, s).transpose();
     }
-    for (int c = 0; c < s; ++c) diagonal[static_cast<std::size_t>(node.first + c)] = z[k](c, c);
+    for (int c = node.columns - 1; c >= 0; --c) {
+      const int j = node.first + c, rest = node.size() - c - 1;
+      const Eigen::Map<const Eigen::VectorXd> column(value.data() + l.start(j), rest);
+      auto below = z[k].col(c).tail(rest);
+      below.noalias() = z[k].bottomRightCorner(rest, rest).selfadjointView<Eigen::Lower>() * -column;
+      diagonal[static_cast<std::size_t>(j)] = z[k](c, c) = 1 / d[static_cast<std::size_t>(j)] - column.dot(below);
+    }
     if (first_child[k] == nodes.size()) z[k] = {};
   }
   return diagonal;
