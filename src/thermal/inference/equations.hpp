@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "model/packing.hpp"
@@ -38,8 +39,12 @@ class NormalEquations {
   };
 
  private:
+  struct Factorised;
+  const Factorised& factorised() const;
+
   std::vector<Entry> lower_;
   std::vector<double> right_;
+  mutable std::shared_ptr<const Factorised> factor_;  // for solution and errors alike; none after equations were added
 };
 
 /// Diagonal of the inverse of L D L^T, L with unit diagonal, by columns (rows ascending, the unit diagonal may be stored),

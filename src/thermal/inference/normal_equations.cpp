@@ -22,6 +22,7 @@ void NormalEquations::add(const std::vector<int>& columns, const std::vector<dou
   const Rows weighted = w.asDiagonal() * a;
   const Eigen::MatrixXd normal = a.transpose() * weighted;
   const Vector b = weighted.transpose() * y;
+  factor_.reset();
   for (Eigen::Index p = 0; p < n; ++p) {
     const int column = columns[static_cast<std::size_t>(p)];
     right_[static_cast<std::size_t>(column)] += b[p];
@@ -33,41 +34,9 @@ void NormalEquations::add(const std::vector<int>& columns, const std::vector<dou
 }
 
 void NormalEquations::add_diagonal(int unknown, double weight, double right) {
+  factor_.reset();
   lower_.push_back({unknown, unknown, weight});
   right_[static_cast<std::size_t>(unknown)] += weight * right;
-}
-
-// Z = (L D L^T)^-1 obeys Z = D^-1 L^-1 + (1 - L^T) Z. Column j below the diagonal: Z_ij = -sum_k Z_ik L_kj over the rows k
-// of L's column j; all Z_ik needed lie in columns right of j and in the pattern.
-std::vector<double> selected_inverse_diagonal(const std::vector<int>& begin, const std::vector<int>& row, const std::vector<double>& value,
-                                              const std::vector<double>& d) {
-  const std::size_t n = d.size();
-  std::vector<double> diagonal(n), z(value.size()), sum(n, 0.0), factor(n, 0.0);
-  std::vector<char> wanted(n, 0);
-  const auto at = [](int i) { return static_cast<std::size_t>(i); };
-  for (std::size_t j = n; j-- > 0;) {
-    const std::size_t first = at(begin[j]), last = at(begin[j + 1]);
-    for (std::size_t e = first; e < last; ++e)
-      if (const std::size_t i = at(row[e]); i != j) wanted[i] = 1, factor[i] = value[e], sum[i] = 0;
-    for (std::size_t e = first; e < last; ++e) {
-      const std::size_t k = at(row[e]);
-      if (k == j) continue;
-      sum[k] -= diagonal[k] * value[e];
-      for (std::size_t q = at(begin[k]); q < at(begin[k + 1]); ++q)
-        if (const std::size_t i = at(row[q]); i != k && wanted[i]) {
-          sum[i] -= z[q] * value[e];
-          sum[k] -= z[q] * factor[i];
-        }
-    }
-    diagonal[j] = 1 / d[j];
-    for (std::size_t e = first; e < last; ++e)
-      if (const std::size_t i = at(row[e]); i != j) {
-        z[e] = sum[i];
-        diagonal[j] -= sum[i] * value[e];
-        wanted[i] = 0;
-      }
-  }
-  return diagonal;
 }
 
 namespace {
@@ -102,14 +71,6 @@ void factorise(Factor& factor, const Matrix& m) {
   factor.factorize(m);
   if (factor.info() != Eigen::Success) refuse();
 }
-
-/// Factor has no copy: it is made in place.
-struct Factorised : Factor {
-  explicit Factorised(const Matrix& m) {
-    analyzePattern(m);
-    factorise(*this, m);
-  }
-};
 
 /// x = T y with fn = y_0 + y_1 and ft = mu (y_0 - y_1) for every contact; other unknowns stay.
 Matrix cone_edges(int unknowns, int contacts, double mu) {
@@ -168,7 +129,20 @@ Vector nonnegative(const Matrix& h, const Vector& b, Eigen::Index bounded) {
 
 }  // namespace
 
-std::vector<double> NormalEquations::solve() const { return finite_values(Factorised(sparse(unknowns(), lower_)).solve(vector(right_))); }
+/// Factor has no copy: it is made in place.
+struct NormalEquations::Factorised : Factor {
+  explicit Factorised(const Matrix& m) {
+    analyzePattern(m);
+    factorise(*this, m);
+  }
+};
+
+const NormalEquations::Factorised& NormalEquations::factorised() const {
+  if (!factor_) factor_ = std::make_shared<const Factorised>(sparse(unknowns(), lower_));
+  return *factor_;
+}
+
+std::vector<double> NormalEquations::solve() const { return finite_values(factorised().solve(vector(right_))); }
 
 std::vector<double> NormalEquations::solve_in_cone(int contacts, double mu) const {
   const Matrix half = sparse(unknowns(), lower_), t = cone_edges(unknowns(), contacts, mu);
@@ -178,7 +152,7 @@ std::vector<double> NormalEquations::solve_in_cone(int contacts, double mu) cons
 }
 
 std::vector<double> NormalEquations::inverse_diagonal() const {
-  const Factorised factor(sparse(unknowns(), lower_));
+  const Factorised& factor = factorised();
   const Matrix l = factor.matrixL();
   std::vector<int> begin(l.outerIndexPtr(), l.outerIndexPtr() + l.cols() + 1), row(l.innerIndexPtr(), l.innerIndexPtr() + l.nonZeros());
   const std::vector<double> value(l.valuePtr(), l.valuePtr() + l.nonZeros());

@@ -6,6 +6,7 @@
 #include <map>
 #include <numbers>
 #include <numeric>
+#include <utility>
 
 #include "core/median.hpp"
 #include "statistics/correlation.hpp"
@@ -78,6 +79,8 @@ class Mixture {
     share_.fill(0.75 / static_cast<double>(steps_there));
     share_[0] = 0.15;
     std::fill_n(share_.begin() + 1, steps_gone, 0.1 / static_cast<double>(steps_gone));
+    force_.resize(overlap_.size());
+    weigh_forces();
   }
 
   Presence fitted() {
@@ -111,17 +114,28 @@ class Mixture {
     return p;
   }
 
-  /// Share of every class in contact c.
-  Classes posteriors(std::size_t c) const {
+  /// How likely the force of contact c is in every class at the present scale of errors.
+  Classes likelihood_of_force(std::size_t c) const {
     const double f = s_.fn[c], error = scale_ * s_.fn_error[c];
-    const Classes& overlap = overlap_[c];
     std::array<double, there.size()> under;
     for (std::size_t k = 0; k < there.size(); ++k) under[k] = below((f - there[k]) / error);
     const auto step = [&](std::size_t k) { return (under[k] - under[k + 1]) / (there[k + 1] - there[k]); };  // density of even forces that noise blurs
     Classes p;
-    p[0] = share_[0] * bell(f, error) * overlap[0];
-    for (std::size_t k = 0; k < steps_gone; ++k) p[1 + k] = share_[1 + k] * step(k) * overlap[1 + k];
-    for (std::size_t k = 0; k < steps_there; ++k) p[1 + steps_gone + k] = share_[1 + steps_gone + k] * step(k) * overlap[1 + steps_gone + k];
+    p[0] = bell(f, error);
+    for (std::size_t k = 0; k < steps_gone; ++k) p[1 + k] = step(k);
+    for (std::size_t k = 0; k < steps_there; ++k) p[1 + steps_gone + k] = step(k);
+    return p;
+  }
+
+  void weigh_forces() {
+    for (std::size_t c = 0; c < force_.size(); ++c) force_[c] = likelihood_of_force(c);
+  }
+
+  /// Share of every class in contact c.
+  Classes posteriors(std::size_t c) const {
+    const double f = s_.fn[c];
+    Classes p;
+    for (std::size_t k = 0; k < classes; ++k) p[k] = share_[k] * force_[c][k] * overlap_[c][k];
     const double sum = std::accumulate(p.begin(), p.end(), 0.0);
     if (sum > 0) {
       for (double& v : p) v /= sum;
@@ -142,11 +156,12 @@ class Mixture {
       squares += p[0] * std::min(z * z, 25.0), none += p[0];
     }
     for (std::size_t k = 0; k < classes; ++k) share_[k] = sums[k] / static_cast<double>(s_.fn.size());
-    if (none > 5) scale_ = std::clamp(std::sqrt(squares / none), 0.3, 5.0);
+    const double scale = none > 5 ? std::clamp(std::sqrt(squares / none), 0.3, 5.0) : scale_;
+    if (std::exchange(scale_, scale) != scale) weigh_forces();
   }
 
   ContactEvidence s_;
-  std::vector<Classes> overlap_;
+  std::vector<Classes> overlap_, force_;  // how likely they are, of every contact
   Classes share_{};
   double scale_ = 1;
 };
