@@ -123,7 +123,7 @@ Snapshot take(const Sample& s) {
   shot.disk.resize(s.count + s.body.size());
   shot.boundary.resize(3 * s.domain.boundaries.size());
   const bool corrects = integrator_of(s).corrects();
-  const CellMotion cell = cell_motion(s.domain);
+  const CellMotion<2> cell = cell_motion(s.domain);
   each_mover(s, [&](std::size_t k) {
     const Mover m = mover_at(s, k);
     Snapshot::Disk& mover = shot.disk[k < s.count ? s.record[k].grain : k];

@@ -72,8 +72,7 @@ void synchronise(Sample& s) {
     if (is_part(s, k)) continue;
     const Motion own = motion_of(s, k);
     s.record[k].place = place_of(s, k);
-    s.vx[k] = own.velocity.x;
-    s.vy[k] = own.velocity.y;
+    s.velocity.put(k, own.velocity);
     s.omega[k] = own.omega;
   }
   for (std::size_t b = 0; b < s.body.size(); ++b) s.body[b].own = moved[b];

@@ -106,7 +106,7 @@ Packing packing_of(const Sample& s) {
     out.domain.wall[side].position = wall_place(s, side);
   }
   for (std::size_t b = 0; b < s.boundary.size(); ++b) out.domain.boundaries[b].velocity = velocity_of(s, b);
-  const CellMotion cell = cell_motion(out.domain);
+  const CellMotion<2> cell = cell_motion(out.domain);
   each_mover(s, [&](std::size_t k) {
     const Mover m = mover_at(s, k);
     const Motion own = motion_of(s, k);

@@ -81,17 +81,15 @@ void place_disks(Sample& s) {
   const Grains& g = s.start.grains;
   s.count = g.size();
   s.record.resize(s.count);
-  const CellMotion cell = cell_motion(s.domain);
-  for (auto* a : {&s.vx, &s.vy, &s.omega, &s.angle, &s.ax, &s.ay, &s.alpha}) a->assign(s.count, 0.0);
+  const CellMotion<2> cell = cell_motion(s.domain);
+  each_motion_array(s, [&](auto& a) { a.assign(s.count, 0.0); });
   double sum = 0;
   for (std::size_t k = 0; k < s.count; ++k) {
     const double r = g.radius[k];
     s.omega[k] = s.integration.rotations ? g.omega[k] : 0.0;
     s.record[k] = {g.position[k], g.velocity[k], s.omega[k], r, 0, g.material[k], static_cast<std::int32_t>(k)};
     s.record[k].mass = own_mass(s, k);
-    const Vec2 own = g.velocity[k] - cell.at(g.position[k]);
-    s.vx[k] = own.x;
-    s.vy[k] = own.y;
+    s.velocity.put(k, g.velocity[k] - cell.at(g.position[k]));
     s.angle[k] = g.angle[k];
     s.largest_radius = std::max(s.largest_radius, r);
     sum += r;

@@ -51,8 +51,7 @@ class Start {
  public:
   explicit Start(Sample& sample) : s(sample), here(s.domain) {
     for (std::size_t k = 0; k < s.count; ++k) {
-      path.push_back({s.record[k].place.x, s.vx[k], 0});
-      path.push_back({s.record[k].place.y, s.vy[k], 0});
+      for (int axis = 0; axis < 2; ++axis) path.push_back({s.record[k].place[axis], s.velocity[k][axis], 0});
       path.push_back({s.angle[k], s.omega[k], 0});
     }
     for (std::size_t side = 0; side < 4; ++side) path.push_back({here.wall[side].position, s.wall[side].rate, 0});
@@ -102,17 +101,20 @@ class Start {
       s.domain.wall[side].velocity = wall.rate_at(t);
     }
     move_boundaries(s, t);
-    const CellFrame before = cell_frame(here), after = cell_frame(s.domain);
-    const Stretch moved_x = after.x.since(before.x), moved_y = after.y.since(before.y);
-    const CellMotion cell = cell_motion(s.domain);
+    const CellFrame<2> before = cell_frame(here), after = cell_frame(s.domain);
+    const std::array<Stretch, 2> moved{after[0].since(before[0]), after[1].since(before[1])};
+    const CellMotion<2> cell = cell_motion(s.domain);
     for (std::size_t k = 0; k < s.count; ++k) {
       DiskRecord& d = s.record[k];
-      const Path &x = path[3 * k], &y = path[3 * k + 1];
-      d.place = {moved_x.apply(x.value) + (x.at(t) - x.value), moved_y.apply(y.value) + (y.at(t) - y.value)};
-      d.velocity = Vec2{x.rate_at(t), y.rate_at(t)} + cell.at(d.place);
+      for (int axis = 0; axis < 2; ++axis) {
+        const Path& p = path[3 * k + static_cast<std::size_t>(axis)];
+        d.place[axis] = moved[axis].apply(p.value) + (p.at(t) - p.value);
+        d.velocity[axis] = p.rate_at(t);
+      }
+      d.velocity += cell.at(d.place);
       d.omega = path[3 * k + 2].rate_at(t);
     }
-    if (s.domain.periodic[0]) s.domain.tilt *= after.x.length / before.x.length;
+    if (s.domain.periodic[0]) s.domain.tilt *= after[0].length / before[0].length;
     s.domain.tilt += t * s.shear_rate * s.domain.height();
     refresh_ghosts(s);
     compute_forces(s);
@@ -144,10 +146,8 @@ class Start {
     for (std::size_t k = 0; k < s.count; ++k)
       for (std::size_t axis = 0; axis < 3; ++axis) {
         const Path& p = path[3 * k + axis];
-        (axis == 0 ? s.ax : axis == 1 ? s.ay : s.alpha)[k] = p.bend;
-        s.higher[3 * axis][k] = c3 * p.jerk;
-        s.higher[3 * axis + 1][k] = c4 * p.snap;
-        s.higher[3 * axis + 2][k] = c5 * p.crackle;
+        (axis < 2 ? s.acceleration.along[axis] : s.alpha)[k] = p.bend;
+        s.higher[axis].put(k, {c3 * p.jerk, c4 * p.snap, c5 * p.crackle});
       }
     for (std::size_t side = 0; side < 4; ++side) {
       const Path& p = path[3 * s.count + side];
@@ -165,7 +165,8 @@ class Start {
 /// grain whose contacts change within that span starts with zeros. Leaves forces and springs as of now.
 void find_derivatives(Sample& s) {
   if (s.settled) return;
-  for (auto& h : s.higher) h.assign(s.count, 0.0);
+  for (auto& higher : s.higher)
+    for (auto& h : higher.along) h.assign(s.count, 0.0);
   Start(s).run();
   s.settled = true;
 }
