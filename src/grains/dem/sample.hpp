@@ -16,10 +16,11 @@
 
 namespace arenite::dem {
 
-/// What the pair loop reads of a disk: one cache line. Velocities are those that the forces see.
-struct alignas(64) DiskRecord {
-  Vec2 place, velocity;
-  double omega = 0, radius = 0, mass = 0;
+/// What the pair loop reads of a disk or sphere; a disk's is one cache line. Velocities are those that the forces see.
+template <int D> struct alignas(64) GrainRecord {
+  Vec<D> place, velocity;
+  Turning<D> omega{};
+  double radius = 0, mass = 0;
   std::int32_t material = 0;
   std::int32_t grain = 0;  ///< the caller's index
 };

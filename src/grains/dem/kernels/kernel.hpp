@@ -8,7 +8,8 @@
 
 namespace arenite::dem {
 
-struct DiskRecord;
+template <int D> struct GrainRecord;
+using DiskRecord = GrainRecord<2>;
 struct SlotForce;
 
 /// What the pair loop reads and fills; the arrays are those of ContactList.
