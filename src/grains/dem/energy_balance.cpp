@@ -138,7 +138,7 @@ Snapshot take(const Sample& s) {
     shot.edge[low + 1].dash = -shot.edge[low].dash;
     shot.edge[low + 1].slip = -shot.edge[low].slip;
   }
-  for (std::size_t side = 0; side < 4; ++side) {
+  for (int side = 0; side < sides; ++side) {
     auto& edge = shot.edge[side];
     edge.rate = corrects ? wall_rate(s, side) : s.wall[side].rate;
     edge.force = -inward_sign(side) * s.domain.wall[side].force;

@@ -129,7 +129,7 @@ void rebuild_list(Sample& s, const ThreadPool& pool) {
   number_held(s);
   for (std::size_t h = 0; h < s.held.size(); ++h) {
     HeldGrain& held = s.held[h];
-    (held.side < bottom ? held.place.y : held.place.x) = along(held.side, s.record[s.held_disk[h]].place) - s.wall[held.side].slid;
+    held.place[1 - axis_of(held.side)] = along(held.side, s.record[s.held_disk[h]].place) - s.wall[held.side].slid;
   }
   for (auto& a : s.listed.along) a.resize(s.count);
   for (std::size_t k = 0; k < s.count; ++k) s.listed.put(k, s.record[k].place);
@@ -143,12 +143,12 @@ void rebuild_list(Sample& s, const ThreadPool& pool) {
 
 geometry::Box<2> room_of(const Sample& s) {
   const auto& w = s.domain.wall;
-  std::array<double, 4> edge{w[left].position, w[right].position, w[bottom].position, w[top].position};
-  for (int side = 0; side < 4; ++side) {
+  BySide<double> edge{w[left].position, w[right].position, w[bottom].position, w[top].position};
+  for (int side = 0; side < sides; ++side) {
     if (!s.wall[side].open) continue;
     double beyond = 0;
     for (std::size_t k = 0; k < s.count; ++k) beyond = std::max(beyond, -s.domain.depth(side, s.record[k].place));
-    edge[side] -= inward_sign(side) * std::min(beyond, side < bottom ? s.domain.width() : s.domain.height());
+    edge[side] -= inward_sign(side) * std::min(beyond, s.domain.extent(axis_of(side)));
   }
   return {{edge[left], edge[bottom]}, {edge[right] - edge[left], edge[top] - edge[bottom]}};
 }
@@ -172,11 +172,10 @@ void hold_grains(Sample& s) {
     const std::int32_t k = s.held_disk[h];
     const WallBody& body = s.wall[held.side];
     const Wall& wall = s.domain.wall[held.side];
-    const auto of_side = [&](double normal, double tangential) { return held.side < bottom ? Vec2{normal, tangential} : Vec2{tangential, normal}; };
     DiskRecord& d = s.record[k];
-    d.place = held.place + of_side(wall.position, body.slid);
-    d.velocity = of_side(wall.velocity, body.drive.slide);
-    s.velocity.put(k, of_side(body.rate, body.drive.slide));
+    d.place = held.place + of_side(held.side, wall.position, body.slid);
+    d.velocity = of_side(held.side, wall.velocity, body.drive.slide);
+    s.velocity.put(k, of_side(held.side, body.rate, body.drive.slide));
     s.acceleration.put(k, {});
     s.angle[k] = s.held_angle[h];
     d.omega = s.omega[k] = s.alpha[k] = 0;
@@ -186,7 +185,7 @@ void hold_grains(Sample& s) {
 }
 
 double list_leeway(const Sample& s) {
-  for (int side = 0; side < 4; ++side)
+  for (int side = 0; side < sides; ++side)
     if (!s.domain.is_periodic(side) && std::abs(s.domain.wall[side].position - s.listed_domain.wall[side].position) > 0.5 * s.skin) return 0;
   if (farthest_moved(s.listed_domain, s.domain) > 0.5 * s.skin) return 0;
   const CellFrame<2> then = cell_frame(s.listed_domain), now = cell_frame(s.domain);

@@ -124,7 +124,7 @@ struct Sample {
   Programmes programmes;  ///< of the stage under way; not saved, since every stage sets them
 
   Domain domain;
-  std::array<WallBody, 4> wall;
+  BySide<WallBody> wall;
   std::vector<Element> element;  ///< of the domain's boundaries
   std::vector<BoundaryBody> boundary;
   std::int64_t step = 0;
@@ -205,8 +205,7 @@ struct CellAxis {
 template <int D> using CellFrame = std::array<CellAxis, D>;
 inline CellFrame<2> cell_frame(const Domain& d) {
   CellFrame<2> frame;
-  for (std::size_t axis = 0; axis < frame.size(); ++axis)
-    frame[axis] = {d.periodic[axis], d.wall[2 * axis].position, d.wall[2 * axis + 1].position - d.wall[2 * axis].position};
+  for (std::size_t axis = 0; axis < frame.size(); ++axis) frame[axis] = {d.periodic[axis], d.wall[2 * axis].position, d.extent(static_cast<int>(axis))};
   return frame;
 }
 

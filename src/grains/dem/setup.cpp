@@ -72,7 +72,7 @@ void check_packing(Problems& problems, const Packing& start, bool by_moduli) {
     problems.unless(g.material[k] >= 0 && static_cast<std::size_t>(g.material[k]) < start.materials.size(),
                     "material {} of grain {} is not among the {} materials", g.material[k], g.id[k], start.materials.size());
     bool inside = true;
-    for (int side = 0; side < 4; ++side) inside = inside && (!domain.wall[side].present || domain.depth(side, g.position[k]) >= 0);
+    for (int side = 0; side < sides; ++side) inside = inside && (!domain.wall[side].present || domain.depth(side, g.position[k]) >= 0);
     problems.unless(inside, "the centre of grain {} is outside of the container", g.id[k]);
   }
 }
@@ -153,7 +153,7 @@ void recall_bonds(Sample& s) {
 
 /// The periodic sides have no walls; their `wall` entries are the edges of the cell.
 void clear_periodic_walls(Domain& domain) {
-  for (int side = 0; side < 4; ++side) {
+  for (int side = 0; side < sides; ++side) {
     Wall& wall = domain.wall[side];
     wall = {wall.present && !domain.is_periodic(side), wall.position};
   }

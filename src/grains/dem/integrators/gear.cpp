@@ -14,7 +14,7 @@ namespace {
 /// Moves the walls on to the predicted t_{n+1}.
 void move_walls(Sample& s) {
   const double dt = s.dt, half = 0.5 * dt * dt;
-  for (std::size_t side = 0; side < 4; ++side) {
+  for (int side = 0; side < sides; ++side) {
     WallBody& body = s.wall[side];
     Wall& wall = s.domain.wall[side];
     const double a = wall_acceleration(s, side, wall.velocity);
@@ -54,7 +54,7 @@ class Start {
       for (int axis = 0; axis < 2; ++axis) path.push_back({s.record[k].place[axis], s.velocity[k][axis], 0});
       path.push_back({s.angle[k], s.omega[k], 0});
     }
-    for (std::size_t side = 0; side < 4; ++side) path.push_back({here.wall[side].position, s.wall[side].rate, 0});
+    for (int side = 0; side < sides; ++side) path.push_back({here.wall[side].position, s.wall[side].rate, 0});
   }
 
   void run() {
@@ -95,7 +95,7 @@ class Start {
 
   void evaluate(double t) {
     s.domain = here;
-    for (std::size_t side = 0; side < 4; ++side) {
+    for (int side = 0; side < sides; ++side) {
       const Path& wall = path[3 * s.count + side];
       s.domain.wall[side].position = wall.at(t);
       s.domain.wall[side].velocity = wall.rate_at(t);
@@ -127,7 +127,7 @@ class Start {
       const auto [linear, alpha] = acceleration_of(s, k);
       a.insert(a.end(), {linear.x, linear.y, alpha});
     }
-    for (std::size_t side = 0; side < 4; ++side) a.push_back(wall_acceleration(s, side, s.domain.wall[side].velocity));
+    for (int side = 0; side < sides; ++side) a.push_back(wall_acceleration(s, side, s.domain.wall[side].velocity));
     return a;
   }
 
@@ -149,7 +149,7 @@ class Start {
         (axis < 2 ? s.acceleration.along[axis] : s.alpha)[k] = p.bend;
         s.higher[axis].put(k, {c3 * p.jerk, c4 * p.snap, c5 * p.crackle});
       }
-    for (std::size_t side = 0; side < 4; ++side) {
+    for (int side = 0; side < sides; ++side) {
       const Path& p = path[3 * s.count + side];
       s.wall[side].acceleration = p.bend;
       s.wall[side].higher = {c3 * p.jerk, c4 * p.snap, c5 * p.crackle, 0.0};
