@@ -1,48 +1,58 @@
 #pragma once
 #include <cmath>
+#include <type_traits>
 
 namespace arenite {
 
-/// Vector of the plane or of space; SI units of whatever it holds.
-template <int D> struct Vec;
-template <> struct Vec<2> {
-  double x = 0, y = 0;
-  constexpr double& operator[](int axis) { return axis == 0 ? x : y; }
-  constexpr double operator[](int axis) const { return axis == 0 ? x : y; }
+/// Vector of the plane or of space, of numbers V; SI units of whatever it holds.
+template <int D, class V = double> struct Vec;
+template <class V> struct Vec<2, V> {
+  V x{}, y{};
+  constexpr V& operator[](int axis) { return axis == 0 ? x : y; }
+  constexpr V operator[](int axis) const { return axis == 0 ? x : y; }
   bool operator==(const Vec&) const = default;
 };
-template <> struct Vec<3> {
-  double x = 0, y = 0, z = 0;
-  constexpr double& operator[](int axis) { return axis == 0 ? x : axis == 1 ? y : z; }
-  constexpr double operator[](int axis) const { return axis == 0 ? x : axis == 1 ? y : z; }
+template <class V> struct Vec<3, V> {
+  V x{}, y{}, z{};
+  constexpr V& operator[](int axis) { return axis == 0 ? x : axis == 1 ? y : z; }
+  constexpr V operator[](int axis) const { return axis == 0 ? x : axis == 1 ? y : z; }
   bool operator==(const Vec&) const = default;
 };
 using Vec2 = Vec<2>;
 using Vec3 = Vec<3>;
 
-template <int D> constexpr Vec<D> operator+(Vec<D> a, Vec<D> b) {
+/// What turns, and what turns it: a number in the plane, a vector in space.
+template <int D, class V = double> using Turning = std::conditional_t<D == 2, V, Vec<3, V>>;
+
+/// The vector whose component along each axis is what `along` says of it.
+template <int D, class Along> constexpr auto by_axis(Along&& along) {
+  if constexpr (D == 2) return Vec<2, decltype(along(0))>{along(0), along(1)};
+  else return Vec<3, decltype(along(0))>{along(0), along(1), along(2)};
+}
+
+template <int D, class V> constexpr Vec<D, V> operator+(Vec<D, V> a, Vec<D, V> b) {
   if constexpr (D == 2) return {a.x + b.x, a.y + b.y};
   else return {a.x + b.x, a.y + b.y, a.z + b.z};
 }
-template <int D> constexpr Vec<D> operator-(Vec<D> a, Vec<D> b) {
+template <int D, class V> constexpr Vec<D, V> operator-(Vec<D, V> a, Vec<D, V> b) {
   if constexpr (D == 2) return {a.x - b.x, a.y - b.y};
   else return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
-template <int D> constexpr Vec<D> operator-(Vec<D> a) {
+template <int D, class V> constexpr Vec<D, V> operator-(Vec<D, V> a) {
   if constexpr (D == 2) return {-a.x, -a.y};
   else return {-a.x, -a.y, -a.z};
 }
-template <int D> constexpr Vec<D> operator*(double s, Vec<D> a) {
+template <int D, class V> constexpr Vec<D, V> operator*(std::type_identity_t<V> s, Vec<D, V> a) {
   if constexpr (D == 2) return {s * a.x, s * a.y};
   else return {s * a.x, s * a.y, s * a.z};
 }
-template <int D> constexpr Vec<D> operator/(Vec<D> a, double s) {
+template <int D, class V> constexpr Vec<D, V> operator/(Vec<D, V> a, std::type_identity_t<V> s) {
   if constexpr (D == 2) return {a.x / s, a.y / s};
   else return {a.x / s, a.y / s, a.z / s};
 }
-template <int D> constexpr Vec<D>& operator+=(Vec<D>& a, Vec<D> b) { return a = a + b; }
-template <int D> constexpr Vec<D>& operator-=(Vec<D>& a, Vec<D> b) { return a = a - b; }
-template <int D> constexpr double dot(Vec<D> a, Vec<D> b) {
+template <int D, class V> constexpr Vec<D, V>& operator+=(Vec<D, V>& a, Vec<D, V> b) { return a = a + b; }
+template <int D, class V> constexpr Vec<D, V>& operator-=(Vec<D, V>& a, Vec<D, V> b) { return a = a - b; }
+template <int D, class V> constexpr V dot(Vec<D, V> a, Vec<D, V> b) {
   if constexpr (D == 2) return a.x * b.x + a.y * b.y;
   else return a.x * b.x + a.y * b.y + a.z * b.z;
 }
@@ -50,10 +60,15 @@ template <int D> bool is_finite(Vec<D> a) {
   if constexpr (D == 2) return std::isfinite(a.x) && std::isfinite(a.y);
   else return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
 }
-template <int D> double norm(Vec<D> a) { return std::sqrt(dot(a, a)); }
+template <int D, class V> V norm(Vec<D, V> a) {
+  using std::sqrt;
+  return sqrt(dot(a, a));
+}
 /// Out-of-plane component of the cross product.
-constexpr double cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
-constexpr Vec3 cross(Vec3 a, Vec3 b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
+template <class V> constexpr V cross(Vec<2, V> a, Vec<2, V> b) { return a.x * b.y - a.y * b.x; }
+template <class V> constexpr Vec<3, V> cross(Vec<3, V> a, Vec<3, V> b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
+/// The same of a vector out of the plane, given by its length, and one in it.
+template <class V> constexpr Vec<2, V> cross(std::type_identity_t<V> a, Vec<2, V> b) { return {-(a * b.y), a * b.x}; }
 /// a turned by +90 degrees (counter-clockwise).
 constexpr Vec2 perpendicular(Vec2 a) { return {-a.y, a.x}; }
 

@@ -64,22 +64,28 @@ struct Grains {
 /// Those of the grains, at rest, with centres counted from `origin`.
 Grains picked(const Grains& from, const std::vector<std::int32_t>& grains, Vec2 origin = {});
 
-/// The four rigid planes of a frame, in this order everywhere (arrays, files, figures).
+/// The rigid planes of a frame, two an axis, in this order everywhere (arrays, files, figures).
 enum Side : int { left = 0, right = 1, bottom = 2, top = 3 };
-inline constexpr std::array<const char*, 4> side_names{"left", "right", "bottom", "top"};
+template <int D> inline constexpr int sides_in = 2 * D;
+inline constexpr int sides = sides_in<2>;
+template <class T> using BySide = std::array<T, sides>;
+inline constexpr BySide<const char*> side_names{"left", "right", "bottom", "top"};
 
+/// The axis that is normal to a side, and +1 if the way into the sample from there is along it, else -1.
+constexpr int axis_of(int side) { return side / 2; }
+constexpr double inward_sign(int side) { return side % 2 == 0 ? 1.0 : -1.0; }
 /// Unit normal of a wall, into the sample.
-constexpr Vec2 inward_normal(int side) {
-  constexpr Vec2 normals[4] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
-  return normals[side];
+template <int D = 2> constexpr Vec<D> inward_normal(int side) {
+  Vec<D> normal;
+  normal[axis_of(side)] = inward_sign(side);
+  return normal;
 }
 
-/// +1 if the way into the sample from a side is along +x or +y.
-constexpr double inward_sign(int side) { return side % 2 == 0 ? 1.0 : -1.0; }
-
-/// Of a vector along the normal of a side, and along the side itself: x and y of left and right.
-constexpr double across(int side, Vec2 v) { return side < bottom ? v.x : v.y; }
-constexpr double along(int side, Vec2 v) { return side < bottom ? v.y : v.x; }
+/// Of a vector along the normal of a side, and, in the plane, along the side itself: x and y of left and right.
+template <int D> constexpr double across(int side, Vec<D> v) { return v[axis_of(side)]; }
+constexpr double along(int side, Vec2 v) { return v[1 - axis_of(side)]; }
+/// The vector of the plane of which these are the two.
+constexpr Vec2 of_side(int side, double across, double along) { return axis_of(side) == 0 ? Vec2{across, along} : Vec2{along, across}; }
 
 /// One rigid plane. `position` is its x (left, right) or y (bottom, top).
 struct Wall {
@@ -110,19 +116,20 @@ Vec2 mean_point(const std::vector<Vec2>& points);
 
 /// What holds the sample: four walls, or periodic sides (then the walls of that direction are absent, and their positions are the edges of the cell).
 struct Domain {
-  std::array<Wall, 4> wall;
+  BySide<Wall> wall;
   std::array<bool, 2> periodic{};    ///< along x, along y
   double tilt = 0;                   ///< x-shift of the upper image of a sheared periodic cell (Lees-Edwards), m
   double thickness = 1;              ///< out-of-plane length L of the cylinders, m
   std::vector<Boundary> boundaries;  ///< beside the walls
 
-  double width() const { return wall[right].position - wall[left].position; }
-  double height() const { return wall[top].position - wall[bottom].position; }
+  double extent(int axis) const { return wall[2 * axis + 1].position - wall[2 * axis].position; }
+  double width() const { return extent(0); }
+  double height() const { return extent(1); }
   Vec2 size() const { return {width(), height()}; }
   Vec2 corner() const { return {wall[left].position, wall[bottom].position}; }  ///< the lower left one
   double area() const { return width() * height(); }
-  bool is_periodic(int side) const { return periodic[static_cast<std::size_t>(side / 2)]; }
-  double length(int side) const { return side < bottom ? height() : width(); }  ///< along it
+  bool is_periodic(int side) const { return periodic[axis_of(side)]; }
+  double length(int side) const { return extent(1 - axis_of(side)); }  ///< along it
   /// How far a place lies within the plane of a side, m.
   double depth(int side, Vec2 place) const { return side % 2 == 0 ? across(side, place) - wall[side].position : wall[side].position - across(side, place); }
   /// The nearest periodic image of a vector between two points; the vector itself where nothing is periodic.

@@ -97,7 +97,7 @@ CroppedPacking crop(const Packing& packing, const Cement& cement, const std::vec
   CroppedPacking result;
   result.packing.materials = packing.materials;
   result.packing.domain = packing.domain;
-  for (int side = 0; side < 4; ++side) result.packing.domain.wall[static_cast<std::size_t>(side)].position -= side < 2 ? corner.x : corner.y;
+  for (int side = 0; side < sides; ++side) result.packing.domain.wall[side].position -= across(side, corner);
   for (Boundary& boundary : result.packing.domain.boundaries) {
     for (Vec2& p : boundary.points) p -= corner;
     boundary.centre -= corner;

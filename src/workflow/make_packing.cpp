@@ -25,7 +25,7 @@ Domain frame_of(const recipe::Recipe& recipe) {
   domain.thickness = frame.thickness;
   domain.periodic[0] = frame.periodic[0];
   domain.periodic[1] = frame.periodic[1];
-  for (int side = 0; side < 4; ++side) domain.wall[side].present = !frame.is_periodic(side);
+  for (int side = 0; side < sides; ++side) domain.wall[side].present = !frame.is_periodic(side);
   domain.wall[right].position = frame.width;
   domain.wall[top].position = frame.height;
   domain.boundaries = recipe.boundaries;
@@ -38,7 +38,7 @@ Domain area_of(const Domain& frame, const std::optional<recipe::FillArea>& area)
   Domain part = frame;
   if (!area) return part;
   const std::optional<double> edges[] = {area->left, area->right, area->bottom, area->top};
-  for (int side = 0; side < 4; ++side) part.wall[side].position = edges[side].value_or(frame.wall[side].position);
+  for (int side = 0; side < sides; ++side) part.wall[side].position = edges[side].value_or(frame.wall[side].position);
   return part;
 }
 

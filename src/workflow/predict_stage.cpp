@@ -47,7 +47,7 @@ double weight(const dem::Stage& stage, const Bulk& bulk) {
 /// 1/s; what closes the sample.
 double closing_rate(const dem::Stage& stage, const Bulk& bulk) {
   double rate = 0;
-  for (std::size_t side = 0; side < 4; ++side)
+  for (int side = 0; side < sides; ++side)
     if (stage.side[side].kind == Kind::velocity) rate = std::max(rate, std::abs(largest_drive(stage, side)) / (side < 2 ? bulk.width : bulk.height));
   return rate;
 }

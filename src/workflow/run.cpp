@@ -42,7 +42,7 @@ io::Checkpoint to_checkpoint(const dem::Engine& engine, const dem::StageRun& run
   io::Checkpoint checkpoint;
   checkpoint.key = key;
   checkpoint.blobs["engine"] = engine.save();
-  for (int side = 0; side < 4; ++side) checkpoint.numbers[force_at_start(side)] = run.force_at_start[side];
+  for (int side = 0; side < sides; ++side) checkpoint.numbers[force_at_start(side)] = run.force_at_start[side];
   for (const auto& [name, count] : counts) checkpoint.integers[name] = run.*count;
   checkpoint.partial = run.result;
   return checkpoint;
@@ -50,7 +50,7 @@ io::Checkpoint to_checkpoint(const dem::Engine& engine, const dem::StageRun& run
 
 void restore_from(const io::Checkpoint& checkpoint, dem::Engine& engine, dem::StageRun& run) {
   engine.restore(checkpoint.blobs.at("engine"));
-  for (int side = 0; side < 4; ++side) run.force_at_start[side] = checkpoint.numbers.at(force_at_start(side));
+  for (int side = 0; side < sides; ++side) run.force_at_start[side] = checkpoint.numbers.at(force_at_start(side));
   for (const auto& [name, count] : counts) run.*count = checkpoint.integers.at(name);
   run.result = checkpoint.partial;
 }

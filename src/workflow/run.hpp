@@ -26,7 +26,7 @@ struct Progress {
   std::string key{};                           ///< hash of the stage, which its checkpoint carries
   std::int64_t increment = 0, increments = 0;  ///< the one under way, from 1; 0 where the stage has none
   double time = 0;                             ///< of the sample, s
-  std::array<Wall, 4> wall{};                  ///< now; none is present where `time` is none
+  BySide<Wall> wall{};                         ///< now; none is present where `time` is none
 };
 
 class Store;

@@ -1,11 +1,12 @@
-// The contact laws know no dimension: two spheres that collide obliquely in space, by an explicit Verlet step around contact_force, against
-// closed forms. Contacts are so stiff that they do not turn while they last.
+// The contact laws and the pair loop's equations know no dimension: two spheres that collide obliquely in space, by an explicit Verlet step around
+// them, against closed forms. Contacts are so stiff that they do not turn while they last.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
 #include "grains/dem/coefficients.hpp"
+#include "grains/dem/kernels/pair_loop.hpp"
 #include "grains/dem/laws/laws.hpp"
 
 namespace arenite::verification {
@@ -18,7 +19,12 @@ struct Sphere {
   Vec3 place, velocity, spin;  ///< spin in rad/s; velocities are those of the middle of the step
   Vec3 seen, seen_spin;        ///< by forces
   double inertia() const { return 0.4 * mass * radius * radius; }
+  GrainRecord<3> record() const { return {place, seen, seen_spin, radius, mass}; }
 };
+
+Vec3 numbers(Vec<3, Pack<1>> a) {
+  return by_axis<3>([&](int axis) { return a[axis].raw[0]; });
+}
 
 /// How two spheres meet: touching in the direction n, with the relative velocity of a towards b.
 struct Collision {
@@ -50,33 +56,26 @@ struct Collision {
   template <class N, class F> void run(const N& normal, const F& friction_law) {
     const double dt = contact_time() / 20000, k = stiffness;
     laws.lead = laws.lag = 0.5 * dt;
-    ContactState<double, Vec3> c{};
-    c.stiffness = k;
-    c.damping = dem::damping_ratio(restitution, false) * std::sqrt(reduced_mass() * k);
-    c.viscosity = viscosity;
-    c.friction = friction;
-    c.curvature = 1 / a.radius + 1 / b.radius;
-    ContactMemory<double, Vec3> memory;
+    using V = Pack<1>;
+    const V zero(0.0), damping(dem::damping_ratio(restitution, false) * std::sqrt(reduced_mass() * k));
+    ContactMemory<V, Vec<3, V>> memory;
     for (Sphere* s : {&a, &b}) s->seen = s->velocity, s->seen_spin = s->spin;
     for (bool touching = true; touching;) {
-      Vec3 d = a.place - b.place;
-      const double distance = norm(d);
-      const Vec3 normal_now = d / distance;
-      c.overlap = a.radius + b.radius - distance;
-      const double arm_a = a.radius - 0.5 * c.overlap, arm_b = b.radius - 0.5 * c.overlap;
-      const Vec3 u = a.seen - b.seen - cross(arm_a * a.seen_spin + arm_b * b.seen_spin, normal_now);
-      c.approach = -dot(u, normal_now);
-      c.sliding = u - dot(u, normal_now) * normal_now;
-      Vec3 force, tangential;
-      touching = c.overlap > 0 || c.approach > 0;
-      if (c.overlap > 0) {
-        const auto f = contact_force(laws, normal, NoAdhesion{}, friction_law, c, memory);
-        tangential = f.tangential - dot(f.tangential, normal_now) * normal_now;
-        force = f.normal * normal_now + tangential;
+      const GrainRecord<3> record[] = {a.record(), b.record()};
+      const std::int32_t first = 0, second = 1;
+      const PairPack<1, 3> pair(GrainPack<1, 3>(record, &first), GrainPack<1, 3>(record, &second), 0.5);
+      Vec3 force, torque_a, torque_b;
+      touching = pair.overlap.raw[0] > 0 || pair.approach.raw[0] > 0;
+      if (pair.overlap.raw[0] > 0) {
+        const ContactState<V, Vec<3, V>> state{pair.overlap, pair.approach, pair.sliding, pair.curvature, V(k), damping, V(viscosity), zero, V(friction), zero};
+        const auto f = contact_force(laws, normal, NoAdhesion{}, friction_law, state, memory);
+        const Vec<3, V> tangential = pair.without_twist(f.tangential);
+        force = numbers(pair.force(f.normal, tangential));
+        torque_a = numbers(pair.torque(pair.arm_i, tangential));
+        torque_b = numbers(pair.torque(pair.arm_j, tangential));
       }
-      const Vec3 torque = cross(normal_now, tangential);
-      step(a, force, -arm_a * torque, dt);
-      step(b, -force, -arm_b * torque, dt);
+      step(a, force, torque_a, dt);
+      step(b, -force, torque_b, dt);
     }
   }
   static void step(Sphere& s, Vec3 force, Vec3 torque, double dt) {

@@ -129,7 +129,7 @@ Tensor2 sum_of_moments(const Sample& s, const ThreadPool& pool) {
 }
 
 bool has_driven_edge(const Sample& s) {
-  for (int side = 0; side < 4; ++side)
+  for (int side = 0; side < sides; ++side)
     if (!s.domain.wall[side].present && s.wall[side].drive.kind == WallDrive::Kind::force) return true;
   return false;
 }

@@ -133,7 +133,7 @@ void list_walls(Sample& s) {
     const DiskRecord& d = s.record[k];
     const HeldGrain* held = find_held(s, d.grain);
     const auto add = [&](std::int32_t j) { add_slot(s.list, static_cast<std::int32_t>(k), j, -1, wall_coefficients(s, d)); };
-    for (int side = 0; side < 4; ++side) {
+    for (int side = 0; side < sides; ++side) {
       const bool may_touch = s.domain.wall[side].present && !(held && held->side == side);
       if (may_touch && s.domain.depth(side, d.place) < d.radius + s.skin) add(wall_partner(side));
     }

@@ -123,7 +123,7 @@ Snapshot take(const Sample& s) {
   shot.disk.resize(s.count + s.body.size());
   shot.boundary.resize(3 * s.domain.boundaries.size());
   const bool corrects = integrator_of(s).corrects();
-  const CellMotion cell = cell_motion(s.domain);
+  const CellMotion<2> cell = cell_motion(s.domain);
   each_mover(s, [&](std::size_t k) {
     const Mover m = mover_at(s, k);
     Snapshot::Disk& mover = shot.disk[k < s.count ? s.record[k].grain : k];
@@ -138,7 +138,7 @@ Snapshot take(const Sample& s) {
     shot.edge[low + 1].dash = -shot.edge[low].dash;
     shot.edge[low + 1].slip = -shot.edge[low].slip;
   }
-  for (std::size_t side = 0; side < 4; ++side) {
+  for (int side = 0; side < sides; ++side) {
     auto& edge = shot.edge[side];
     edge.rate = corrects ? wall_rate(s, side) : s.wall[side].rate;
     edge.force = -inward_sign(side) * s.domain.wall[side].force;

@@ -42,7 +42,7 @@ int useful_threads(int asked, std::size_t disks) {
 
 double servo_energy(const Sample& s) {
   double sum = 0;
-  for (std::size_t side = 0; side < 4; ++side)
+  for (int side = 0; side < sides; ++side)
     if (s.wall[side].drive.kind == WallDrive::Kind::force) sum += 0.5 * s.wall[side].mass * s.wall[side].rate * s.wall[side].rate;
   return sum;
 }
@@ -59,8 +59,8 @@ void synchronise(Sample& s) {
   s.balance.open = false;
   if (s.lag == 0 && !s.settled) return;
   // All is read before anything is set, for rates of walls hang on the places and velocities of disks.
-  std::array<double, 4> rate, place;
-  for (std::size_t side = 0; side < 4; ++side) {
+  BySide<double> rate, place;
+  for (int side = 0; side < sides; ++side) {
     rate[side] = wall_rate(s, side);
     place[side] = wall_place(s, side);
   }
@@ -72,13 +72,12 @@ void synchronise(Sample& s) {
     if (is_part(s, k)) continue;
     const Motion own = motion_of(s, k);
     s.record[k].place = place_of(s, k);
-    s.vx[k] = own.velocity.x;
-    s.vy[k] = own.velocity.y;
+    s.velocity.put(k, own.velocity);
     s.omega[k] = own.omega;
   }
   for (std::size_t b = 0; b < s.body.size(); ++b) s.body[b].own = moved[b];
   for (std::size_t b = 0; b < s.boundary.size(); ++b) s.boundary[b].rate = s.domain.boundaries[b].velocity = driven[b];
-  for (std::size_t side = 0; side < 4; ++side) {
+  for (int side = 0; side < sides; ++side) {
     s.wall[side].rate = rate[side];
     s.domain.wall[side].position = place[side];
   }

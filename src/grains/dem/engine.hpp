@@ -66,9 +66,9 @@ class Engine {
   /// Shears a cell that is periodic both ways, du_x/dy, 1/s (Lees and Edwards 1972); grains are given the velocities of the change at once.
   void set_shear_rate(double rate);
   /// Walls, by side, that hold the grains nearer than half their radius; those of walls that are not named are let go.
-  void set_rough(const std::array<bool, 4>& rough);
+  void set_rough(const BySide<bool>& rough);
   /// Walls, by side, that are taken away; one comes back only where no grain lies beyond it (InputError).
-  void set_open(const std::array<bool, 4>& open);
+  void set_open(const BySide<bool>& open);
   /// How the boundaries of the domain move from now on, one for each.
   void set_boundaries(const std::vector<BoundaryDrive>& drives);
   void set_glue(bool on);  ///< adhesion acts; for bonds that break for good: pairs that touch now are bonded

@@ -48,11 +48,11 @@ inline Kinematics pair_kinematics(const DiskRecord& a, const DiskRecord& b, Arms
 inline Kinematics wall_kinematics(const DiskRecord& a, const Wall& wall, double slide, int side, Arms arms) {
   Kinematics c;
   c.normal = inward_normal(side);
-  const double distance = side < bottom ? c.normal.x * (a.place.x - wall.position) : c.normal.y * (a.place.y - wall.position);
+  const double distance = inward_sign(side) * (across(side, a.place) - wall.position);
   c.branch = distance * c.normal;
   c.overlap = a.radius - distance;
   if (!(c.overlap > 0)) return c;
-  lean_on(c, a, distance, a.velocity - (side < bottom ? Vec2{wall.velocity, slide} : Vec2{slide, wall.velocity}), arms);
+  lean_on(c, a, distance, a.velocity - of_side(side, wall.velocity, slide), arms);
   return c;
 }
 

@@ -101,12 +101,12 @@ Packing packing_of(const Sample& s) {
   out.materials = s.start.materials;
   out.domain = s.domain;
   out.grains = s.part.empty() ? s.start.grains : s.given;
-  for (std::size_t side = 0; side < 4; ++side) {
+  for (int side = 0; side < sides; ++side) {
     out.domain.wall[side].velocity = wall_rate(s, side);
     out.domain.wall[side].position = wall_place(s, side);
   }
   for (std::size_t b = 0; b < s.boundary.size(); ++b) out.domain.boundaries[b].velocity = velocity_of(s, b);
-  const CellMotion cell = cell_motion(out.domain);
+  const CellMotion<2> cell = cell_motion(out.domain);
   each_mover(s, [&](std::size_t k) {
     const Mover m = mover_at(s, k);
     const Motion own = motion_of(s, k);
@@ -122,7 +122,7 @@ Packing packing_of(const Sample& s) {
 Energies energies_of(const Sample& s) {
   Energies e = s.tally;
   each_mover(s, [&](std::size_t k) { e.kinetic += kinetic_energy(s, k); });
-  for (std::size_t side = 0; side < 4; ++side)
+  for (int side = 0; side < sides; ++side)
     if (s.wall[side].drive.kind == WallDrive::Kind::force) {
       const double v = wall_rate(s, side);
       e.kinetic += 0.5 * s.wall[side].mass * v * v;
@@ -190,7 +190,7 @@ Equilibrium equilibrium_of(const Sample& s) {
   if (s.count > 0) q.falling = static_cast<double>(motions.falling) / grains;
   if (pressed > 0) q.mobilisation = mobilised / static_cast<double>(pressed);
   q.wall_speed = fastest_point(s.domain);
-  for (std::size_t side = 0; side < 4; ++side) q.wall_speed = std::max(q.wall_speed, std::abs(wall_rate(s, side)));
+  for (int side = 0; side < sides; ++side) q.wall_speed = std::max(q.wall_speed, std::abs(wall_rate(s, side)));
   return q;
 }
 

@@ -31,7 +31,7 @@ void check_places(const Sample& s) {
 void wrap(Sample& s) {
   if (s.domain.periodic[0]) s.domain.tilt -= std::round(s.domain.tilt / s.domain.width()) * s.domain.width();
   for (std::size_t k = 0; k < s.count; ++k)
-    if (!is_part(s, k)) wrap_over_sides(s, s.record[k].mass, s.record[k].place, s.vx[k], s.record[k].velocity);
+    if (!is_part(s, k)) wrap_over_sides(s, s.record[k].mass, s.record[k].place, s.velocity.along[0][k], s.record[k].velocity);
 }
 
 template <class T> void permute(std::vector<T>& values, const std::vector<std::int32_t>& order) {
@@ -46,8 +46,9 @@ std::vector<std::int32_t> sort_by_cell(Sample& s) {
   std::vector<std::int32_t> order = geometry::SortedCells(grid.size(), 0, s.count, [&](std::size_t k) { return grid.cell(s.record[k].place); }).item;
   s.record.resize(s.count);
   permute(s.record, order);
-  for (auto* a : {&s.vx, &s.vy, &s.omega, &s.angle, &s.ax, &s.ay, &s.alpha}) permute(*a, order);
-  for (auto& a : s.higher) permute(a, order);
+  each_motion_array(s, [&](auto& a) { permute(a, order); });
+  for (auto& higher : s.higher)
+    for (auto& a : higher.along) permute(a, order);
   return order;
 }
 
@@ -98,11 +99,11 @@ bool bonds_break(const Sample& s) {
 void wrap_over_sides(Sample& s, double mass, Vec2& place, double& own_x, Vec2& seen) {
   const auto& w = s.domain.wall;
   const double width = s.domain.width(), height = s.domain.height();
-  const CellMotion cell = cell_motion(s.domain);
+  const CellMotion<2> cell = cell_motion(s.domain);
   if (s.domain.periodic[1]) {
     const double n = std::floor((place.y - w[bottom].position) / height);
     const double y = place.y - n * height, faster = -n * s.shear_rate * height;
-    seen.y += cell.y.at(y) - cell.y.at(place.y);
+    seen.y += cell.along[1].at(y) - cell.along[1].at(place.y);
     place.y = y;
     place.x -= n * s.domain.tilt;
     if (n != 0 && s.shear_rate != 0) {
@@ -113,7 +114,7 @@ void wrap_over_sides(Sample& s, double mass, Vec2& place, double& own_x, Vec2& s
   }
   if (s.domain.periodic[0]) {
     const double x = place.x - std::floor((place.x - w[left].position) / width) * width;
-    seen.x += cell.x.at(x) - cell.x.at(place.x);
+    seen.x += cell.along[0].at(x) - cell.along[0].at(place.x);
     place.x = x;
   }
 }
@@ -128,14 +129,10 @@ void rebuild_list(Sample& s, const ThreadPool& pool) {
   number_held(s);
   for (std::size_t h = 0; h < s.held.size(); ++h) {
     HeldGrain& held = s.held[h];
-    (held.side < bottom ? held.place.y : held.place.x) = along(held.side, s.record[s.held_disk[h]].place) - s.wall[held.side].slid;
+    held.place[1 - axis_of(held.side)] = along(held.side, s.record[s.held_disk[h]].place) - s.wall[held.side].slid;
   }
-  s.listed_x.resize(s.count);
-  s.listed_y.resize(s.count);
-  for (std::size_t k = 0; k < s.count; ++k) {
-    s.listed_x[k] = s.record[k].place.x;
-    s.listed_y[k] = s.record[k].place.y;
-  }
+  for (auto& a : s.listed.along) a.resize(s.count);
+  for (std::size_t k = 0; k < s.count; ++k) s.listed.put(k, s.record[k].place);
   s.listed_domain = s.domain;
   s.listed_sheared = s.sheared;
   ++s.builds;
@@ -146,12 +143,12 @@ void rebuild_list(Sample& s, const ThreadPool& pool) {
 
 geometry::Box<2> room_of(const Sample& s) {
   const auto& w = s.domain.wall;
-  std::array<double, 4> edge{w[left].position, w[right].position, w[bottom].position, w[top].position};
-  for (int side = 0; side < 4; ++side) {
+  BySide<double> edge{w[left].position, w[right].position, w[bottom].position, w[top].position};
+  for (int side = 0; side < sides; ++side) {
     if (!s.wall[side].open) continue;
     double beyond = 0;
     for (std::size_t k = 0; k < s.count; ++k) beyond = std::max(beyond, -s.domain.depth(side, s.record[k].place));
-    edge[side] -= inward_sign(side) * std::min(beyond, side < bottom ? s.domain.width() : s.domain.height());
+    edge[side] -= inward_sign(side) * std::min(beyond, s.domain.extent(axis_of(side)));
   }
   return {{edge[left], edge[bottom]}, {edge[right] - edge[left], edge[top] - edge[bottom]}};
 }
@@ -175,25 +172,24 @@ void hold_grains(Sample& s) {
     const std::int32_t k = s.held_disk[h];
     const WallBody& body = s.wall[held.side];
     const Wall& wall = s.domain.wall[held.side];
-    const auto of_side = [&](double normal, double tangential) { return held.side < bottom ? Vec2{normal, tangential} : Vec2{tangential, normal}; };
     DiskRecord& d = s.record[k];
-    d.place = held.place + of_side(wall.position, body.slid);
-    d.velocity = of_side(wall.velocity, body.drive.slide);
-    s.vx[k] = of_side(body.rate, body.drive.slide).x;
-    s.vy[k] = of_side(body.rate, body.drive.slide).y;
+    d.place = held.place + of_side(held.side, wall.position, body.slid);
+    d.velocity = of_side(held.side, wall.velocity, body.drive.slide);
+    s.velocity.put(k, of_side(held.side, body.rate, body.drive.slide));
+    s.acceleration.put(k, {});
     s.angle[k] = s.held_angle[h];
-    d.omega = s.omega[k] = s.ax[k] = s.ay[k] = s.alpha[k] = 0;
+    d.omega = s.omega[k] = s.alpha[k] = 0;
     for (auto& higher : s.higher)
-      if (!higher.empty()) higher[k] = 0;
+      if (!higher.along[0].empty()) higher.put(k, {});
   }
 }
 
 double list_leeway(const Sample& s) {
-  for (int side = 0; side < 4; ++side)
+  for (int side = 0; side < sides; ++side)
     if (!s.domain.is_periodic(side) && std::abs(s.domain.wall[side].position - s.listed_domain.wall[side].position) > 0.5 * s.skin) return 0;
   if (farthest_moved(s.listed_domain, s.domain) > 0.5 * s.skin) return 0;
-  const CellFrame then = cell_frame(s.listed_domain), now = cell_frame(s.domain);
-  const double growth = std::abs(now.x.growth(then.x)) + std::abs(now.y.growth(then.y));
+  const CellFrame<2> then = cell_frame(s.listed_domain), now = cell_frame(s.domain);
+  const double growth = std::abs(now[0].growth(then[0])) + std::abs(now[1].growth(then[1]));
   return 0.5 * (s.skin - reach_of(s) * (growth + std::abs(s.sheared - s.listed_sheared)));
 }
 

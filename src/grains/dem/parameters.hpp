@@ -9,6 +9,7 @@
 #include "core/vec.hpp"
 #include "grains/dem/laws/laws.hpp"
 #include "model/elasticity/disk_field.hpp"
+#include "model/packing.hpp"
 
 namespace arenite::dem {
 
@@ -89,7 +90,7 @@ struct WallDrive {
   double slide = 0;  ///< m/s of a wall along itself, along +y (left, right) or +x (bottom, top)
   bool operator==(const WallDrive&) const = default;
 };
-using WallDrives = std::array<WallDrive, 4>;
+using WallDrives = BySide<WallDrive>;
 
 /// How a boundary moves; see model/packing.hpp.
 struct BoundaryDrive {

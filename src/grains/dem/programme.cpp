@@ -34,7 +34,7 @@ void change_shear_rate(Sample& s, double rate) {
   const double before = tracked ? energies_of(s).kinetic : 0, middle = 0.5 * (s.domain.wall[bottom].position + s.domain.wall[top].position);
   for (std::size_t k = 0; k < s.count; ++k) {
     const double faster = (rate - s.shear_rate) * (s.record[k].place.y - middle);
-    s.vx[k] += faster;
+    s.velocity.along[0][k] += faster;
     s.record[k].velocity.x += faster;
   }
   for (Body& b : s.body) {
@@ -84,7 +84,7 @@ void follow_loads(Sample& s) {
     if (p.drives_side() && p.drive() != 0) s.wall[p.side()].drive.value = load_of(s, p, time);
     if (!p.is_of_force()) continue;
     Vec2& force = s.boundary[index_of(s.domain.boundaries, p.name)].force;
-    (p.boundary_axis() == 0 ? force.x : force.y) = p.at(time);
+    force[p.boundary_axis()] = p.at(time);
   }
   const Programme *size = s.programmes.find(Programme::gravity_size), *angle = s.programmes.find(Programme::gravity_angle);
   if (!size && !angle) return;

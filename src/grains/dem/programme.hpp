@@ -13,8 +13,8 @@ struct Sample;
 /// A quantity of a stage's loading that a table gives over time: linear between two rows, as the first and last say before and after them; two rows of
 /// one time are a jump.
 struct Programme {
-  static constexpr int sides = 4, drives = 3, slide = sides * drives, shear_rate = slide + sides, gravity_size = shear_rate + 1,
-                       gravity_angle = gravity_size + 1, boundary = gravity_angle + 1, count = boundary + 8;
+  static constexpr int drives = 3, slide = sides * drives, shear_rate = slide + sides, gravity_size = shear_rate + 1, gravity_angle = gravity_size + 1,
+                       boundary = gravity_angle + 1, count = boundary + 8;
   /// What drives a boundary: where it is from where it was as the programme began, how fast it is, or the force on it.
   enum class OfBoundary { x, y, angle, velocity_x, velocity_y, spin, force_x, force_y };
   int of = 0;               ///< drives * side + (0: velocity inward, 1: force, 2: pressure), slide + side, boundary + OfBoundary, or one of the others

@@ -32,7 +32,7 @@ constexpr std::size_t history_rows = 4096;    // beyond this every second row is
 /// Largest departure of a force-driven wall from its aim, relative to the aim.
 double load_error(const WallDrives& drives, const Domain& domain) {
   double worst = 0;
-  for (int side = 0; side < 4; ++side)
+  for (int side = 0; side < sides; ++side)
     if (drives[side].kind == WallDrive::Kind::force && drives[side].value > 0)
       worst = std::max(worst, std::abs(domain.wall[side].force - drives[side].value) / drives[side].value);
   return worst;
@@ -52,7 +52,7 @@ bool shears_cell(const Stage& stage) {
 void sample(History& history, const Engine& engine, const Stage& stage, const Equilibrium& now, std::int64_t increment) {
   append(history, "time", "s", engine.time());
   append(history, "increment", "1", static_cast<double>(increment + 1));
-  for (int side = 0; side < 4; ++side) {
+  for (int side = 0; side < sides; ++side) {
     const auto& wall = engine.domain().wall[side];
     append(history, fmt::format("{}_position", side_names[side]).c_str(), "m", wall.position);
     append(history, fmt::format("{}_force", side_names[side]).c_str(), "N", wall.force);
@@ -224,7 +224,7 @@ StageRun begin_stage(Engine& engine, const Stage& stage) {
   StageRun run;
   run.result.name = stage.name;
   run.size_at_start = {engine.domain().width(), engine.domain().height()};
-  for (int side = 0; side < 4; ++side) run.force_at_start[side] = engine.domain().wall[side].force;
+  for (int side = 0; side < sides; ++side) run.force_at_start[side] = engine.domain().wall[side].force;
   return run;
 }
 

@@ -11,9 +11,9 @@ namespace arenite::dem {
 
 /// A stage under way: everything besides the engine's own state that decides how it goes on, so that a checkpoint of both resumes with the same bits.
 struct StageRun {
-  std::array<double, 4> force_at_start{};  ///< N
-  std::array<double, 2> size_at_start{};   ///< width and height, m
-  std::int64_t increment = 0;              ///< the one under way
+  BySide<double> force_at_start{};        ///< N
+  std::array<double, 2> size_at_start{};  ///< width and height, m
+  std::int64_t increment = 0;             ///< the one under way
   std::int64_t steps_in_increment = 0;
   std::int64_t sample_every = 1;  ///< checks between two rows of the history
   std::int64_t checks = 0;

@@ -16,10 +16,11 @@
 
 namespace arenite::dem {
 
-/// What the pair loop reads of a disk: one cache line. Velocities are those that the forces see.
-struct alignas(64) DiskRecord {
-  Vec2 place, velocity;
-  double omega = 0, radius = 0, mass = 0;
+/// What the pair loop reads of a disk or sphere; a disk's is one cache line. Velocities are those that the forces see.
+template <int D> struct alignas(64) GrainRecord {
+  Vec<D> place, velocity;
+  Turning<D> omega{};
+  double radius = 0, mass = 0;
   std::int32_t material = 0;
   std::int32_t grain = 0;  ///< the caller's index
 };
@@ -93,6 +94,17 @@ struct Foot {
   Vec2 lever;                          ///< from the body's centre, m
 };
 
+/// A vector of each disk, one array a component, as the sweeps read them.
+template <int D> struct Components {
+  std::array<std::vector<double>, D> along;
+  Vec<D> operator[](std::size_t k) const {
+    return by_axis<D>([&](int axis) { return along[axis][k]; });
+  }
+  void put(std::size_t k, Vec<D> v) {
+    for (int axis = 0; axis < D; ++axis) along[axis][k] = v[axis];
+  }
+};
+
 /// Everything that decides the future, and the set-up that follows from it. Disks are kept in an inner order that follows the cells;
 /// `record[k].grain` leads back to the caller's.
 struct Sample {
@@ -112,7 +124,7 @@ struct Sample {
   Programmes programmes;  ///< of the stage under way; not saved, since every stage sets them
 
   Domain domain;
-  std::array<WallBody, 4> wall;
+  BySide<WallBody> wall;
   std::vector<Element> element;  ///< of the domain's boundaries
   std::vector<BoundaryBody> boundary;
   std::int64_t step = 0;
@@ -122,14 +134,14 @@ struct Sample {
 
   std::size_t count = 0;  ///< disks; the records behind them are ghosts
   std::vector<DiskRecord> record;
-  std::vector<double> vx, vy, omega, angle;   ///< integrated velocities, less the affine motion of a periodic cell
-  std::vector<double> ax, ay, alpha;          ///< last accelerations
-  std::array<std::vector<double>, 9> higher;  ///< Gear: third to fifth derivatives of x, y, angle
-  std::vector<Ghost> ghost;                   ///< and behind them one for each foot of a disk
-  std::vector<Foot> foot, point_foot;         ///< of disks and of boundaries' points; the records of the latter are the last ones
-  ContactList list, former;                   ///< `former`: the list before the last rebuild, kept for its memory
+  Components<2> velocity, acceleration;     ///< integrated velocities, less the affine motion of a periodic cell; last accelerations
+  std::vector<double> omega, angle, alpha;  ///< the same of the turning
+  std::array<Components<3>, 3> higher;      ///< Gear: of x, y and angle the third to fifth derivatives
+  std::vector<Ghost> ghost;                 ///< and behind them one for each foot of a disk
+  std::vector<Foot> foot, point_foot;       ///< of disks and of boundaries' points; the records of the latter are the last ones
+  ContactList list, former;                 ///< `former`: the list before the last rebuild, kept for its memory
   double skin = 0, largest_radius = 0;
-  std::vector<double> listed_x, listed_y;  ///< where the disks were when the list was built
+  Components<2> listed;  ///< where the disks were when the list was built
   Domain listed_domain;
   double sheared = 0, listed_sheared = 0;  ///< shear strain by shear_rate so far, and when the list was built
   std::int64_t builds = 0;
@@ -153,6 +165,14 @@ struct Sample {
   bool settled = false;   ///< the integrator has its starting values
 };
 
+/// Calls `see` with what moves the disks, array by array, in the order of a stored state.
+template <class See> void each_motion_array(Sample& s, See&& see) {
+  for (auto& v : s.velocity.along) see(v);
+  see(s.omega), see(s.angle);
+  for (auto& a : s.acceleration.along) see(a);
+  see(s.alpha);
+}
+
 /// Key of an unordered pair of grains (caller's indices).
 inline std::uint64_t pair_key(std::int32_t a, std::int32_t b) {
   const auto low = static_cast<std::uint32_t>(a < b ? a : b), high = static_cast<std::uint32_t>(a < b ? b : a);
@@ -166,14 +186,12 @@ inline std::uint64_t slot_key(const Sample& s, std::size_t slot) {
 }
 
 /// Affine motion of a periodic cell: homogeneous between two edges.
-struct CellMotion {
-  AffineMotion x, y;
-  Vec2 at(Vec2 place) const { return {x.at(place.x), y.at(place.y)}; }
-};
 inline AffineMotion affine_between(const Wall& a, const Wall& b) { return {a.position, a.velocity, (b.velocity - a.velocity) / (b.position - a.position)}; }
-inline CellMotion cell_motion(const Domain& d) {
-  return {d.periodic[0] ? affine_between(d.wall[left], d.wall[right]) : AffineMotion{},
-          d.periodic[1] ? affine_between(d.wall[bottom], d.wall[top]) : AffineMotion{}};
+inline CellMotion<2> cell_motion(const Domain& d) {
+  CellMotion<2> motion;
+  for (std::size_t axis = 0; axis < motion.along.size(); ++axis)
+    if (d.periodic[axis]) motion.along[axis] = affine_between(d.wall[2 * axis], d.wall[2 * axis + 1]);
+  return motion;
 }
 
 /// Where the periodic cell is, one direction each; nothing moves with it along a side that is not periodic.
@@ -184,11 +202,11 @@ struct CellAxis {
   Stretch since(const CellAxis& old) const { return periodic ? Stretch{old.edge, length / old.length, edge} : Stretch{}; }
   double growth(const CellAxis& old) const { return periodic ? length / old.length - 1 : 0; }
 };
-struct CellFrame {
-  CellAxis x, y;
-};
-inline CellFrame cell_frame(const Domain& d) {
-  return {{d.periodic[0], d.wall[left].position, d.width()}, {d.periodic[1], d.wall[bottom].position, d.height()}};
+template <int D> using CellFrame = std::array<CellAxis, D>;
+inline CellFrame<2> cell_frame(const Domain& d) {
+  CellFrame<2> frame;
+  for (std::size_t axis = 0; axis < frame.size(); ++axis) frame[axis] = {d.periodic[axis], d.wall[2 * axis].position, d.extent(static_cast<int>(axis))};
+  return frame;
 }
 
 /// From a place to its image some cells on, m, and how fast that moves past it, m/s.

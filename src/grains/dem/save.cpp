@@ -75,8 +75,10 @@ template <class Archive> void transfer(Archive& a, Sample& s) {
     for (Boundary& boundary : domain->boundaries) transfer(a, boundary);
   for (BoundaryBody& body : s.boundary)
     if (body.mass > 0) transfer(a, body.force), transfer(a, body.rate);
-  for (auto* v : {&s.vx, &s.vy, &s.omega, &s.angle, &s.ax, &s.ay, &s.alpha, &s.listed_x, &s.listed_y}) a(*v);
-  for (auto& v : s.higher) a(v);
+  each_motion_array(s, a);
+  for (auto& v : s.listed.along) a(v);
+  for (auto& higher : s.higher)
+    for (auto& v : higher.along) a(v);
   a(s.live_bonds);
   if (!s.part.empty()) a(s.body), a(s.part);
   transfer(a, s.tally);
@@ -174,7 +176,7 @@ void restore_sample(Sample& sample, const std::vector<std::uint8_t>& bytes) {
   read(s.record);
   if (s.record.size() != s.count) ByteReader::fail();
   transfer(read, s);
-  if (s.vx.size() != s.count || s.listed_x.size() != s.count) ByteReader::fail();
+  if (s.alpha.size() != s.count || s.listed.along[0].size() != s.count) ByteReader::fail();
   if (s.body.size() != sample.body.size() || s.part.size() != sample.part.size()) ByteReader::fail();
   for (std::size_t b = 0; b < s.domain.boundaries.size(); ++b)
     for (const Domain* domain : {&s.domain, &s.listed_domain})
@@ -185,7 +187,7 @@ void restore_sample(Sample& sample, const std::vector<std::uint8_t>& bytes) {
   const std::vector<DiskRecord> disks = s.record;
   const Domain domain = s.domain;
   s.domain = s.listed_domain;
-  for (std::size_t k = 0; k < s.count; ++k) { s.record[k].place = {s.listed_x[k], s.listed_y[k]}; }
+  for (std::size_t k = 0; k < s.count; ++k) s.record[k].place = s.listed[k];
   number_held(s);
   list_with_bonds(s, broken);
   const std::size_t slots = s.list.size(), pulls = s.list.pull.size();

@@ -72,7 +72,7 @@ void check_packing(Problems& problems, const Packing& start, bool by_moduli) {
     problems.unless(g.material[k] >= 0 && static_cast<std::size_t>(g.material[k]) < start.materials.size(),
                     "material {} of grain {} is not among the {} materials", g.material[k], g.id[k], start.materials.size());
     bool inside = true;
-    for (int side = 0; side < 4; ++side) inside = inside && (!domain.wall[side].present || domain.depth(side, g.position[k]) >= 0);
+    for (int side = 0; side < sides; ++side) inside = inside && (!domain.wall[side].present || domain.depth(side, g.position[k]) >= 0);
     problems.unless(inside, "the centre of grain {} is outside of the container", g.id[k]);
   }
 }
@@ -81,17 +81,15 @@ void place_disks(Sample& s) {
   const Grains& g = s.start.grains;
   s.count = g.size();
   s.record.resize(s.count);
-  const CellMotion cell = cell_motion(s.domain);
-  for (auto* a : {&s.vx, &s.vy, &s.omega, &s.angle, &s.ax, &s.ay, &s.alpha}) a->assign(s.count, 0.0);
+  const CellMotion<2> cell = cell_motion(s.domain);
+  each_motion_array(s, [&](auto& a) { a.assign(s.count, 0.0); });
   double sum = 0;
   for (std::size_t k = 0; k < s.count; ++k) {
     const double r = g.radius[k];
     s.omega[k] = s.integration.rotations ? g.omega[k] : 0.0;
     s.record[k] = {g.position[k], g.velocity[k], s.omega[k], r, 0, g.material[k], static_cast<std::int32_t>(k)};
     s.record[k].mass = own_mass(s, k);
-    const Vec2 own = g.velocity[k] - cell.at(g.position[k]);
-    s.vx[k] = own.x;
-    s.vy[k] = own.y;
+    s.velocity.put(k, g.velocity[k] - cell.at(g.position[k]));
     s.angle[k] = g.angle[k];
     s.largest_radius = std::max(s.largest_radius, r);
     sum += r;
@@ -155,7 +153,7 @@ void recall_bonds(Sample& s) {
 
 /// The periodic sides have no walls; their `wall` entries are the edges of the cell.
 void clear_periodic_walls(Domain& domain) {
-  for (int side = 0; side < 4; ++side) {
+  for (int side = 0; side < sides; ++side) {
     Wall& wall = domain.wall[side];
     wall = {wall.present && !domain.is_periodic(side), wall.position};
   }

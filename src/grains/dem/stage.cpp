@@ -31,9 +31,9 @@ Increment cycle_increment(const Stage& stage, double start, std::int64_t k) {
 
 }  // namespace
 
-Increment on_the_ramp(const Stage& stage, const std::array<double, 4>& force_at_start, double share, std::string label) {
+Increment on_the_ramp(const Stage& stage, const BySide<double>& force_at_start, double share, std::string label) {
   Increment increment{stage.side, stage.slide, std::move(label)};
-  for (int side = 0; side < 4; ++side) {
+  for (int side = 0; side < sides; ++side) {
     auto& drive = increment.side[side];
     if (is_ramped(drive)) drive.value = force_at_start[side] + share * (drive.value - force_at_start[side]);
   }
@@ -45,7 +45,7 @@ std::int64_t increment_count(const Stage& stage) {
   return ramp_increments(stage) + (stage.cycles ? 2 * stage.cycles->count * stage.cycles->increments : 0);
 }
 
-Increment increment_at(const Stage& stage, const std::array<double, 4>& force_at_start, std::int64_t k) {
+Increment increment_at(const Stage& stage, const BySide<double>& force_at_start, std::int64_t k) {
   const std::int64_t n = ramp_increments(stage);
   if (k < n)
     return on_the_ramp(stage, force_at_start, static_cast<double>(k + 1) / static_cast<double>(n),
@@ -78,7 +78,7 @@ StrainHalf strain_half(const StrainCycles& cycles, std::int64_t half, double tim
 
 WallDrives drives_for(const Increment& increment, const Domain& domain) {
   WallDrives drives;
-  for (int side = 0; side < 4; ++side) {
+  for (int side = 0; side < sides; ++side) {
     const auto& drive = increment.side[side];
     switch (drive.kind) {
       case SideDrive::Kind::fixed: drives[side] = {WallDrive::Kind::fixed, 0}; break;

@@ -72,13 +72,13 @@ struct Stage {
   bool gravity = false;
   double gravity_size = standard_gravity;  ///< m/s^2
   double gravity_angle = 0;                ///< rad, by which it is turned from straight down, counter-clockwise
-  std::array<double, 4> slide{};           ///< m/s of each wall along itself, along +y or +x
-  std::array<bool, 4> rough{};             ///< walls that hold the grains nearest to them as the stage begins
-  std::array<bool, 4> open{};              ///< walls that are taken away
+  BySide<double> slide{};                  ///< m/s of each wall along itself, along +y or +x
+  BySide<bool> rough{};                    ///< walls that hold the grains nearest to them as the stage begins
+  BySide<bool> open{};                     ///< walls that are taken away
   std::vector<BoundaryMotion> boundaries;
   std::optional<double> count_below;  ///< m; the history counts the grains whose centre is below
   double shear_rate = 0;              ///< 1/s, of a cell that is periodic both ways
-  std::array<SideDrive, 4> side;      ///< in the order of model/packing.hpp
+  BySide<SideDrive> side;             ///< in the order of model/packing.hpp
   std::int64_t increments = 1;
   std::optional<double> duration;  ///< s; for stages driven by velocity, which do not end at rest
   std::optional<Cycles> cycles;
@@ -98,20 +98,20 @@ struct Stage {
 
 /// One step of a stage's loading: what every side aims at when the increment is over.
 struct Increment {
-  std::array<SideDrive, 4> side;
-  std::array<double, 4> slide{};
+  BySide<SideDrive> side;
+  BySide<double> slide{};
   std::string label;
 };
 
 /// What the sides of a stage aim at with a share (0 to 1) of the way from the start's forces (N) done; pressures act in full from the start.
-Increment on_the_ramp(const Stage& stage, const std::array<double, 4>& force_at_start, double share, std::string label = {});
+Increment on_the_ramp(const Stage& stage, const BySide<double>& force_at_start, double share, std::string label = {});
 
 /// How many increments a stage has, or half cycles of strain.
 std::int64_t increment_count(const Stage& stage);
 
 /// One of them, counted from 0. Forces go from what acts at the start (N; compression positive) to their values in equal steps, pressures act in full
 /// at once; cycles follow, each half cycle a ramp of its own.
-Increment increment_at(const Stage& stage, const std::array<double, 4>& force_at_start, std::int64_t k);
+Increment increment_at(const Stage& stage, const BySide<double>& force_at_start, std::int64_t k);
 
 /// Where in the cycles the end of an increment, or of a half cycle of strain, lies.
 struct CyclePlace {

@@ -18,7 +18,7 @@ double servo_damping(const Sample& s, std::size_t side) {
   const WallBody& body = s.wall[side];
   const double carried = std::max(s.domain.wall[side].force, 0.0);
   const double share = carried >= body.drive.value ? 1.0 : carried / body.drive.value;
-  const double length = side < bottom ? s.domain.width() : s.domain.height();
+  const double length = s.domain.extent(axis_of(static_cast<int>(side)));
   const double yielding = std::sqrt(std::max(body.drive.value, 0.0) * body.sample_mass / length) / s.inertial_number;
   return std::min(body.impedance, yielding) * share;
 }
@@ -31,10 +31,10 @@ void tune_servo(Sample& s) {
   for (std::size_t k = 0; k < s.count; ++k) stiffness += stiffness_of(s, s.record[k]) / static_cast<double>(s.count);
   const double layers = std::sqrt(static_cast<double>(std::max<std::size_t>(grain_count(s), 1)));
   const double aspect = s.domain.width() / s.domain.height();
-  for (std::size_t side = 0; side < 4; ++side) {
+  for (int side = 0; side < sides; ++side) {
     s.wall[side].mass = mass * std::max(0.05, std::min(1.0, 2.0 / layers));
     s.wall[side].sample_mass = mass;
-    s.wall[side].impedance = std::sqrt(mass * stiffness * (side < bottom ? 1.0 / aspect : aspect));
+    s.wall[side].impedance = std::sqrt(mass * stiffness * (axis_of(side) == 0 ? 1.0 / aspect : aspect));
   }
 }
 
@@ -45,7 +45,7 @@ double critical_drag(const Sample& s) {
 
 void apply_drives(Sample& s, const WallDrives& drives) {
   const bool steady = is_steady(drives);
-  for (std::size_t side = 0; side < 4; ++side) {
+  for (int side = 0; side < sides; ++side) {
     WallBody& body = s.wall[side];
     body.drive = drives[side];
     if (!steady) body.drift = 0;
@@ -66,7 +66,7 @@ double servo_braking(const Sample& s, std::size_t side, double velocity) {
 void follow_drift(Sample& s) {
   const WallDrives drives{s.wall[left].drive, s.wall[right].drive, s.wall[bottom].drive, s.wall[top].drive};
   if (!is_steady(drives)) return;
-  for (std::size_t side = 0; side < 4; ++side) {
+  for (int side = 0; side < sides; ++side) {
     WallBody& body = s.wall[side];
     if (body.drive.kind != WallDrive::Kind::force) continue;
     const double passages = 10.0 * body.sample_mass / body.impedance;

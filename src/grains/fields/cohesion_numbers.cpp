@@ -44,7 +44,7 @@ double pressure_on(const Domain& domain) {
 /// Largest tension on a side that moves outward, Pa; 0 where none does.
 double tensile_strength(const StageResult& result, const dem::Stage& stage, double thickness) {
   double strength = 0;
-  for (int side = 0; side < 4; ++side) {
+  for (int side = 0; side < sides; ++side) {
     if (stage.side[side].kind != dem::SideDrive::Kind::velocity || !(stage.side[side].value < 0)) continue;
     const History& history = result.history;
     const int beside = side < bottom ? bottom : left;  // with the next one the ends of the side

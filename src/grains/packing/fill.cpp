@@ -69,7 +69,7 @@ struct Relaxation {
   }
 
   void add_wall_forces() {
-    for (int side = 0; side < 4; ++side) {
+    for (int side = 0; side < sides; ++side) {
       if (domain.is_periodic(side)) continue;
       const Vec2 n = inward_normal(side);
       const double offset = domain.wall[side].position * (n.x + n.y);

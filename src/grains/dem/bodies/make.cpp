@@ -97,7 +97,7 @@ void make_bodies(Sample& s, const Grains& given) {
   if (shapes.empty()) return;
   s.given = given;
   s.part.resize(shapes.place.size());
-  const CellMotion cell = cell_motion(s.domain);
+  const CellMotion<2> cell = cell_motion(s.domain);
   for (std::size_t g = 0; g < given.size(); ++g) {
     const bool single = is_disk(shapes, g);
     const auto body = single ? -1 : static_cast<std::int32_t>(s.body.size());

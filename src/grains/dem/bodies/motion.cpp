@@ -22,8 +22,7 @@ void place_parts_of(Sample& s, const Body& b) {
     DiskRecord& disk = s.record[k];
     disk.place = b.place + arm + image_place(s, s.part[d].shift);
     disk.velocity = b.seen.velocity + b.seen.omega * perpendicular(arm) + image_velocity(s, s.part[d].shift);
-    s.vx[k] = disk.velocity.x;
-    s.vy[k] = disk.velocity.y;
+    s.velocity.put(k, disk.velocity);
     s.omega[k] = disk.omega = b.seen.omega;
     s.angle[k] = b.angle;
   });
@@ -43,15 +42,13 @@ Load load_of(const Sample& s, const Body& b) {
 /// The step of integrators/verlet.cpp for a body.
 void move(const Sample& s, const SweepTask& t, Body& b) {
   const Load load = load_of(s, b);
-  const CellMotion before{t.x.before, t.y.before}, after{t.x.after, t.y.after};
-  const Vec2 a = load.force / b.mass + Vec2{t.x.gravity, t.y.gravity} - t.drag * (b.seen.velocity - before.at(b.place));
+  const Vec2 a = load.force / b.mass + t.gravity - t.drag * (b.seen.velocity - t.before.at(b.place));
   const double alpha = t.turning * load.torque / b.inertia();
   b.own.velocity += t.kick * a;
   b.own.omega += t.kick * alpha;
   b.angle += t.dt * b.own.omega;
-  b.place.x = t.x.moved.apply(b.place.x) + t.dt * (1 + 0.5 * t.x.growth) * b.own.velocity.x;
-  b.place.y = t.y.moved.apply(b.place.y) + t.dt * (1 + 0.5 * t.y.growth) * b.own.velocity.y;
-  b.seen = {b.own.velocity + t.ahead * a + after.at(b.place), b.own.omega + t.ahead * alpha};
+  for (int axis = 0; axis < 2; ++axis) b.place[axis] = t.cell[axis].moved.apply(b.place[axis]) + t.dt * (1 + 0.5 * t.cell[axis].growth) * b.own.velocity[axis];
+  b.seen = {b.own.velocity + t.ahead * a + t.after.at(b.place), b.own.omega + t.ahead * alpha};
 }
 
 /// Whether the disks of a body are near enough to their places in the list.
@@ -59,9 +56,8 @@ bool are_near(const Sample& s, const SweepTask& t, const Body& b) {
   bool near = true;
   for_parts(s, b, [&](std::size_t, std::size_t k) {
     const DiskRecord& d = s.record[k];
-    const double y_then = t.y.listed.apply(t.listed_y[k]);
-    const double dx = d.place.x - t.x.listed.apply(t.listed_x[k]) - t.listed_shear * (y_then - t.middle), dy = d.place.y - y_then;
-    near = near && dx * dx + dy * dy <= t.limit;
+    const Vec2 way = way_since_listed(t, d.place, by_axis<2>([&](int axis) { return t.listed[axis][k]; }));
+    near = near && dot(way, way) <= t.limit;
   });
   return near;
 }

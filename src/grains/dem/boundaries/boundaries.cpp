@@ -171,7 +171,7 @@ void sum_boundary_forces(Sample& s) {
 
 void check_still_cell(const Sample& s, const WallDrives& drives, bool sheared) {
   if (s.boundary.empty()) return;
-  for (int side = 0; side < 4; ++side)
+  for (int side = 0; side < sides; ++side)
     if (s.domain.is_periodic(side) && drives[side].kind != WallDrive::Kind::fixed)
       throw InputError(
           fmt::format("the {} side is periodic and cannot move, for boundaries would not fit the cell any more; leave it fixed", side_names[side]));
@@ -179,7 +179,7 @@ void check_still_cell(const Sample& s, const WallDrives& drives, bool sheared) {
 }
 
 void apply_open(Sample& s) {
-  for (int side = 0; side < 4; ++side)
+  for (int side = 0; side < sides; ++side)
     s.domain.wall[side].present = s.listed_domain.wall[side].present = s.start.domain.wall[side].present && !s.domain.is_periodic(side) && !s.wall[side].open;
 }
 

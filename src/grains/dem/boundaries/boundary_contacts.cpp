@@ -165,7 +165,7 @@ bool has_crossed(const Sample& s, std::size_t slot) {
   const std::int32_t k = s.list.i[slot];
   const Boundary &now = s.domain.boundaries[element.boundary], &then = s.listed_domain.boundaries[element.boundary];
   if (!element.segment || !now.present) return false;
-  const Vec2 listed{s.listed_x[k], s.listed_y[k]}, before = seen_from(s.domain, then, element, listed);
+  const Vec2 listed = s.listed[k], before = seen_from(s.domain, then, element, listed);
   const Vec2 place = before + (s.record[k].place - listed);
   return side_of(segment_at(then, element.point), before) * side_of(segment_at(now, element.point), place) < 0;
 }

@@ -47,10 +47,10 @@ void hold_nearest(Sample& s) {
   for (std::size_t k = 0; k < s.count; ++k) {
     const DiskRecord& d = s.record[k];
     const HeldGrain* before = find_held(s, d.grain);
-    for (int side = 0; side < 4; ++side) {
+    for (int side = 0; side < sides; ++side) {
       const double plane = s.domain.wall[side].position, slid = s.wall[side].slid;
       if (!s.wall[side].rough || (before ? before->side != side : s.domain.depth(side, d.place) > 1.5 * d.radius)) continue;
-      held.push_back({d.grain, side, d.place - (side < bottom ? Vec2{plane, slid} : Vec2{slid, plane})});
+      held.push_back({d.grain, side, d.place - of_side(side, plane, slid)});
       break;
     }
   }
@@ -62,23 +62,23 @@ void hold_nearest(Sample& s) {
 
 }  // namespace
 
-void Engine::set_rough(const std::array<bool, 4>& rough) {
+void Engine::set_rough(const BySide<bool>& rough) {
   Sample& s = machine_->sample;
   if (std::ranges::equal(rough, s.wall, {}, {}, &WallBody::rough)) return;
   if (!s.part.empty()) throw InputError("rough walls hold disks only; take smooth walls with friction for clumps and polygons");
   synchronise(s);
-  for (std::size_t side = 0; side < 4; ++side) s.wall[side].rough = rough[side] && s.domain.wall[side].present;
+  for (int side = 0; side < sides; ++side) s.wall[side].rough = rough[side] && s.domain.wall[side].present;
   hold_nearest(s);
   list_anew(s, machine_->pool);
 }
 
-void Engine::set_open(const std::array<bool, 4>& open) {
+void Engine::set_open(const BySide<bool>& open) {
   Sample& s = machine_->sample;
   if (std::ranges::equal(open, s.wall, {}, {}, &WallBody::open)) return;
-  for (int side = 0; side < 4; ++side)
+  for (int side = 0; side < sides; ++side)
     if (open[side] != s.wall[side].open) check_opening(s, side, open[side]);
   synchronise(s);
-  for (std::size_t side = 0; side < 4; ++side) {
+  for (int side = 0; side < sides; ++side) {
     s.wall[side].open = open[side];
     if (open[side]) s.domain.wall[side].force = s.domain.wall[side].shear_force = 0;
   }

@@ -14,7 +14,7 @@ namespace {
 /// Moves the walls on to the predicted t_{n+1}.
 void move_walls(Sample& s) {
   const double dt = s.dt, half = 0.5 * dt * dt;
-  for (std::size_t side = 0; side < 4; ++side) {
+  for (int side = 0; side < sides; ++side) {
     WallBody& body = s.wall[side];
     Wall& wall = s.domain.wall[side];
     const double a = wall_acceleration(s, side, wall.velocity);
@@ -51,11 +51,10 @@ class Start {
  public:
   explicit Start(Sample& sample) : s(sample), here(s.domain) {
     for (std::size_t k = 0; k < s.count; ++k) {
-      path.push_back({s.record[k].place.x, s.vx[k], 0});
-      path.push_back({s.record[k].place.y, s.vy[k], 0});
+      for (int axis = 0; axis < 2; ++axis) path.push_back({s.record[k].place[axis], s.velocity[k][axis], 0});
       path.push_back({s.angle[k], s.omega[k], 0});
     }
-    for (std::size_t side = 0; side < 4; ++side) path.push_back({here.wall[side].position, s.wall[side].rate, 0});
+    for (int side = 0; side < sides; ++side) path.push_back({here.wall[side].position, s.wall[side].rate, 0});
   }
 
   void run() {
@@ -96,23 +95,26 @@ class Start {
 
   void evaluate(double t) {
     s.domain = here;
-    for (std::size_t side = 0; side < 4; ++side) {
+    for (int side = 0; side < sides; ++side) {
       const Path& wall = path[3 * s.count + side];
       s.domain.wall[side].position = wall.at(t);
       s.domain.wall[side].velocity = wall.rate_at(t);
     }
     move_boundaries(s, t);
-    const CellFrame before = cell_frame(here), after = cell_frame(s.domain);
-    const Stretch moved_x = after.x.since(before.x), moved_y = after.y.since(before.y);
-    const CellMotion cell = cell_motion(s.domain);
+    const CellFrame<2> before = cell_frame(here), after = cell_frame(s.domain);
+    const std::array<Stretch, 2> moved{after[0].since(before[0]), after[1].since(before[1])};
+    const CellMotion<2> cell = cell_motion(s.domain);
     for (std::size_t k = 0; k < s.count; ++k) {
       DiskRecord& d = s.record[k];
-      const Path &x = path[3 * k], &y = path[3 * k + 1];
-      d.place = {moved_x.apply(x.value) + (x.at(t) - x.value), moved_y.apply(y.value) + (y.at(t) - y.value)};
-      d.velocity = Vec2{x.rate_at(t), y.rate_at(t)} + cell.at(d.place);
+      for (int axis = 0; axis < 2; ++axis) {
+        const Path& p = path[3 * k + static_cast<std::size_t>(axis)];
+        d.place[axis] = moved[axis].apply(p.value) + (p.at(t) - p.value);
+        d.velocity[axis] = p.rate_at(t);
+      }
+      d.velocity += cell.at(d.place);
       d.omega = path[3 * k + 2].rate_at(t);
     }
-    if (s.domain.periodic[0]) s.domain.tilt *= after.x.length / before.x.length;
+    if (s.domain.periodic[0]) s.domain.tilt *= after[0].length / before[0].length;
     s.domain.tilt += t * s.shear_rate * s.domain.height();
     refresh_ghosts(s);
     compute_forces(s);
@@ -125,7 +127,7 @@ class Start {
       const auto [linear, alpha] = acceleration_of(s, k);
       a.insert(a.end(), {linear.x, linear.y, alpha});
     }
-    for (std::size_t side = 0; side < 4; ++side) a.push_back(wall_acceleration(s, side, s.domain.wall[side].velocity));
+    for (int side = 0; side < sides; ++side) a.push_back(wall_acceleration(s, side, s.domain.wall[side].velocity));
     return a;
   }
 
@@ -144,12 +146,10 @@ class Start {
     for (std::size_t k = 0; k < s.count; ++k)
       for (std::size_t axis = 0; axis < 3; ++axis) {
         const Path& p = path[3 * k + axis];
-        (axis == 0 ? s.ax : axis == 1 ? s.ay : s.alpha)[k] = p.bend;
-        s.higher[3 * axis][k] = c3 * p.jerk;
-        s.higher[3 * axis + 1][k] = c4 * p.snap;
-        s.higher[3 * axis + 2][k] = c5 * p.crackle;
+        (axis < 2 ? s.acceleration.along[axis] : s.alpha)[k] = p.bend;
+        s.higher[axis].put(k, {c3 * p.jerk, c4 * p.snap, c5 * p.crackle});
       }
-    for (std::size_t side = 0; side < 4; ++side) {
+    for (int side = 0; side < sides; ++side) {
       const Path& p = path[3 * s.count + side];
       s.wall[side].acceleration = p.bend;
       s.wall[side].higher = {c3 * p.jerk, c4 * p.snap, c5 * p.crackle, 0.0};
@@ -165,7 +165,8 @@ class Start {
 /// grain whose contacts change within that span starts with zeros. Leaves forces and springs as of now.
 void find_derivatives(Sample& s) {
   if (s.settled) return;
-  for (auto& h : s.higher) h.assign(s.count, 0.0);
+  for (auto& higher : s.higher)
+    for (auto& h : higher.along) h.assign(s.count, 0.0);
   Start(s).run();
   s.settled = true;
 }

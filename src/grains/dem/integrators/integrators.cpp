@@ -23,19 +23,18 @@ DiskSweep::DiskSweep(Sample& s) : sample_(s), before_(cell_frame(s.domain)) {
   task.force = s.list.force.data();
   task.group = s.list.group.data();
   task.first = s.list.first.data();
-  task.vx = s.vx.data();
-  task.vy = s.vy.data();
+  const auto point = [](auto& to, auto& from) {
+    for (std::size_t n = 0; n < to.size(); ++n) to[n] = from.along[n].data();
+  };
+  point(task.velocity, s.velocity);
+  point(task.acceleration, s.acceleration);
+  point(task.listed, s.listed);
+  for (std::size_t n = 0; n < s.higher.size(); ++n) point(task.higher[n], s.higher[n]);
   task.omega = s.omega.data();
   task.angle = s.angle.data();
-  task.ax = s.ax.data();
-  task.ay = s.ay.data();
   task.alpha = s.alpha.data();
-  for (std::size_t n = 0; n < s.higher.size(); ++n) task.higher[n] = s.higher[n].data();
-  task.listed_x = s.listed_x.data();
-  task.listed_y = s.listed_y.data();
-  const CellMotion motion = cell_motion(s.domain);
-  task.x = {s.gravity.x, motion.x, {}, {}, {}, 0};
-  task.y = {s.gravity.y, motion.y, {}, {}, {}, 0};
+  task.gravity = s.gravity;
+  task.before = cell_motion(s.domain);
   task.dt = s.dt;
   task.drag = s.drag;
   task.turning = s.integration.rotations ? 1.0 : 0.0;
@@ -43,10 +42,10 @@ DiskSweep::DiskSweep(Sample& s) : sample_(s), before_(cell_frame(s.domain)) {
 
 bool DiskSweep::run(Kernel::Sweep loop, const ThreadPool& pool) {
   Sample& s = sample_;
-  const CellFrame after = cell_frame(s.domain), listed = cell_frame(s.listed_domain);
-  const CellMotion motion = cell_motion(s.domain);
-  task.x = {task.x.gravity, task.x.before, motion.x, after.x.since(before_.x), after.x.since(listed.x), after.x.growth(before_.x)};
-  task.y = {task.y.gravity, task.y.before, motion.y, after.y.since(before_.y), after.y.since(listed.y), after.y.growth(before_.y)};
+  const CellFrame<2> after = cell_frame(s.domain), listed = cell_frame(s.listed_domain);
+  for (std::size_t axis = 0; axis < after.size(); ++axis)
+    task.cell[axis] = {after[axis].since(before_[axis]), after[axis].since(listed[axis]), after[axis].growth(before_[axis])};
+  task.after = cell_motion(s.domain);
   move_boundaries(s, s.dt);
   s.sheared += s.dt * s.shear_rate;
   task.listed_shear = s.sheared - s.listed_sheared;
@@ -58,7 +57,7 @@ bool DiskSweep::run(Kernel::Sweep loop, const ThreadPool& pool) {
     pool.for_ranges(s.count, [&](std::size_t begin, std::size_t end) {
       if (!loop(task, begin, end)) near = false;
     });
-  if (s.domain.periodic[0]) s.domain.tilt *= after.x.length / before_.x.length;
+  if (s.domain.periodic[0]) s.domain.tilt *= after[0].length / before_[0].length;
   s.domain.tilt += s.dt * s.shear_rate * s.domain.height();
   for (WallBody& body : s.wall) body.slid += s.dt * body.drive.slide;
   hold_grains(s);

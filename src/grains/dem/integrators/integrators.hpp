@@ -59,7 +59,7 @@ class DiskSweep {
 
  private:
   Sample& sample_;
-  CellFrame before_;
+  CellFrame<2> before_;
 };
 
 }  // namespace arenite::dem

@@ -21,7 +21,7 @@ Motion motion_of(const Sample& s, std::size_t k) {
   const Acceleration a = acceleration_of(s, k);
   if (!scheme.corrects()) return {own.velocity + s.lag * a.linear, own.omega + s.lag * a.alpha};
   const double share = 0.5 * scheme.velocity_share * s.dt;
-  return {own.velocity + share * (a.linear - Vec2{s.ax[k], s.ay[k]}), own.omega + share * (a.alpha - s.alpha[k])};
+  return {own.velocity + share * (a.linear - s.acceleration[k]), own.omega + share * (a.alpha - s.alpha[k])};
 }
 
 double time_behind(const Sample& s) {
@@ -30,15 +30,15 @@ double time_behind(const Sample& s) {
 }
 
 Vec2 velocity_beside(const Sample& s, std::size_t i, std::size_t j, Vec2 image) {
-  const CellMotion cell = cell_motion(s.domain);
-  return Vec2{s.vx[i], s.vy[i]} + cell.at(s.record[i].place) - Vec2{s.vx[j], s.vy[j]} - cell.at(s.record[j].place) - image;
+  const CellMotion<2> cell = cell_motion(s.domain);
+  return s.velocity[i] + cell.at(s.record[i].place) - s.velocity[j] - cell.at(s.record[j].place) - image;
 }
 
 Vec2 place_of(const Sample& s, std::size_t k) {
   const Vec2 place = mover_at(s, k).place;
   const Integrator& scheme = integrator_of(s);
   if (!scheme.corrects() || !s.settled) return place;
-  return place + 0.5 * scheme.position_share * s.dt * s.dt * (acceleration_of(s, k).linear - Vec2{s.ax[k], s.ay[k]});
+  return place + 0.5 * scheme.position_share * s.dt * s.dt * (acceleration_of(s, k).linear - s.acceleration[k]);
 }
 
 double wall_rate(const Sample& s, std::size_t side) {

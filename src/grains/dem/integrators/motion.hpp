@@ -21,7 +21,7 @@ inline Mover mover_at(const Sample& s, std::size_t k) {
     return {s.part[b.first].grain, b.mass, b.inertia(), b.gyration, b.place, b.angle, b.own, b.seen};
   }
   const DiskRecord& d = s.record[k];
-  return {grain_of(s, d.grain), d.mass, inertia(d), d.radius, d.place, s.angle[k], {{s.vx[k], s.vy[k]}, s.omega[k]}, {d.velocity, d.omega}};
+  return {grain_of(s, d.grain), d.mass, inertia(d), d.radius, d.place, s.angle[k], {s.velocity[k], s.omega[k]}, {d.velocity, d.omega}};
 }
 /// Calls `see` with their numbers: disks, then bodies.
 template <class See> void each_mover(const Sample& s, const See& see) {

@@ -7,7 +7,7 @@ namespace arenite::dem {
 namespace {
 
 void move_walls(Sample& s, double kick, double ahead) {
-  for (std::size_t side = 0; side < 4; ++side) {
+  for (int side = 0; side < sides; ++side) {
     WallBody& body = s.wall[side];
     Wall& wall = s.domain.wall[side];
     body.acceleration = wall_acceleration(s, side, wall.velocity);

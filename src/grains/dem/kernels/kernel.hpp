@@ -8,7 +8,8 @@
 
 namespace arenite::dem {
 
-struct DiskRecord;
+template <int D> struct GrainRecord;
+using DiskRecord = GrainRecord<2>;
 struct SlotForce;
 
 /// What the pair loop reads and fills; the arrays are those of ContactList.
@@ -68,18 +69,24 @@ struct AffineMotion {
   template <class V> V at(V x) const { return V(at_edge) + V(gradient) * (x - V(edge)); }
 };
 
+/// The same along each axis.
+template <int D> struct CellMotion {
+  std::array<AffineMotion, D> along;
+  template <class V> Vec<D, V> at(Vec<D, V> place) const {
+    return by_axis<D>([&](int axis) { return along[axis].at(place[axis]); });
+  }
+};
+
 /// Where a growing or moving cell takes a point; as it stands, the identity.
 struct Stretch {
   double from = 0, scale = 1, to = 0;
   template <class V> V apply(V x) const { return V(to) + (x - V(from)) * V(scale); }
 };
 
-/// What the sweep over the disks needs along x or y.
-struct SweepAxis {
-  double gravity = 0;          ///< m/s^2
-  AffineMotion before, after;  ///< of the cell, at the start and the end of the step
-  Stretch moved, listed;       ///< the cell's change in the step, and since the list was built
-  double growth = 0;           ///< of the cell in the step, relative
+/// How a periodic cell changes along an axis.
+struct CellChange {
+  Stretch moved, listed;  ///< in the step, and since the list was built
+  double growth = 0;      ///< in the step, relative
 };
 
 /// What a step of an integrator reads and changes; the arrays are those of Sample and ContactList.
@@ -87,16 +94,27 @@ struct SweepTask {
   DiskRecord* record;
   const SlotForce* force;
   const std::int32_t *group, *first;
-  double *vx, *vy, *omega, *angle, *ax, *ay, *alpha;
-  double* higher[9];
-  const double *listed_x, *listed_y;
-  SweepAxis x, y;
+  std::array<double*, 2> velocity, acceleration;
+  double *omega, *angle, *alpha;
+  std::array<std::array<double*, 3>, 3> higher;
+  std::array<const double*, 2> listed;
+  Vec2 gravity;                 ///< m/s^2
+  CellMotion<2> before, after;  ///< of the cell, at the start and the end of the step
+  std::array<CellChange, 2> cell;
   double dt, kick, ahead;       ///< s, see integrators/verlet.cpp
   double drag;                  ///< 1/s
   double turning;               ///< 1 where grains rotate, else 0
   double listed_shear, middle;  ///< shear of the cell since the list was built, about the height `middle`, m
   double limit;                 ///< square of the way that a disk may be from its place in the list, m^2
 };
+
+/// From where a disk was when the list was built, as the cell has taken it along since, to its place.
+template <class V> Vec<2, V> way_since_listed(const SweepTask& t, Vec<2, V> place, Vec<2, V> listed) {
+  const auto then = by_axis<2>([&](int axis) { return t.cell[axis].listed.apply(listed[axis]); });
+  Vec<2, V> way = place - then;
+  way.x = way.x - V(t.listed_shear) * (then.y - V(t.middle));
+  return way;
+}
 
 inline constexpr std::size_t adhesions = std::variant_size_v<Adhesion::variant>, friction_laws = std::variant_size_v<FrictionLaw::variant>,
                              law_triples = std::variant_size_v<NormalLaw::variant> * adhesions * friction_laws;

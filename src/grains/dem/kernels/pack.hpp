@@ -1,9 +1,12 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <cstring>
 #ifdef __AVX512F__
 #include <immintrin.h>
 #endif
+
+#include "core/vec.hpp"
 
 /// Inner functions are compiled into their loop, never on their own: a function of its own could be taken by the linker for the same function of a
 /// file compiled for another processor.
@@ -50,6 +53,7 @@ template <int W> struct Pack {
 
   ARENITE_INLINE friend Pack operator+(Pack a, Pack b) { return a.raw + b.raw; }
   ARENITE_INLINE friend Pack operator-(Pack a, Pack b) { return a.raw - b.raw; }
+  ARENITE_INLINE friend Pack operator-(Pack a) { return -a.raw; }
   ARENITE_INLINE friend Pack operator*(Pack a, Pack b) { return a.raw * b.raw; }
   ARENITE_INLINE friend Pack operator/(Pack a, Pack b) { return a.raw / b.raw; }
   ARENITE_INLINE friend Bits operator>(Pack a, Pack b) { return a.raw > b.raw; }
@@ -117,6 +121,24 @@ template <int W, class PieceOf> ARENITE_INLINE void sort_pieces(PieceOf&& piece,
 /// Reads two neighbouring doubles at address(0), ..., address(W - 1) into one pack each.
 template <int W, class Address> ARENITE_INLINE void gather(Address&& address, Pack<W>& first, Pack<W>& second) {
   sort_pieces<W>([&](int k) { return load_piece(address(k)); }, first, second);
+}
+
+/// The same of a vector. In space the double behind it is read as well.
+template <int W, int D, class Address> ARENITE_INLINE void gather(Address&& address, Vec<D, Pack<W>>& vector) {
+  gather<W>(address, vector.x, vector.y);
+  if constexpr (D == 3) {
+    Pack<W> behind;
+    gather<W>([&](int k) { return address(k) + 2; }, vector.z, behind);
+  }
+}
+
+/// Reads and writes a vector that lies in one array a component.
+template <int W, int D, class Number> ARENITE_INLINE Vec<D, Pack<W>> load_vector(const std::array<Number*, D>& from, std::size_t k) {
+  return by_axis<D>([&](int axis) { return Pack<W>::load(from[axis] + k); });
+}
+template <int W, int D> ARENITE_INLINE void store_vector(Vec<D, Pack<W>> vector, const std::array<double*, D>& to, std::size_t k) {
+#pragma GCC unroll 3
+  for (int axis = 0; axis < D; ++axis) vector[axis].store(to[axis] + k);
 }
 
 /// The inverse of gather.

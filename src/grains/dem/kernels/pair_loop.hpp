@@ -7,15 +7,54 @@
 
 namespace arenite::dem {
 
-/// What the pair loop needs of W disks.
-template <int W> struct DiskPack {
-  Pack<W> x, y, vx, vy, omega, radius;
+/// What the pair loop needs of W disks or spheres.
+template <int W, int D> struct GrainPack {
+  Vec<D, Pack<W>> place, velocity;
+  Turning<D, Pack<W>> omega;
+  Pack<W> radius;
 
-  ARENITE_INLINE DiskPack(const DiskRecord* record, const std::int32_t* index) {
-    gather<W>([=](int k) { return &record[index[k]].place.x; }, x, y);
-    gather<W>([=](int k) { return &record[index[k]].velocity.x; }, vx, vy);
-    gather<W>([=](int k) { return &record[index[k]].omega; }, omega, radius);
+  ARENITE_INLINE GrainPack(const GrainRecord<D>* record, const std::int32_t* index) {
+    gather<W>([=](int k) { return &record[index[k]].place.x; }, place);
+    gather<W>([=](int k) { return &record[index[k]].velocity.x; }, velocity);
+    if constexpr (D == 2) {
+      gather<W>([=](int k) { return &record[index[k]].omega; }, omega, radius);
+    } else {
+      Pack<W> mass;
+      gather<W>([=](int k) { return &record[index[k]].omega.x; }, omega);
+      gather<W>([=](int k) { return &record[index[k]].radius; }, radius, mass);
+    }
   }
+};
+
+/// How W pairs lie and move. What is tangential is counted as the turning about the contact that it makes, n x u of the relative velocity u and n x f
+/// of the force f: a number in the plane, along t; in space a vector normal to n, as long as the velocity or force itself.
+template <int W, int D> struct PairPack {
+  using V = Pack<W>;
+  using Tangential = Turning<D, V>;
+  Vec<D, V> normal;
+  V overlap, arm_i, arm_j, approach, curvature;
+  Tangential sliding;
+
+  ARENITE_INLINE PairPack(const GrainPack<W, D>& a, const GrainPack<W, D>& b, double arm_share) {
+    const Vec<D, V> branch = a.place - b.place, u = a.velocity - b.velocity;
+    const V squared = dot(branch, branch), distance = sqrt(squared);
+    normal = distance * (V(1.0) / squared) * branch;  // root and quotient in parallel
+    overlap = a.radius + b.radius - distance;
+    arm_i = a.radius - V(arm_share) * overlap;
+    arm_j = b.radius - V(arm_share) * overlap;
+    approach = V(0.0) - dot(u, normal);
+    sliding = without_twist(cross(normal, u) - arm_i * a.omega - arm_j * b.omega);
+    curvature = V(1.0) / a.radius + V(1.0) / b.radius;
+  }
+  /// Grains that turn about n twist on each other, which spheres of space alone can do, but do not slide.
+  ARENITE_INLINE Tangential without_twist(Tangential a) const {
+    if constexpr (D == 2) return a;
+    else return a - dot(a, normal) * normal;
+  }
+  /// On i, N.
+  ARENITE_INLINE Vec<D, V> force(V fn, Tangential ft) const { return fn * normal + cross(ft, normal); }
+  /// On one of the two, N m.
+  ARENITE_INLINE Tangential torque(V arm, Tangential ft) const { return Tangential{} - arm * ft; }
 };
 
 /// Forces of W slots from p on.
@@ -23,39 +62,26 @@ template <int W, class N, class A, class F>
 ARENITE_INLINE void pair_batch(const PairTask& t, const ContactLaws& shared, const N& normal, const A& adhesion, const F& friction, std::size_t p) {
   using V = Pack<W>;
   const V zero(0.0);
-  const DiskPack<W> a(t.record, t.i + p), b(t.record, t.j + p);
-  const V dx = a.x - b.x, dy = a.y - b.y;
-  const V squared = dx * dx + dy * dy, distance = sqrt(squared);
-  const V inverse = distance * (V(1.0) / squared);  // root and quotient in parallel
-  const V nx = inverse * dx, ny = inverse * dy;
-  const V overlap = a.radius + b.radius - distance;
-  const V arm_i = a.radius - V(t.arm_share) * overlap, arm_j = b.radius - V(t.arm_share) * overlap;
-  const V ux = a.vx - b.vx, uy = a.vy - b.vy;
+  const GrainPack<W, 2> a(t.record, t.i + p), b(t.record, t.j + p);
+  const PairPack<W, 2> pair(a, b, t.arm_share);
 
   const V strength = V::load(t.strength + p);
   V floor(t.floor);
   if constexpr (A::attracts) floor = select(strength > zero, V(-__builtin_inf()), floor);
-  ContactState<V> state{overlap,
-                        zero - (ux * nx + uy * ny),
-                        uy * nx - ux * ny - a.omega * arm_i - b.omega * arm_j,
-                        V(1.0) / a.radius + V(1.0) / b.radius,
-                        V::load(t.stiffness + p),
-                        V::load(t.damping + p),
-                        V::load(t.viscosity + p),
-                        strength,
-                        V(t.friction),
-                        floor};
+  ContactState<V> state{pair.overlap, pair.approach, pair.sliding, pair.curvature, V::load(t.stiffness + p), V::load(t.damping + p), V::load(t.viscosity + p),
+                        strength,     V(t.friction), floor};
   if constexpr (ElasticContact<N>) state.shear = V::load(t.shear + p);
   ContactMemory<V> memory;
   if constexpr (N::remembers) memory.normal = V::load(t.normal_memory + p);
   if constexpr (F::remembers) memory.slip = V::load(t.memory + p);
   const ContactForce<V> f = contact_force(shared, normal, adhesion, friction, state, memory);
-  const auto touching_now = overlap > zero;
-  const V fn = select(touching_now, f.normal, zero), ft = select(touching_now, f.tangential, zero);
+  const auto touching_now = pair.overlap > zero;
+  const V fn = select(touching_now, f.normal, zero), ft = select(touching_now, pair.without_twist(f.tangential), zero);
   if constexpr (N::remembers) select(touching_now, memory.normal, zero).store(t.normal_memory + p);
   if constexpr (F::remembers) select(touching_now, memory.slip, zero).store(t.memory + p);
-  scatter<W>([=](int k) { return &t.force[p + static_cast<std::size_t>(k)].on_i.x; }, fn * nx - ft * ny, fn * ny + ft * nx);
-  scatter<W>([=](int k) { return &t.force[p + static_cast<std::size_t>(k)].torque_i; }, zero - arm_i * ft, zero - arm_j * ft);
+  const Vec<2, V> force = pair.force(fn, ft);
+  scatter<W>([=](int k) { return &t.force[p + static_cast<std::size_t>(k)].on_i.x; }, force.x, force.y);
+  scatter<W>([=](int k) { return &t.force[p + static_cast<std::size_t>(k)].torque_i; }, pair.torque(pair.arm_i, ft), pair.torque(pair.arm_j, ft));
 }
 
 /// `flatten` compiles the laws into the loop: as calls they would double its time.

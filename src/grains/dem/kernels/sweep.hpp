@@ -18,7 +18,8 @@ ARENITE_INLINE Pack<4> sum_of_groups(const SweepTask& t, std::size_t q) {
 
 /// Contact forces on W disks from k on; the same sums as contact_load.
 template <int W> struct LoadPack {
-  Pack<W> fx, fy, torque;
+  Vec<2, Pack<W>> force;
+  Pack<W> torque;
 
   ARENITE_INLINE LoadPack(const SweepTask& t, std::size_t k) {
     Pack<4> load[W];
@@ -29,43 +30,44 @@ template <int W> struct LoadPack {
       load[n] = __builtin_shufflevector((own - reaction).raw, (own + turned).raw, 0, 1, 6, 7);
     }
     Pack<W> spare;
-    sort_pieces<W>([&](int n) { return Piece(__builtin_shufflevector(load[n].raw, load[n].raw, 0, 1)); }, fx, fy);
+    sort_pieces<W>([&](int n) { return Piece(__builtin_shufflevector(load[n].raw, load[n].raw, 0, 1)); }, force.x, force.y);
     sort_pieces<W>([&](int n) { return Piece(__builtin_shufflevector(load[n].raw, load[n].raw, 2, 3)); }, torque, spare);
   }
 };
 
 /// W disks as they were seen by the forces, and their accelerations.
 template <int W> struct MotionPack {
-  Pack<W> x, y, radius, ax, ay, alpha;
+  Vec<2, Pack<W>> place, acceleration;
+  Pack<W> radius, alpha;
 
   ARENITE_INLINE MotionPack(const SweepTask& t, std::size_t k) {
     using V = Pack<W>;
     const LoadPack<W> load(t, k);
     const DiskRecord* d = t.record + k;
-    V vx, vy, omega, mass, spare;
-    gather<W>([=](int n) { return &d[n].place.x; }, x, y);
-    gather<W>([=](int n) { return &d[n].velocity.x; }, vx, vy);
+    Vec<2, V> velocity;
+    V omega, mass, spare;
+    gather<W>([=](int n) { return &d[n].place.x; }, place);
+    gather<W>([=](int n) { return &d[n].velocity.x; }, velocity);
     gather<W>([=](int n) { return &d[n].omega; }, omega, radius);
     gather<W>([=](int n) { return &d[n].mass; }, mass, spare);
     const V inverse = V(1.0) / mass;
-    ax = load.fx * inverse + V(t.x.gravity) - V(t.drag) * (vx - t.x.before.at(x));
-    ay = load.fy * inverse + V(t.y.gravity) - V(t.drag) * (vy - t.y.before.at(y));
+    acceleration = by_axis<2>(
+        [&](int axis) { return load.force[axis] * inverse + V(t.gravity[axis]) - V(t.drag) * (velocity[axis] - t.before.along[axis].at(place[axis])); });
     alpha = V(t.turning) * load.torque / (V(0.5) * mass * radius * radius);
   }
 };
 
 /// Puts W disks where they are seen next. All bits set where a disk is near enough to its place in the list.
 template <int W>
-ARENITE_INLINE typename Pack<W>::Bits place(const SweepTask& t, std::size_t k, const MotionPack<W>& m, Pack<W> x, Pack<W> y, Pack<W> vx, Pack<W> vy,
-                                            Pack<W> omega) {
+ARENITE_INLINE typename Pack<W>::Bits put(const SweepTask& t, std::size_t k, const MotionPack<W>& m, Vec<2, Pack<W>> place, Vec<2, Pack<W>> velocity,
+                                          Pack<W> omega) {
   DiskRecord* d = t.record + k;
-  scatter<W>([=](int n) { return &d[n].place.x; }, x, y);
-  scatter<W>([=](int n) { return &d[n].velocity.x; }, vx + t.x.after.at(x), vy + t.y.after.at(y));
+  const Vec<2, Pack<W>> seen = velocity + t.after.at(place);
+  scatter<W>([=](int n) { return &d[n].place.x; }, place.x, place.y);
+  scatter<W>([=](int n) { return &d[n].velocity.x; }, seen.x, seen.y);
   scatter<W>([=](int n) { return &d[n].omega; }, omega, m.radius);
-  const Pack<W> y_then = t.y.listed.apply(Pack<W>::load(t.listed_y + k));
-  const Pack<W> dx = x - t.x.listed.apply(Pack<W>::load(t.listed_x + k)) - Pack<W>(t.listed_shear) * (y_then - Pack<W>(t.middle));
-  const Pack<W> dy = y - y_then;
-  return dx * dx + dy * dy <= Pack<W>(t.limit);
+  const auto way = way_since_listed(t, place, load_vector<W, 2>(t.listed, k));
+  return dot(way, way) <= Pack<W>(t.limit);
 }
 
 /// W disks at a time by Batch<W>, the last ones singly.
@@ -86,27 +88,28 @@ template <int W> struct VerletBatch {
     using V = Pack<W>;
     const MotionPack<W> m(t, k);
     const V kick(t.kick), ahead(t.ahead);
-    const V vx = V::load(t.vx + k) + kick * m.ax, vy = V::load(t.vy + k) + kick * m.ay;
+    const Vec<2, V> velocity = load_vector<W, 2>(t.velocity, k) + kick * m.acceleration;
     const V omega = V::load(t.omega + k) + kick * m.alpha;
-    vx.store(t.vx + k);
-    vy.store(t.vy + k);
+    store_vector<W, 2>(velocity, t.velocity, k);
     omega.store(t.omega + k);
     (V::load(t.angle + k) + V(t.dt) * omega).store(t.angle + k);
     // A way made during the step is carried along by a growing cell for half of it, on average.
-    const V x = t.x.moved.apply(m.x) + V(t.dt * (1 + 0.5 * t.x.growth)) * vx;
-    const V y = t.y.moved.apply(m.y) + V(t.dt * (1 + 0.5 * t.y.growth)) * vy;
-    return place<W>(t, k, m, x, y, vx + ahead * m.ax, vy + ahead * m.ay, omega + ahead * m.alpha);
+    const auto place = by_axis<2>([&](int axis) {
+      const CellChange& cell = t.cell[axis];
+      return cell.moved.apply(m.place[axis]) + V(t.dt * (1 + 0.5 * cell.growth)) * velocity[axis];
+    });
+    return put<W>(t, k, m, place, velocity + ahead * m.acceleration, omega + ahead * m.alpha);
   }
 };
 
-/// Corrects one coordinate of W disks and predicts its next values. Returns the way made in the step, from `start` on; `growth` is that of a periodic
+/// Corrects one coordinate (x, y or angle) of W disks and predicts its next values. Returns the way made in the step, from `start` on; `growth` is that of a periodic
 /// cell, which carries a way along for what is left of the step.
 template <int W>
-ARENITE_INLINE Pack<W> correct_and_predict(const SweepTask& t, std::size_t k, std::size_t axis, double* velocity, double* acceleration, Pack<W> now,
-                                           Pack<W> start, double growth) {
+ARENITE_INLINE Pack<W> correct_and_predict(const SweepTask& t, std::size_t k, int axis, double* velocity, double* acceleration, Pack<W> now, Pack<W> start,
+                                           double growth) {
   using V = Pack<W>;
   const double half = 0.5 * t.dt * t.dt;
-  double *const q3 = t.higher[3 * axis] + k, *const q4 = t.higher[3 * axis + 1] + k, *const q5 = t.higher[3 * axis + 2] + k;
+  double *const q3 = t.higher[axis][0] + k, *const q4 = t.higher[axis][1] + k, *const q5 = t.higher[axis][2] + k;
   const V predicted = V::load(acceleration + k);
   Nordsieck<V> q{start, V(t.dt) * V::load(velocity + k), V(half) * predicted, V::load(q3), V::load(q4), V::load(q5)};
   q.correct(V(half) * (now - predicted));
@@ -126,11 +129,13 @@ template <int W> struct GearBatch {
     using V = Pack<W>;
     const V zero(0.0);
     const MotionPack<W> m(t, k);
-    const V way_x = correct_and_predict<W>(t, k, 0, t.vx, t.ax, m.ax, zero, t.x.growth);
-    const V way_y = correct_and_predict<W>(t, k, 1, t.vy, t.ay, m.ay, zero, t.y.growth);
+    const auto place = by_axis<2>([&](int axis) {
+      const CellChange& cell = t.cell[axis];
+      return cell.moved.apply(m.place[axis]) +
+             correct_and_predict<W>(t, k, axis, t.velocity[axis], t.acceleration[axis], m.acceleration[axis], zero, cell.growth);
+    });
     correct_and_predict<W>(t, k, 2, t.omega, t.alpha, m.alpha, V::load(t.angle + k), 0).store(t.angle + k);
-    const V x = t.x.moved.apply(m.x) + way_x, y = t.y.moved.apply(m.y) + way_y;
-    return place<W>(t, k, m, x, y, V::load(t.vx + k), V::load(t.vy + k), V::load(t.omega + k));
+    return put<W>(t, k, m, place, load_vector<W, 2>(t.velocity, k), V::load(t.omega + k));
   }
 };
 

@@ -17,9 +17,9 @@ inline double dot(double a, double b) { return a * b; }
 
 /// a held within [-bound, bound], bound >= 0.
 template <class V> V within(V a, V bound) { return max(min(a, bound), V(0.0) - bound); }
-template <int D> Vec<D> within(Vec<D> a, double bound) {
-  const double size = norm(a);
-  return size > bound ? (bound / size) * a : a;
+template <int D, class V> Vec<D, V> within(Vec<D, V> a, V bound) {
+  const V size = norm(a);
+  return select(size > bound, bound / size, V(1.0)) * a;
 }
 }  // namespace lane
 
