@@ -11,6 +11,7 @@
 #include "core/mapped.hpp"
 #include "io/table/table.hpp"
 #include "module.hpp"
+#include "report/study_page.hpp"
 #include "report/summary.hpp"
 #include "workflow/result_folder.hpp"
 
@@ -95,6 +96,9 @@ void bind_study(py::module_& m) {
       "then all numbers of `arenite show --json` by dotted names, \"NAME_error\" beside them; NaN where a run has none. `by`: means over runs with equal "
       "values of these keys, and "
       "`runs`, how many.");
+  m.def(
+      "_study_figures", [](const Path& page) { return to_python(report::figures_on(page)); }, py::arg("page"),
+      "What the page of a study shows, from the numbers that `arenite study page` writes beside it: its title and its figures; empty where there are none.");
   m.def(
       "_run_study",
       [](const Path& recipe, const Path& out, std::size_t jobs, const Progress& progress) {

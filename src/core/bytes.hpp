@@ -1,13 +1,19 @@
 #pragma once
 #include <cstdint>
 #include <cstring>
+#include <string>
 #include <type_traits>
 #include <vector>
 
 #include "core/error.hpp"
 
-/// States as bytes of this machine, for checkpoints. Both archives are called with each member in turn, so that one list of members serves both ways.
+/// States as bytes of this machine, for checkpoints and between processes. Both archives are called with each member in turn, so that one list of
+/// members serves both ways.
 namespace arenite {
+
+/// A vector of such values, or a text.
+template <class T>
+concept PlainValues = std::is_trivially_copyable_v<typename T::value_type>;
 
 class ByteWriter {
  public:
@@ -15,10 +21,9 @@ class ByteWriter {
     static_assert(std::is_arithmetic_v<T>);
     put(&value, sizeof(T));
   }
-  template <class T> void operator()(const std::vector<T>& values) {
-    static_assert(std::is_trivially_copyable_v<T>);
+  template <PlainValues T> void operator()(const T& values) {
     (*this)(static_cast<std::uint64_t>(values.size()));
-    put(values.data(), values.size() * sizeof(T));
+    put(values.data(), values.size() * sizeof(typename T::value_type));
   }
   std::vector<std::uint8_t> bytes;
 
@@ -37,13 +42,12 @@ class ByteReader {
     static_assert(std::is_arithmetic_v<T>);
     take(&value, sizeof(T));
   }
-  template <class T> void operator()(std::vector<T>& values) {
-    static_assert(std::is_trivially_copyable_v<T>);
+  template <PlainValues T> void operator()(T& values) {
     std::uint64_t size = 0;
     (*this)(size);
-    if (size > left() / sizeof(T)) fail();
+    if (size > left() / sizeof(typename T::value_type)) fail();
     values.resize(size);
-    take(values.data(), size * sizeof(T));
+    take(values.data(), size * sizeof(typename T::value_type));
   }
   std::size_t left() const { return bytes_.size() - at_; }
   bool at_end() const { return left() == 0; }

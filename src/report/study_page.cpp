@@ -7,9 +7,13 @@
 
 #include "core/version.hpp"
 #include "io/disk/file.hpp"
+#include "io/results/results.hpp"
 #include "report/page_template.hpp"
 
 namespace arenite::report {
+
+namespace fs = std::filesystem;
+
 namespace {
 
 struct Samples {
@@ -145,20 +149,8 @@ void add_drawing(Numbers& shown, const Figure& figure, const std::string& run, c
   } catch (const InputError& error) { shown["missing"] = fmt::format("Not drawn: {}.", error.problems().front().message); }
 }
 
-}  // namespace
-
-std::string spread_text(const Figure& figure, const std::vector<FigureCurve>& curves) {
-  const Samples ours = samples_of(curves, false), film = samples_of(curves, true);
-  const std::size_t most = std::max(ours.most, film.most);
-  if (most == 0 || figure.kind == FigureKind::map) return "";
-  if (most == 1) return "One sample";
-  std::string text = fmt::format("{}: {} over {}", marks_of(figure), figure.spread == Spread::deviation ? "standard deviation" : "standard error",
-                                 number_of(ours.most > 0 ? ours : film));
-  if (ours.most > 0 && film.most > 0 && (film.fewest != ours.fewest || film.most != ours.most)) text += fmt::format("; of the film: {}", number_of(film));
-  return text;
-}
-
-std::string study_page(const StudyPage& page) {
+/// All that the page shows.
+Numbers document_of(const StudyPage& page) {
   Numbers about{{"title", page.title}};
   const auto done =
       static_cast<std::size_t>(std::count_if(page.table.rows.begin(), page.table.rows.end(), [](const auto& row) { return row.status == "done"; }));
@@ -177,14 +169,41 @@ std::string study_page(const StudyPage& page) {
       about["figures"].back()["missing"] = fmt::format("No run has the numbers for it yet: {}.", names);
     if (shows_a_run(figure.kind)) add_drawing(about["figures"].back(), figure, run_of(figure, table), page);
   }
-  std::string json = to_json(about, -1);
+  return about;
+}
+
+std::string html_of(const Numbers& document) {
+  std::string json = to_json(document, -1);
   for (std::size_t at = 0; (at = json.find("</", at)) != std::string::npos; at += 3) json.replace(at, 2, "<\\/");
   std::string text(study_template());
-  replace_once(text, "__TITLE__", html_text(page.title));
+  replace_once(text, "__TITLE__", html_text(document["title"].get<std::string>()));
   replace_once(text, "__FIGURES__", json);
   return text;
 }
 
-void write_study_page(const std::filesystem::path& path, const StudyPage& page) { io::write_atomically(path, study_page(page)); }
+fs::path numbers_beside(fs::path page) { return page.replace_extension(".hdf5"); }
+
+}  // namespace
+
+std::string spread_text(const Figure& figure, const std::vector<FigureCurve>& curves) {
+  const Samples ours = samples_of(curves, false), film = samples_of(curves, true);
+  const std::size_t most = std::max(ours.most, film.most);
+  if (most == 0 || figure.kind == FigureKind::map) return "";
+  if (most == 1) return "One sample";
+  std::string text = fmt::format("{}: {} over {}", marks_of(figure), figure.spread == Spread::deviation ? "standard deviation" : "standard error",
+                                 number_of(ours.most > 0 ? ours : film));
+  if (ours.most > 0 && film.most > 0 && (film.fewest != ours.fewest || film.most != ours.most)) text += fmt::format("; of the film: {}", number_of(film));
+  return text;
+}
+
+std::string study_page(const StudyPage& page) { return html_of(document_of(page)); }
+
+void write_study_page(const fs::path& path, const StudyPage& page) {
+  const Numbers document = document_of(page);
+  io::write_numbers_file(numbers_beside(path), {{"title", document["title"]}, {"figures", document["figures"]}});
+  io::write_atomically(path, html_of(document));
+}
+
+Numbers figures_on(const fs::path& page) { return io::read_numbers_file(numbers_beside(page), {}); }
 
 }  // namespace arenite::report

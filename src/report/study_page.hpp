@@ -54,7 +54,12 @@ struct StudyPage {
 
 /// One HTML file without references to others: all figures with their curves, error bars and what the source says.
 std::string study_page(const StudyPage& page);
+
+/// Writes the page, and beside it as numbers (study.hdf5 of study.html) the title and the figures, from which these are drawn for print.
 void write_study_page(const std::filesystem::path& path, const StudyPage& page);
+
+/// {"title", "figures"} as they are on a page; not known where they do not lie beside it. Throws InputError for what is damaged.
+Numbers figures_on(const std::filesystem::path& page);
 
 /// What stands at an axis for a swept key or a number: its name with its unit, or as much as its statistic says of it up to the first comma.
 std::string label_of(const campaign::CollectedTable& table, const std::string& name);

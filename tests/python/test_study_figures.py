@@ -1,4 +1,6 @@
+import json
 import os
+import shutil
 import subprocess
 
 import arenite.figures as figures
@@ -130,8 +132,11 @@ def test_the_same_study_gives_the_same_bytes(study, tmp_path):
         assert [p.read_bytes() for p in first] == [p.read_bytes() for p in second]
 
 
-def test_numbers_are_those_of_the_page(study, tmp_path):
+def test_numbers_are_those_of_the_page(study):
     document = figures.study_document(study)
+    assert document == figures.study_document(study / "study.html")
+    page = json.loads((study / "study.html").read_text().split('<script type="application/json" id="figures">')[1].split("</script>")[0])
+    assert document == {name: page[name] for name in ("title", "figures")}
     (shown,) = [f for f in document["figures"] if f["id"] == "saturation"]
     canvas = figures.catalogue.Canvas()
     figures.draw_study_plot(canvas.add_subplot(), shown)
@@ -166,4 +171,8 @@ def test_wrong_requests_are_refused_in_one_sentence(study, tmp_path):
         figures.save_all(study, tmp_path, names=["nothing"])
     (tmp_path / "runs.tsv").write_text("")
     run = subprocess.run([os.environ["ARENITE"], "figures", str(tmp_path)], capture_output=True, text=True)
-    assert run.returncode == 2 and run.stderr.count("\n") == 1 and "arenite study page" in run.stderr
+    assert run.returncode == 2 and run.stderr.count("\n") == 1 and "there is no page of this study yet; `arenite study page" in run.stderr
+    shutil.copy(study / "study.html", tmp_path)
+    for page_alone in (tmp_path / "study.html", tmp_path):
+        with pytest.raises(ValueError, match="study.hdf5, are not beside it; give the study's folder"):
+            figures.save_all(page_alone, tmp_path / "out")

@@ -1,6 +1,5 @@
-"""Figures of a study, from the document that its page study.html holds: what the page shows is what is printed."""
+"""Figures of a study, from the numbers that the program writes beside its page study.html: what the page shows is what is printed."""
 
-import json
 import pathlib
 import re
 
@@ -10,10 +9,10 @@ from matplotlib.collections import LineCollection, PatchCollection
 from matplotlib.colors import ListedColormap
 from matplotlib.patches import Circle
 
+from .. import _core
 from .fields import crack_dots
 from .style import bare, colours, length_bar, phase_colours, soft, strong
 
-_document = re.compile(r'<script type="application/json" id="figures">(.*?)</script>', re.DOTALL)
 stress_map, most_stress, most_stress_of_nodes = "magma_r", 3, 2
 
 
@@ -24,21 +23,17 @@ def page_of(path):
 
 def has_page(path):
     """Whether the figures of a study have been put on a page."""
-    return page_of(path).is_file() and bool(_document.search(page_of(path).read_text(encoding="utf-8")))
+    return page_of(path).is_file()
 
 
 def study_document(path):
     """What the page of a study shows, as a dict: `title` and `figures`; `path` is the page or the study's folder."""
     page = page_of(path)
-    found = _document.search(page.read_text(encoding="utf-8")) if page.is_file() else None
-    if not found:
+    document = _core._study_figures(page)
+    if not document:
+        if has_page(path):  # of an older program, or taken out of its folder
+            raise ValueError(f"{page}: the numbers of its figures, study.hdf5, are not beside it; give the study's folder, where `arenite study page RECIPE --out FOLDER` makes both")
         raise ValueError(f"{page}: there is no page of this study yet; `arenite study page RECIPE --out {page.parent}` makes it")
-    document = json.loads(found.group(1))
-    for figure in document["figures"]:  # what the page of an older program does not say
-        figure.setdefault("counts", False)
-        for curve in figure["series"]:
-            for flag in ("film", "fit", "beside", "source"):
-                curve.setdefault(flag, False)
     return document
 
 

@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
 
+#include "core/bytes.hpp"
 #include "core/problems.hpp"
 #include "io/film/formats.hpp"
 #include "io/hdf5/foreign.hpp"
@@ -81,7 +81,14 @@ struct Facts {
   double frame_rate = 0, integration = 0;
   std::vector<double> time;
 };
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Facts, name, notes, shape, pixel, big_endian, frame_rate, integration, time)
+
+/// One list of members for both ways.
+template <class Archive> void transfer(Archive& a, Facts& facts) {
+  auto pixel = static_cast<std::uint8_t>(facts.pixel), big_endian = static_cast<std::uint8_t>(facts.big_endian);
+  a(facts.name), a(facts.notes), a(facts.shape), a(pixel), a(big_endian), a(facts.frame_rate), a(facts.integration), a(facts.time);
+  facts.pixel = static_cast<NumberType>(pixel);
+  facts.big_endian = big_endian != 0;
+}
 
 Facts look(const Bytes& bytes, const FilmChoice& choice) {
   Facts facts;
@@ -132,12 +139,20 @@ class Hdf5Film : public KnownFilm {
 
   Facts given(const FilmChoice& choice) const {
     const auto packed = [&] {
-      const auto bytes = nlohmann::json::to_cbor(nlohmann::json(look(bytes_, choice)));
-      return std::string(bytes.begin(), bytes.end());
+      Facts found = look(bytes_, choice);
+      ByteWriter write;
+      transfer(write, found);
+      return std::string(write.bytes.begin(), write.bytes.end());
     };
+    const std::string stored = in_sandbox(bytes_->name(), packed, most_told, room());
+    const std::vector<std::uint8_t> bytes(stored.begin(), stored.end());
+    Facts facts;
     try {
-      return nlohmann::json::from_cbor(in_sandbox(bytes_->name(), packed, most_told, room())).get<Facts>();
-    } catch (const nlohmann::json::exception&) { refuse_damaged(bytes_); }
+      ByteReader read(bytes);
+      transfer(read, facts);
+      if (read.at_end()) return facts;
+    } catch (const InputError&) {}
+    refuse_damaged(bytes_);
   }
 
   void take(const Facts& facts, const FilmChoice& choice) {

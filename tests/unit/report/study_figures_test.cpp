@@ -7,6 +7,7 @@
 #include "core/error.hpp"
 #include "report/run_means.hpp"
 #include "support/numbers_of.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace arenite::report {
 namespace {
@@ -100,6 +101,18 @@ TEST(StudyPage, DrawsTheFirstRunThatAFigureWants) {
   StudyPage page{"S", figures("kind = \"stresses\"\nwhere = { gamma = 1, cement = \"full\" }"), table(), none};
   page.drawing = [](const std::string& run, const Figure& figure) { return Numbers{{"run", run + word_for(figure.kind)}}; };
   EXPECT_NE(study_page(page).find("\"sample\":{\"run\":\"6stresses\"}"), std::string::npos);
+}
+
+TEST(StudyPage, LeavesItsFiguresAsNumbersBesideIt) {
+  const test::TemporaryFolder folder;
+  EXPECT_FALSE(figures_on(folder / "study.html").is_known());
+  StudyPage page{"A <study>", figures("kind = \"zoom\""), table(), none};
+  page.drawing = [](const std::string&, const Figure&) { return Numbers{{"stress", {0.1, nullptr, 3}}}; };
+  write_study_page(folder / "study.html", page);
+  const Numbers shown = figures_on(folder / "study.html");
+  EXPECT_EQ(shown["title"], Numbers("A <study>"));
+  ASSERT_EQ(shown["figures"].size(), 1u);
+  EXPECT_NE(study_page(page).find("\"figures\":" + to_json(shown["figures"], -1)), std::string::npos);
 }
 
 TEST(StudyPage, SaysWhyARunIsNotDrawnAndWhichCurvesAreNotThereYet) {
