@@ -43,14 +43,18 @@ def test_every_card_of_the_page_has_its_figure():
     assert {(figure.kind, figure.name) for figure in figures.figures} == set(cards.values()) | pictures | printed | components
 
 
-def test_every_figure_of_a_run_is_drawn_and_embeds_its_fonts(result, tmp_path):
-    paths = figures.save_all(result, tmp_path, ("pdf", "svg"))
+@pytest.fixture(scope="module")
+def drawn(result, tmp_path_factory):
+    """All figures of a run."""
+    return figures.save_all(result, tmp_path_factory.mktemp("figures"), ("pdf", "svg"))
+
+
+def test_every_figure_of_a_run_is_drawn_and_embeds_its_fonts(drawn):
     stage = {name for kind, name in set(cards.values()) | pictures | printed if kind == "stage"} - {"stress-path", "cycles", "stress-strain", "discharge", "size-curve", "broken-bonds", "cracks"}
     field = {"stress", "displacement", "stress-pdf", "convergence"}
     expected = {f"rest-{name}" for name in stage} | {"cement-phases", "cement-cavities"} | {f"tension-{name}" for name in field}
-    drawn = {p.stem for p in paths} - {f"tension-{name}" for _, name in components} - {"rest-stress-path"}
-    assert drawn == expected
-    for path in paths:
+    assert {p.stem for p in drawn} - {f"tension-{name}" for _, name in components} - {"rest-stress-path"} == expected
+    for path in drawn:
         content = path.read_bytes()
         assert len(content) > 2000
         if path.suffix == ".pdf":
@@ -72,10 +76,10 @@ def test_former_names_of_figures_are_read_with_a_notice(result, tmp_path):
     assert figures.draw_course is figures.draw_stress_path and figures.draw_rest is figures.draw_equilibrium
 
 
-def test_the_same_result_gives_the_same_bytes(result, tmp_path):
-    names = ["force-network", "contact-orientations", "cavities", "stress-pdf"]
-    first, second = (figures.save_all(result, tmp_path / name, ("pdf", "svg"), names) for name in "ab")
-    assert len(first) == 8 and [p.read_bytes() for p in first] == [p.read_bytes() for p in second]
+def test_the_same_result_gives_the_same_bytes(result, drawn, tmp_path):
+    again = figures.save_all(result, tmp_path, ("pdf", "svg"), ["force-network", "contact-orientations", "cavities", "stress-pdf"])
+    first = {path.name: path for path in drawn}
+    assert len(again) == 8 and all(path.read_bytes() == first[path.name].read_bytes() for path in again)
 
 
 def test_widths_are_those_of_columns(result, tmp_path):

@@ -7,7 +7,7 @@ import typing
 
 from matplotlib.figure import Figure as Canvas
 
-from .style import column_width, journal_style, page_width
+from .style import column_width, journal_style, make_ticks_plain, page_width
 
 
 @dataclasses.dataclass
@@ -31,6 +31,7 @@ def save(figure, part, paths, width=None, **style):
         height = figure.height(part) if callable(figure.height) else figure.height
         canvas = Canvas(figsize=(width, width * height), layout="constrained")
         figure.draw(canvas, part)
+        make_ticks_plain(canvas)
         # Laid out once and by one renderer: where things stand does not depend on the formats asked for.
         canvas.get_layout_engine().execute(canvas)
         canvas.set_layout_engine("none")
