@@ -76,10 +76,17 @@ io::PhaseMapOptions map_options(const LoadArguments& a) {
   return options;
 }
 
-/// All that the field depends on beside the map's bytes and the load.
+/// What the field depends on beside the map's bytes and the load: options that differ from their defaults, so that a new one renames no result.
 std::string asked_of(const LoadArguments& a) {
-  return fmt::format("phases {}; labels {}; smoothing {}; crop {}; slice {}; dataset {}; label slice {}; label dataset {}; dx {}", a.phases, a.labels,
-                     a.smoothing, a.crop, a.slice, a.dataset, a.label_slice, a.label_dataset, a.dx);
+  const LoadArguments defaults;
+  std::string asked;
+  const auto add = [&](const char* name, auto LoadArguments::*option) {
+    if (a.*option != defaults.*option) asked += fmt::format("{}{} {}", asked.empty() ? "" : "; ", name, a.*option);
+  };
+  add("phases", &LoadArguments::phases), add("labels", &LoadArguments::labels), add("smoothing", &LoadArguments::smoothing);
+  add("crop", &LoadArguments::crop), add("slice", &LoadArguments::slice), add("dataset", &LoadArguments::dataset);
+  add("label slice", &LoadArguments::label_slice), add("label dataset", &LoadArguments::label_dataset), add("dx", &LoadArguments::dx);
+  return asked;
 }
 
 workflow::MapSource source_of(const LoadArguments& a) {
