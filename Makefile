@@ -3,18 +3,21 @@ BUILD ?= build
 JOBS ?= $(shell nproc)
 CMAKE_FLAGS ?=
 COMMON = cmake -S . -B $(BUILD) -G Ninja $(CMAKE_FLAGS)
+# A first look needs no Python; a build folder that has the module keeps it.
+WITHOUT_MODULE = $(if $(wildcard $(BUILD)/CMakeCache.txt),,-DARENITE_PYTHON=OFF)
+WITH_MODULE = -DARENITE_PYTHON=ON
 
 .PHONY: demo test build install deb dist bench peers fuzz docs clean
 
 demo:
 	@scripts/setup run
-	@$(COMMON) -DARENITE_TESTS=OFF >/dev/null
+	@$(COMMON) $(WITHOUT_MODULE) -DARENITE_TESTS=OFF >/dev/null
 	@ninja -C $(BUILD) -j $(JOBS) arenite
 	@$(BUILD)/arenite run examples/01-thesis-sample-08/recipe.toml --out out/demo --threads $(JOBS)
 
 build:
-	@scripts/setup run
-	@$(COMMON) -DARENITE_TESTS=OFF >/dev/null
+	@scripts/setup run python
+	@$(COMMON) $(WITH_MODULE) -DARENITE_TESTS=OFF >/dev/null
 	@ninja -C $(BUILD) -j $(JOBS)
 
 # make install PREFIX=/opt/arenite: program, Python module, completion, manual page, examples.
@@ -24,33 +27,33 @@ install: build
 
 # One Debian package in $(BUILD), to install with apt-get install ./arenite_*.deb.
 deb:
-	@scripts/setup run deb
-	@$(COMMON) -DARENITE_TESTS=OFF >/dev/null
+	@scripts/setup run python deb
+	@$(COMMON) $(WITH_MODULE) -DARENITE_TESTS=OFF >/dev/null
 	@ninja -C $(BUILD) -j $(JOBS)
 	@cd $(BUILD) && cpack -G DEB
 
 # The archive of a release in $(BUILD), with the pages built: who builds from it needs no Node.js.
 dist:
 	@scripts/setup run
-	@$(COMMON) -DARENITE_TESTS=OFF >/dev/null
+	@$(COMMON) $(WITHOUT_MODULE) -DARENITE_TESTS=OFF >/dev/null
 	@ninja -C $(BUILD) pages
 	@scripts/dist $(BUILD)
 
 test:
-	@scripts/setup run test docs
-	@$(COMMON) -DARENITE_TESTS=ON >/dev/null
+	@scripts/setup run python test docs
+	@$(COMMON) $(WITH_MODULE) -DARENITE_TESTS=ON >/dev/null
 	@ninja -C $(BUILD) -j $(JOBS)
 	@ctest --test-dir $(BUILD) -j $$(($(JOBS) + 1)) --timeout 1200 --output-on-failure  # some wait for a browser or a killed run
 
 bench:
-	@scripts/setup run bench
-	@$(COMMON) -DARENITE_BENCH=ON >/dev/null
+	@scripts/setup run python bench
+	@$(COMMON) $(WITH_MODULE) -DARENITE_BENCH=ON >/dev/null
 	@ninja -C $(BUILD) -j $(JOBS)
 	@for b in $(BUILD)/bench/*; do [ -x $$b ] && [ -f $$b ] && $$b || true; done
 
 peers:
-	@scripts/setup run bench
-	@$(COMMON) -DARENITE_BENCH=ON >/dev/null
+	@scripts/setup run python bench
+	@$(COMMON) $(WITH_MODULE) -DARENITE_BENCH=ON >/dev/null
 	@ninja -C $(BUILD) -j $(JOBS)
 	@bench/peers/run $(BUILD)
 	@bench/peers/peridynamics $(BUILD)

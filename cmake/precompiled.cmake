@@ -8,9 +8,7 @@ set(arenite_common_headers <algorithm> <array> <cmath> <cstdint> <filesystem> <f
 # none is in a kernel (compare what `nm` says of both).
 function(compile_cold target)
   set_target_properties(${target} PROPERTIES CXX_VISIBILITY_PRESET hidden)
-  if(ARENITE_PYTHON)
-    target_compile_options(${target} PRIVATE ${CMAKE_CXX_COMPILE_OPTIONS_PIC})
-  endif()
+  target_compile_options(${target} PRIVATE ${CMAKE_CXX_COMPILE_OPTIONS_PIC})
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
   target_precompile_headers(${target} REUSE_FROM arenite_loops)
 endfunction()
