@@ -51,7 +51,7 @@ std::vector<std::string> width_and_height(const std::string& text) {
   };
   if (cross != std::string::npos && is_number(text.substr(0, cross)) && is_number(text.substr(cross + 1)))
     return {text.substr(0, cross), text.substr(cross + 1)};
-  throw InputError("--size: " + text + " is no size; give pixels, e.g. 1200x800");
+  throw InputError("--size: " + text + " is not a size; give pixels, e.g. 1200x800");
 }
 
 void film(const AnimateArguments& a) {
@@ -76,19 +76,19 @@ void add_animate(Options& command, int&) {
   const auto a = std::make_shared<AnimateArguments>();
   command.add("result", a->result, "Folder of a run, or a file of it").required().type("RESULT");
   command.add("--out", a->out, "File to write, .mp4 (by ffmpeg) or .gif (default: animation.mp4 in the result's folder)").type("FILE");
-  command.add("--by", a->by, "What grains are coloured by (default: material); forces: bars alone; displacement and rotation since the first state")
+  command.add("--by", a->by, "Quantity that colours the grains (default: material); forces: bars only; displacement and rotation since the first state")
       .among(names())
       .type("WHAT");
-  command.add("--chains", a->chains, "Draw forces as bars over the grains, too");
+  command.add("--chains", a->chains, "Also draw contact forces as bars over the grains");
   command.add("--stage", a->stage, "Only the states of this stage; all if not given").type("NAME");
   command.add("--map", a->map, "Colour map of Matplotlib, e.g. viridis").type("NAME");
-  command.add("--low", a->low, "Lower end of the colours, e.g. \"0 kPa\"; found in the states if not given").type("VALUE");
-  command.add("--high", a->high, "Upper end of the colours, e.g. \"200 kPa\"; found in the states if not given").type("VALUE");
+  command.add("--low", a->low, "Lower end of the colour scale, e.g. \"0 kPa\"; taken from the states if not given").type("VALUE");
+  command.add("--high", a->high, "Upper end of the colour scale, e.g. \"200 kPa\"; taken from the states if not given").type("VALUE");
   command.add("--fps", a->per_second, "States per second (default: 10)").between(0.01, 100).type("NUMBER");
-  command.add("--size", a->size, "Pixels (default: 800x800, with a curve 1200x800)").type("WIDTHxHEIGHT");
+  command.add("--size", a->size, "Size in pixels (default: 800x800, with a curve 1200x800)").type("WIDTHxHEIGHT");
   command
       .add("--curve{test}", a->curve,
-           "Draw a curve beside, with a mark where the state is: X,Y, e.g. axial_strain,top_force, or test, q/p or mu against strain")
+           "Draw a curve beside the grains, with the current state marked: X,Y, e.g. axial_strain,top_force, or test: q/p or mu against strain")
       .type("X,Y");
   command.work = [a] { film(*a); };
 }

@@ -46,12 +46,11 @@ int execute(const CameraArguments& a) {
 void add_camera(Options& command, int& status) {
   const auto a = std::make_shared<CameraArguments>();
   command.add("result", a->result, "Folder of a run, or a stage file (.h5), whose states are filmed").required().type("RESULT");
-  command.add("--recipe", a->recipe, "Recipe of the film with its [camera] (TOML)").required().type("RECIPE.toml");
+  command.add("--recipe", a->recipe, "Recipe of the film, with a section [camera] (TOML)").required().type("RECIPE.toml");
   add_overrides(command, a->overrides);
   command.add("--out", a->out, "Folder of the film, its references and its recipe (default: out/film)").type("DIR");
   command.add("--format", a->format, "Format of the films").among(io::film_formats_to_write());
-  command.add("--blind", a->blind,
-              "film.toml holds what a laboratory knows and no more: not the lens's blur, the surroundings, the load's phase and the wall's travel");
+  command.add("--blind", a->blind, "Leave out of film.toml what no laboratory knows for sure: lens blur, surroundings, phase of the load, travel of the wall");
   command.add("--quiet", a->quiet, "No progress");
   command.work = [a, &status] { status = execute(*a); };
 }

@@ -44,8 +44,8 @@ void check_simulation(const recipe::Recipe& recipe, bool json) {
     std::fputs((to_json(numbers, 2) + "\n").c_str(), stdout);
     return;
   }
-  std::fputs(prediction ? prediction_text(*prediction).c_str() : fmt::format("\nmind: `arenite run` will refuse this: {}\n", why_not).c_str(), stderr);
-  if (recipe.has_field()) std::fputs("cement, grid and loads come on top of that\n", stderr);
+  std::fputs(prediction ? prediction_text(*prediction).c_str() : fmt::format("\nwarning: `arenite run` will refuse this: {}\n", why_not).c_str(), stderr);
+  if (recipe.has_field()) std::fputs("cement, grid and loads are not included in this estimate\n", stderr);
 }
 
 void check_film(const recipe::FilmRecipe& recipe, bool json) {
@@ -75,8 +75,8 @@ void add_check(Options& command, int&) {
   const auto arguments = std::make_shared<CheckArguments>();
   command.add("recipe", arguments->recipe, "Recipe to read (TOML), of a simulation or of a film").required().type("RECIPE.toml");
   add_overrides(command, arguments->overrides);
-  command.add("--json", arguments->json, "Print what is predicted as JSON, with the recipe in it");
-  command.add("--quiet", arguments->quiet, "Print nothing but what is wrong").not_with("--json");
+  command.add("--json", arguments->json, "Print the prediction as JSON, with the recipe");
+  command.add("--quiet", arguments->quiet, "Print problems only").not_with("--json");
   command.work = [arguments] { check(*arguments); };
 }
 

@@ -66,8 +66,8 @@ void add_doctor(Options& command, int&) {
     report("fmt", fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100));
     report("CLI11", CLI11_VERSION);
     report_program("chromium", "to test the page; any browser opens it");
-    report_program("paraview", "to look at exports of --to vtk");
-    report_program("ovito", "to look at exports of --to lammps and extxyz");
+    report_program("paraview", "to view exports of --to vtk");
+    report_program("ovito", "to view exports of --to lammps and extxyz");
     report_program("lmp", "to compare with LAMMPS: make peers");
     report_program("yade", "to compare with YADE: make peers");
   };

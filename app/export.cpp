@@ -26,7 +26,7 @@ void write_export(const ExportArguments& a) {
     if (a.format != format.name) continue;
     const auto folder = a.out.empty() ? default_folder(a) : std::filesystem::path(a.out);
     const auto files = workflow::export_result(a.result, format, folder, a.last);
-    fmt::print("{} {} in {}, the last is {}\n", files.size(), files.size() == 1 ? "file" : "files", folder.string(), files.back().filename().string());
+    fmt::print("{} {} in {}; the last is {}\n", files.size(), files.size() == 1 ? "file" : "files", folder.string(), files.back().filename().string());
   }
 }
 
@@ -43,7 +43,7 @@ void add_export(Options& command, int&) {
   command.add("result", arguments->result, "Stage file (.h5) or folder of a run").required().type("RESULT");
   command.add("--to", arguments->format, sentences).required().among(names);
   command.add("--out", arguments->out, "Folder to write to; default: one named after the format, beside the result").type("DIR");
-  command.add("--last", arguments->last, "Only the last state, not the whole loading");
+  command.add("--last", arguments->last, "Export the last state only, not the whole loading");
   command.work = [arguments] { write_export(*arguments); };
 }
 

@@ -35,8 +35,8 @@ void add_figures(Options& command, int&) {
   const auto a = std::make_shared<FiguresArguments>();
   command.add("result", a->result, "Folder of a run, a film's result or a study, or a file of it").required().type("RESULT");
   command.add("--out", a->out, "Folder to write to (default: figures in the result's folder)").type("DIR");
-  command.add("--format", a->formats, "pdf, svg, png; may be several").among({"pdf", "svg", "png"}).type("FORMAT");
-  command.add("--only", a->only, "Names of figures; all if not given").type("NAME");
+  command.add("--format", a->formats, "Formats: pdf, svg, png; several may be given").among({"pdf", "svg", "png"}).type("FORMAT");
+  command.add("--only", a->only, "Names of the figures to draw; all if not given").type("NAME");
   command.add("--width", a->width, "Width, e.g. \"85 mm\" (default: 85 mm for one column, 175 mm for two)").type("LENGTH");
   command.work = [a] { draw(*a); };
 }

@@ -42,7 +42,7 @@ int execute(const FilmArguments& a) {
     outcome = workflow::run_film(a.film, recipe, options);
   }
   if (outcome.interrupted) {
-    fmt::print(stderr, "stopped; what the simulation had computed is kept in {}\n", folder.string());
+    fmt::print(stderr, "stopped; the simulation so far is kept in {}\n", folder.string());
     return other_failure;
   }
   const fs::path page = folder / "report.html";
@@ -64,9 +64,9 @@ void add_film(Options& command, int& status) {
   add_overrides(command, a->overrides);
   a->reading.add_to(command);
   command.add("--out", a->out, "Folder of the result, the simulation and the page (default: out/NAME)").type("DIR");
-  command.add("--threads", a->threads, "Threads (default: 1); they change no bit of the results").between(1, 1024).type("N");
+  command.add("--threads", a->threads, "Threads (default: 1); the results do not depend on their number").between(1, 1024).type("N");
   command.add("--json", a->json, "Print all numbers as JSON");
-  command.add("--quiet", a->quiet, "No progress");
+  command.add("--quiet", a->quiet, "Show no progress");
   command.work = [a, &status] { status = execute(*a); };
 }
 

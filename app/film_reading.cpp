@@ -15,10 +15,10 @@ double above_zero(const char* option, const std::string& text, Dimension dimensi
 }
 
 void FilmReading::add_to(Options& command) {
-  command.add("--frame-rate", frame_rate, "Instead of what the film says, e.g. \"148 Hz\"").type("FREQUENCY");
-  command.add("--scale", scale, "Temperature of one level, e.g. \"0.01 K\": pixels become scale times their number, plus offset").type("TEMPERATURE");
+  command.add("--frame-rate", frame_rate, "Frame rate, overriding the film's own, e.g. \"148 Hz\"").type("FREQUENCY");
+  command.add("--scale", scale, "Temperature per level, e.g. \"0.01 K\": temperature = scale x level + offset").type("TEMPERATURE");
   command.add("--offset", offset, "Temperature of level 0, e.g. \"273.15 K\"").type("TEMPERATURE");
-  command.add("--dataset", dataset, "Dataset of an HDF5 file that holds several").type("NAME");
+  command.add("--dataset", dataset, "Dataset to read from an HDF5 file that holds several").type("NAME");
 }
 
 io::FilmChoice FilmReading::choice() const {

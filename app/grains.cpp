@@ -60,10 +60,10 @@ imaging::CircleOptions circle_options(const GrainsArguments& a, double pixel, co
 
 imaging::FoundCircles find(const FloatImage& image, const imaging::CircleOptions& options) {
   imaging::FoundCircles found = imaging::find_circles(image, options);
-  if (found.grains.size() == 0) throw InputError("no grains were found; give their radii by --radii, --contrast bright or dark, or a lower --least-score");
+  if (found.grains.size() == 0) throw InputError("no grains were found; give their radii with --radii, --contrast bright or dark, or a lower --least-score");
   if (found.report.materials.size() < options.materials)
     throw InputError("--materials names " + std::to_string(options.materials) + " materials, but the grains show only " +
-                     std::to_string(found.report.materials.size()) + " brightnesses; name fewer, or give another --channel");
+                     std::to_string(found.report.materials.size()) + " levels of brightness; name fewer, or give another --channel");
   return found;
 }
 
@@ -99,20 +99,22 @@ void find_grains(const GrainsArguments& a) {
 void add_grains(Options& command, int&) {
   const auto a = std::make_shared<GrainsArguments>();
   command.add("picture", a->picture, "Picture (PNG, JPEG, TIFF, HDF5) or film of the grains").required().type("IMAGE");
-  command.add("--frame", a->frame, "Frame of a film, or slice of a stack, from 0; default: the mean of all frames").between(0, 1e12).type("N");
-  command.add("--mean", a->mean, "Mean of all frames of a film (the default)").not_with("--frame");
-  command.add("--radii", a->radii, "Sizes that occur, e.g. \"5.25 mm,8.2 mm\", or in pixels \"3.3,5.1\"; without it they are found").type("LENGTHS");
-  command.add("--pixel", a->pixel, "Width of a pixel on the sample, e.g. \"1.6 mm\"; without it lengths are in pixels").type("LENGTH");
-  command.add("--materials", a->materials, "Names by brightness, darkest first, e.g. POM,HDPE; without it classes are found").type("NAMES");
-  command.add("--channel", a->channel, "What of a coloured pixel counts; default grey").among(io::channel_names()).type("NAME");
-  command.add("--contrast", a->contrast, "Grains are bright or dark against what is around them; default: found")
+  command.add("--frame", a->frame, "Frame of a film, or slice of a stack, counted from 0; default: the mean of all frames").between(0, 1e12).type("N");
+  command.add("--mean", a->mean, "Use the mean of all frames of a film (the default)").not_with("--frame");
+  command.add("--radii", a->radii, "Grain radii expected in the picture, e.g. \"5.25 mm,8.2 mm\", or in pixels \"3.3,5.1\"; found automatically if not given")
+      .type("LENGTHS");
+  command.add("--pixel", a->pixel, "Width of a pixel on the sample, e.g. \"1.6 mm\"; if not given, lengths are in pixels").type("LENGTH");
+  command.add("--materials", a->materials, "Materials by brightness, darkest first, e.g. POM,HDPE; if not given, the classes are found automatically")
+      .type("NAMES");
+  command.add("--channel", a->channel, "Colour channel that is used; default grey").among(io::channel_names()).type("NAME");
+  command.add("--contrast", a->contrast, "Whether grains are brighter or darker than their surroundings; default: found automatically")
       .among({"found", "bright", "dark"})
       .type("WAY");
-  command.add("--least-score", a->least_score, "Share of a grain's rim that must show; default 0.5").between(0.0, 1.0).type("NUMBER");
-  command.add("--origin", a->origin, "Pixel that x and y count from, column and row from the upper left; default: the picture's lower left corner")
+  command.add("--least-score", a->least_score, "Fraction of a grain's rim that must be visible; default 0.5").between(0.0, 1.0).type("NUMBER");
+  command.add("--origin", a->origin, "Pixel at which x = y = 0, column and row counted from the upper left; default: the lower left corner of the picture")
       .type("COLUMN,ROW");
-  command.add("--dataset", a->dataset, "Dataset of an HDF5 file that holds several").type("NAME");
-  command.add("--out", a->out, "Folder for the table (grains.csv), the picture with circles (grains.png) and all numbers (grains.json)").type("DIR");
+  command.add("--dataset", a->dataset, "Dataset to read from an HDF5 file that holds several").type("NAME");
+  command.add("--out", a->out, "Folder for the table (grains.csv), the picture with the circles found (grains.png) and all numbers (grains.json)").type("DIR");
   command.add("--json", a->json, "Print everything as JSON, grain by grain");
   command.work = [a] { find_grains(*a); };
 }

@@ -96,53 +96,54 @@ identify::Identification factor(const IdentifyArguments& a) {
 }
 
 void add_mechanical(Options& command, IdentifyArguments& a) {
-  command.add("--preload", a.preload, "Stiffness: force beyond which a record counts; default \"1 kN\"").type("FORCE");
+  command.add("--preload", a.preload, "Stiffness: use only data above this force; default \"1 kN\"").type("FORCE");
   command.add("--branch", a.branch, "Stiffness: part of a record's cycles that is fitted; default loading").among({"loading", "unloading"}).type("BRANCH");
-  command.add("--length", a.length, "Stiffness: length of the cylinders, e.g. \"60 mm\", for the stiffness of a unit of length").type("LENGTH");
+  command.add("--length", a.length, "Stiffness: length of the cylinders, e.g. \"60 mm\", for the stiffness per unit length").type("LENGTH");
   command.add("--k", a.k, "Adhesion: contact stiffness of the pair, e.g. \"27.35 kN/mm\" or \"27.35 +- 0.40 kN/mm\"").type("STIFFNESS");
-  command.add("--radius", a.radius, "Adhesion: radius of both cylinders, or of each: \"6.2 mm,8.2 mm\"").type("R[,R]");
+  command.add("--radius", a.radius, "Adhesion: common radius of the cylinders, or the radius of each: \"6.2 mm,8.2 mm\"").type("R[,R]");
   command.add("--effective-radius", a.effective_radius, "Adhesion: r_eff of unequal radii: 4 r_i r_j/(r_i + r_j) (default), r_i + r_j or 2 sqrt(r_i r_j)")
       .among({"four_reduced", "sum", "geometric_mean"})
       .type("NAME");
 }
 
 void add_thermal(Options& command, IdentifyArguments& a) {
-  command.add("--section", a.section, "Factor: section that carries the force, \"30.9 mm x 4.9 mm\" or \"151.4 mm^2\"").type("AREA");
+  command.add("--section", a.section, "Factor: cross-section that carries the force, \"30.9 mm x 4.9 mm\" or \"151.4 mm^2\"").type("AREA");
   command.add("--young", a.young, "Factor from strains: modulus of the specimen, e.g. \"2.8 +- 0.1 GPa\"").type("MODULUS");
   command.add("--poisson", a.poisson, "Factor from strains: Poisson's ratio, e.g. \"0.35 +- 0.02\"").type("NUMBER");
   const auto convention = [&](const char* name, const char* former, std::string& to, const char* sentence) {
     command.add(name, to, sentence).among({"peak-to-peak", "amplitude"}).formerly("full", "peak-to-peak").formerly("half", "amplitude").formerly(former);
   };
   convention("--temperature-convention", "--temperature-swing", a.temperature_convention,
-             "Factor: temperatures and signals are peak to peak (default) or the amplitude of a sine");
+             "Factor: whether temperatures and signals are peak-to-peak values (default) or amplitudes of a sine");
   convention("--load-convention", "--load-swing", a.load_convention,
-             "Factor: stresses, forces and strains are peak to peak (default) or amplitudes; force_max and force_min always give the peak-to-peak force");
-  command.add("--through-origin", a.through_origin, "Factor: hold the line to the origin");
+             "Factor: whether stresses, forces and strains are peak-to-peak values (default) or amplitudes; force_max - force_min is always peak to peak");
+  command.add("--through-origin", a.through_origin, "Factor: force the line through the origin");
 }
 
 void add_detector(Options& command, IdentifyArguments& a) {
-  command.add("--responsivity", a.responsivity, "Factor: detector's D in K a level, for the constant A' = D R F/(T eps A) of a raw signal").type("K");
-  command.add("--responsivity-at", a.reference, "Temperature that D holds at; default \"296 K\"").type("TEMPERATURE");
+  command.add("--responsivity", a.responsivity, "Factor: responsivity D of the detector in K per level, for the constant A' = D R F/(T eps A) of a raw signal")
+      .type("K");
+  command.add("--responsivity-at", a.reference, "Temperature at which D was measured; default \"296 K\"").type("TEMPERATURE");
   command.add("--surface-at", a.surface, "Temperature of the specimen; default \"296 K\"").type("TEMPERATURE");
   command.add("--amplification", a.amplification, "Amplification factor F of the signal; default 1").type("NUMBER");
   command.add("--emissivity", a.emissivity, "Emissivity of the specimen; default 1").type("NUMBER");
-  command.add("--band", a.band, "Wavelengths that the detector sees; default \"3.6 um,5.1 um\"").type("LOW,HIGH");
+  command.add("--band", a.band, "Wavelength band of the detector; default \"3.6 um,5.1 um\"").type("LOW,HIGH");
 }
 
 }  // namespace
 
 void add_identify(Options& command, int&) {
   const auto a = std::make_shared<IdentifyArguments>();
-  command.add("what", a->what, "What to find").required().among({"stiffness", "factor", "adhesion"}).type("WHAT");
+  command.add("what", a->what, "Quantity to identify").required().among({"stiffness", "factor", "adhesion"}).type("WHAT");
   command
-      .add("file", a->file, "Records or a table as CSV, with units in its header: displacement and force; stress or strain and temperature; or values by group")
+      .add("file", a->file, "CSV of records or a table, with units in its header: displacement and force; stress or strain and temperature; or values by group")
       .required()
       .type("FILE");
   add_mechanical(command, *a);
   add_thermal(command, *a);
   add_detector(command, *a);
-  command.add("--stated", a->stated, "Table of what a source states for the same groups, to compare with").type("FILE");
-  command.add("--json", a->json, "Print JSON in SI: value, error, confidence_95");
+  command.add("--stated", a->stated, "Table of the values that a source states for the same groups, for comparison").type("FILE");
+  command.add("--json", a->json, "Print JSON in SI units: value, error, confidence_95");
   command.work = [a] {
     const auto found = a->what == "stiffness" ? stiffness(*a) : a->what == "adhesion" ? adhesion(*a) : factor(*a);
     std::fputs((a->json ? to_json(identify::numbers(found), 1) + "\n" : identify::to_text(found)).c_str(), stdout);

@@ -112,7 +112,7 @@ int execute(const LoadArguments& a) {
   watch_for_signals();
   const auto [field, file] = carry_out(a, load);
   if (!field) {
-    if (load.failure && !a.out.empty()) fmt::print(stderr, "stopped; the same command goes on from the checkpoint in {}\n", a.out);
+    if (load.failure && !a.out.empty()) fmt::print(stderr, "stopped; the same command continues from the checkpoint in {}\n", a.out);
     else fmt::print(stderr, "stopped; nothing was stored\n");
     return other_failure;
   }
@@ -126,50 +126,53 @@ int execute(const LoadArguments& a) {
 }
 
 void add_reading(Options& command, LoadArguments& a) {
-  command.add("--phases", a.phases, "Which grey value is what, e.g. \"0=void,85=particle,170=matrix\"; a picture of two values needs none").type("TABLE");
+  command.add("--phases", a.phases, "Phase of each grey value, e.g. \"0=void,85=particle,170=matrix\"; not needed for a picture of two values").type("TABLE");
   command
       .add("--labels", a.labels,
-           "Grains: components (particles that hang together; default), watershed (cut at necks), none (all one "
-           "grain), or a picture whose values number them")
+           "Grains: components (connected particles; default), watershed (split at necks), none (all one grain), "
+           "or a label image")
       .type("WAY");
-  command.add("--smoothing", a.smoothing, "Of the watershed: depth of a neck that is not cut, pixels; default 1").type("NUMBER");
-  command.add("--crop", a.crop, "Part of the picture, pixels from its upper left corner").type("X,Y,WIDTH,HEIGHT");
-  command.add("--slice", a.slice, "Slice of a stack, from 0").between(0, 1e12).type("N");
-  command.add("--dataset", a.dataset, "Dataset of an HDF5 file that holds several").type("NAME");
-  command.add("--label-slice", a.label_slice, "Slice of the labels, from 0").between(0, 1e12).type("N");
+  command.add("--smoothing", a.smoothing, "Watershed: depth of a neck up to which it is not cut, pixels; default 1").type("NUMBER");
+  command.add("--crop", a.crop, "Part of the picture to use, in pixels from its upper left corner").type("X,Y,WIDTH,HEIGHT");
+  command.add("--slice", a.slice, "Slice of a stack, counted from 0").between(0, 1e12).type("N");
+  command.add("--dataset", a.dataset, "Dataset to read from an HDF5 file that holds several").type("NAME");
+  command.add("--label-slice", a.label_slice, "Slice of the labels, counted from 0").between(0, 1e12).type("N");
   command.add("--label-dataset", a.label_dataset, "Dataset of the labels").type("NAME");
-  command.add("--dx", a.dx, "Side of a pixel, e.g. \"25 um\"; without it lengths are in pixels").type("LENGTH");
+  command.add("--dx", a.dx, "Side of a pixel, e.g. \"25 um\"; if not given, lengths are in pixels").type("LENGTH");
 }
 
 void add_loading(Options& command, LoadArguments& a) {
   recipe::Load& load = a.load;
-  command.add("--loading", a.loading, "How the top row is moved").among(recipe::plain_words<peridynamics::Loading>());
-  command.add("--axis", a.axis, "Axis from the bottom row to the top row; x loads the map turned").among(recipe::plain_words<recipe::Load::Axis>());
-  command.add("--lower", a.lower, "What holds the bottom row").among(recipe::plain_words<peridynamics::LowerEdge>());
-  command.add("--method", a.method, "Way to the field at equilibrium").among(recipe::plain_words<peridynamics::Method>());
-  command.add("--strain", load.strain, "Displacement of the top row over the height; default 1e-4").type("NUMBER");
+  command.add("--loading", a.loading, "Direction in which the top row is moved").among(recipe::plain_words<peridynamics::Loading>());
+  command.add("--axis", a.axis, "Axis from the bottom row to the top row; x loads the map rotated").among(recipe::plain_words<recipe::Load::Axis>());
+  command.add("--lower", a.lower, "Support of the bottom row").among(recipe::plain_words<peridynamics::LowerEdge>());
+  command.add("--method", a.method, "Solution method for the equilibrium field").among(recipe::plain_words<peridynamics::Method>());
+  command.add("--strain", load.strain, "Nominal strain: displacement of the top row over the height; default 1e-4").type("NUMBER");
   command.add("--tolerance", load.tolerance, "Relative residual at equilibrium; default 1e-6").type("NUMBER");
   command.add("--stiffness", a.stiffness, "Young's moduli of bonds, e.g. \"matrix=1 GPa,particle=4 GPa\" (the default; interface as the matrix)")
       .type("MODULI");
-  command.add("--exact-stretch", load.exact_stretch, "Stretch of the turned bond, not linearised");
-  command.add("--moduli", load.moduli, "Load along both axes and in shear, too, for the moduli of the sample");
-  command.add("--failure", load.failure, "Load until it breaks; needs --dx");
-  command.add("--toughness", a.toughness, "Of bonds, e.g. \"matrix=0.1 MPa m^0.5\" (the default; interface alike, particle 3.5 times it)").type("TOUGHNESS");
-  command.add("--max-strain", load.max_strain, "A test to failure ends here at the latest; default 0.1").type("NUMBER");
+  command.add("--exact-stretch", load.exact_stretch, "Use the exact (non-linearised) bond stretch");
+  command.add("--moduli", load.moduli, "Also load along both axes and in shear, for the moduli of the sample");
+  command.add("--failure", load.failure, "Load to failure; needs --dx");
+  command
+      .add("--toughness", a.toughness,
+           "Fracture toughness of bonds, e.g. \"matrix=0.1 MPa m^0.5\" (the default; interface the same, particle 3.5 times as much)")
+      .type("TOUGHNESS");
+  command.add("--max-strain", load.max_strain, "Strain at which a test to failure ends at the latest; default 0.1").type("NUMBER");
   command.add("--clamp-rows", load.statistics.clamp_rows, "Rows at both edges that the statistics leave out; default 4").type("N");
-  command.add("--leave-out-surface", load.statistics.leave_out_surface, "Statistics without nodes that border another phase or grain");
+  command.add("--leave-out-surface", load.statistics.leave_out_surface, "Exclude nodes that border another phase or grain from the statistics");
 }
 
 }  // namespace
 
 void add_load(Options& command, int& status) {
   const auto a = std::make_shared<LoadArguments>();
-  command.add("map", a->map, "Phase map: PNG, TIFF or HDF5 picture of grey values, or a field of ours (.h5)").required().type("PHASEMAP");
+  command.add("map", a->map, "Phase map: PNG, TIFF or HDF5 picture of grey values, or a field file of Arenite (.h5)").required().type("PHASEMAP");
   add_reading(command, *a);
   add_loading(command, *a);
   command.add("--json", a->json, "Print all numbers as JSON");
-  command.add("--out", a->out, "Folder for the field (.h5) and its page; without it nothing is stored").type("DIR");
-  command.add("--quiet", a->quiet, "No progress");
+  command.add("--out", a->out, "Folder for the field (.h5) and its page; if not given, nothing is stored").type("DIR");
+  command.add("--quiet", a->quiet, "Show no progress");
   command.work = [a, &status] { status = execute(*a); };
 }
 

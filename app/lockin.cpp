@@ -41,7 +41,8 @@ std::vector<float> phase_in_degrees(const LockinMaps& m) {
 double read_phase(const std::string& text) {
   const Quantity phase = option_value("--reference-phase", [&] { return parse_quantity(text); });
   if (phase.dimension != dimension::none) throw InputError("--reference-phase: must be an angle, such as \"90 deg\"");
-  if (phase.unit.empty()) fmt::print(stderr, "--reference-phase {0} is taken in radians; write \"{0} rad\" or an angle in degrees, such as \"90 deg\"\n", text);
+  if (phase.unit.empty())
+    fmt::print(stderr, "--reference-phase {0} is taken to be in radians; write \"{0} rad\" or an angle in degrees, such as \"90 deg\"\n", text);
   return phase.value;
 }
 
@@ -68,7 +69,7 @@ Numbers numbers(const LockinMaps& m, const LockinArguments& a, const FilmInfo& f
   j["reference_phase_deg"] = m.reference_phase * degrees;
   j["reference"] = a.by_lock_in_line           ? "the film's lock-in line"
                    : a.options.reference_phase ? "given"
-                                               : "found on the film; its sign is the one with which pixels warm on the mean";
+                                               : "found on the film; its sign is such that pixels warm with the load on average";
   const std::vector<float> phase = phase_in_degrees(m);
   for (const auto& [name, map] : maps_of(m, phase).named)
     if (!map->empty()) j["median"][name] = median_of_finite(*map);
@@ -89,7 +90,7 @@ void print(const LockinMaps& m, const LockinArguments& a, const FilmInfo& film, 
   const std::string unit = unit_of(film);
   fmt::print("frequency        {:.9g} Hz", m.frequency);
   if (m.frequency_error > 0 && std::isfinite(m.frequency_error)) fmt::print(" +- {:.1e}", m.frequency_error);
-  else if (m.frequency_error > 0) fmt::print(" as given: the film does not show it");
+  else if (m.frequency_error > 0) fmt::print(", as given: the film does not show it");
   fmt::print("\nframes           {} of {} x {} pixels\n", m.frames, m.width, m.height);
   fmt::print("amplitude        {:.4g} {} ({}median)\n", median_of_finite(m.amplitude), unit,
              m.convention == AmplitudeConvention::peak_to_peak ? "peak to peak, " : "");
@@ -97,11 +98,11 @@ void print(const LockinMaps& m, const LockinArguments& a, const FilmInfo& film, 
              median_of_finite(m.noise_floor), unit);
   if (!m.second_harmonic.empty()) fmt::print("second harmonic  {:.4g} {} (median)\n", median_of_finite(m.second_harmonic), unit);
   fmt::print("residual         {:.4g} {} (median)\n", median_of_finite(m.residual), unit);
-  fmt::print("noise            {:.3g} times as much at this frequency as if it were white\n", std::sqrt(m.noise_ratio));
+  fmt::print("noise            {:.3g} times that of white noise at this frequency\n", std::sqrt(m.noise_ratio));
   fmt::print("reference phase  {:.6g} deg{}\n", m.reference_phase * degrees,
              a.by_lock_in_line           ? ", of the film's lock-in line"
              : a.options.reference_phase ? ""
-                                         : ", found on the film up to its sign: pixels warm on the mean");
+                                         : ", found on the film up to its sign: pixels warm with the load on average");
   fmt::print("diffusion length {:.4g} mm", 1e3 * heat.length);
   if (heat.pixel > 0) fmt::print(", {:.3g} pixels: the finest detail loses {:.2g} % of its amplitude", heat.length / heat.pixel, 100 * heat.lost());
   fmt::print("\n");
@@ -133,7 +134,7 @@ int execute(LockinArguments& a) {
   if (!a.out.empty()) write_maps(a.out, a.format, maps_of(maps, phase_in_degrees(maps)));
   if (!thermography::shows_load(maps)) fmt::print(stderr, "{}: {}\n", a.film, workflow::no_load_sentence(maps, maps.frequency, "--frequency"));
   else if (maps.other_frequency > 0)
-    fmt::print(stderr, "{}: the amplitude is larger at {:.4g} Hz than at {:.6g} Hz, which is a multiple\n", a.film, maps.other_frequency, maps.frequency);
+    fmt::print(stderr, "{}: the amplitude is larger at {:.4g} Hz than at {:.6g} Hz, a multiple of it\n", a.film, maps.other_frequency, maps.frequency);
   const thermography::Adiabatic heat = adiabatic(a, maps.frequency);
   if (heat.pixel > 0 && !heat.holds()) fmt::print(stderr, "{}\n", heat.sentence());
   if (a.json) fmt::print("{}\n", to_json(numbers(maps, a, film->info(), heat), 2));
@@ -146,28 +147,28 @@ int execute(LockinArguments& a) {
 void add_lockin(Options& command, int& status) {
   const auto a = std::make_shared<LockinArguments>();
   command.add("film", a->film, "Film of a cyclically loaded sample").required().type("FILM");
-  command.add("--frequency", a->frequency, "Of the load, e.g. \"3 Hz\"; refined on the film").required().type("FREQUENCY");
-  command.add("--out", a->out, "Folder for the maps; without it nothing is stored").type("DIR");
-  command.add("--format", a->format, "Of the maps").among({"tiff", "npy", "hdf5"});
-  command.add("--drift", a->options.drift_order, "Order of the polynomial that pixels drift by; default 4").type("N");
-  command.add("--harmonics", a->options.harmonics, "Of the load frequency; default 2").type("N");
-  command.add("--convention", a->convention, "What maps hold: the amplitude (default) or twice that, peak to peak")
+  command.add("--frequency", a->frequency, "Frequency of the load, e.g. \"3 Hz\"; refined on the film").required().type("FREQUENCY");
+  command.add("--out", a->out, "Folder for the maps; if not given, nothing is stored").type("DIR");
+  command.add("--format", a->format, "Format of the maps").among({"tiff", "npy", "hdf5"});
+  command.add("--drift", a->options.drift_order, "Order of the polynomial that describes the drift of pixels; default 4").type("N");
+  command.add("--harmonics", a->options.harmonics, "Number of harmonics of the load frequency; default 2").type("N");
+  command.add("--convention", a->convention, "Convention of the maps: the amplitude (default) or peak to peak, twice the amplitude")
       .among({"amplitude", "peak-to-peak"})
       .formerly("half", "amplitude")
       .formerly("full", "peak-to-peak");
   command
       .add("--reference-phase", a->reference_phase,
-           "Of the load: its angle at the first frame before it is largest, e.g. \"90 deg\"; without it found on the film up to its sign")
+           "Phase of the load at the first frame, i.e. the angle still to go to its maximum, e.g. \"90 deg\"; if not given, found on the film up to its sign")
       .type("ANGLE");
   command.add("--nearest-bin", a->nearest_bin, "Plain Fourier transform at the nearest bin, mean image subtracted");
-  command.add("--no-refinement", a->no_refinement, "Keep the frequency as it is given");
-  command.add("--diffusivity", a->diffusivity, "Of heat in the grains, for the adiabatic check; default \"0.1 mm^2/s\", about that of plastics")
+  command.add("--no-refinement", a->no_refinement, "Keep the frequency as given");
+  command.add("--diffusivity", a->diffusivity, "Thermal diffusivity of the grains, for the adiabatic check; default \"0.1 mm^2/s\", about that of plastics")
       .type("QUANTITY");
   command.add("--pixel", a->pixel, "Side of a pixel on the sample, e.g. \"1.6 mm\": warns where the diffusion length of a cycle approaches it").type("LENGTH");
   a->reading.add_to(command);
   command.add("--threads", a->options.threads, "Threads (default: 1)").between(1, 256).type("N");
   command.add("--json", a->json, "Print all numbers as JSON");
-  command.add("--quiet", a->quiet, "No progress");
+  command.add("--quiet", a->quiet, "Show no progress");
   command.work = [a, &status] { status = execute(*a); };
 }
 

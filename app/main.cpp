@@ -38,14 +38,14 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "%s: %s\n", speaker(argc, argv).c_str(), error.what());
     status = app::not_converged;
   } catch (const NumbersError&) {  // in a file with a right seal: of another version, or written by another hand
-    std::fprintf(stderr, "%s: the numbers stored in the result are not those that this version writes; make the result again with `arenite run`\n",
+    std::fprintf(stderr, "%s: the numbers stored in the result are not those that this version writes; compute the result again with `arenite run`\n",
                  speaker(argc, argv).c_str());
     status = app::bad_input;
   } catch (const std::filesystem::filesystem_error& error) {
     std::fprintf(stderr, "%s: %s; check its permissions\n", error.path1().c_str(), error.code().message().c_str());
     status = app::bad_input;
   } catch (const std::bad_alloc&) {
-    std::fprintf(stderr, "%s: the memory does not suffice; ask for fewer grains or stored states\n", speaker(argc, argv).c_str());
+    std::fprintf(stderr, "%s: out of memory; ask for fewer grains or fewer stored states\n", speaker(argc, argv).c_str());
   } catch (const std::exception& error) {
     // fmt throws where stdio would only note that stdout cannot be written; that is told below.
     if (!std::ferror(stdout)) std::fprintf(stderr, "%s: %s\n", speaker(argc, argv).c_str(), error.what());

@@ -57,7 +57,7 @@ void print_page(const std::vector<CommandText>& tree) {
       ".SH EXIT STATUS\n"
       ".TP\n.B 0\nDone.\n"
       ".TP\n.B 2\nBad input: each problem is one line on stderr, with its place and how to fix it.\n"
-      ".TP\n.B 3\nNot converged, or a claim failed; what was reached is said and kept.\n"
+      ".TP\n.B 3\nNot converged, or a claim failed; the state reached is reported and kept.\n"
       ".TP\n.B 1\nAnything else.\n");
 }
 

@@ -88,7 +88,8 @@ void propose_contacts(const MeasureArguments& a, io::Sample& sample, texture::Op
         fmt::format("--touching: {} is wider than the mean radius of the grains, {:.4g} m; grains so far apart do not touch", a.touching, mean_radius));
   sample.packing.contacts = imaging::propose_contacts(sample.packing.grains, sample.packing.domain, {}, tolerance);
   options.rattler_contacts = 0;
-  sample.notes.push_back("Contacts are where surfaces are within " + a.touching + " of each other; forces are not known, so what depends on them is left out.");
+  sample.notes.push_back("Grains are taken to touch where their surfaces are within " + a.touching +
+                         " of each other; forces are not known, so statistics of forces are left out.");
 }
 
 void measure(const MeasureArguments& a) {
@@ -100,39 +101,41 @@ void measure(const MeasureArguments& a) {
   if (a.contacts.empty()) texture::forget_forces(t);
   t.quality.doubled_rows = sample.doubled_rows;
   t.notes.insert(t.notes.begin(), sample.notes.begin(), sample.notes.end());
-  if (sample.doubled_rows > 0) t.notes.insert(t.notes.begin(), std::to_string(sample.doubled_rows) + " rows repeat a contact and were merged with it.");
+  if (sample.doubled_rows > 0)
+    t.notes.insert(t.notes.begin(), std::to_string(sample.doubled_rows) + " rows repeat a contact that is already listed, and were merged with it.");
   const std::string text = a.json ? to_json(texture::numbers(t, a.curves), 2) + "\n" : texture::to_text(t);
   std::fwrite(text.data(), 1, text.size(), stdout);
 }
 
 void add_units(Options& command, MeasureArguments& a) {
-  command.add("--length-unit", a.length_unit, "Unit of lengths whose column names none, e.g. mm; default m").type("UNIT");
-  command.add("--pixel", a.pixel, "Width of a pixel on the sample, e.g. \"1.6 mm\", for a table in px").type("LENGTH");
-  command.add("--force-unit", a.force_unit, "Unit of forces whose column names none, e.g. kN; default N").type("UNIT");
+  command.add("--length-unit", a.length_unit, "Unit of lengths in columns without a unit, e.g. mm; default m").type("UNIT");
+  command.add("--pixel", a.pixel, "Width of a pixel on the sample, e.g. \"1.6 mm\", for a table in pixels").type("LENGTH");
+  command.add("--force-unit", a.force_unit, "Unit of forces in columns without a unit, e.g. kN; default N").type("UNIT");
 }
 
 void add_frame(Options& command, MeasureArguments& a) {
-  command.add("--box", a.box, "Width and height of the sample, and tilt of a sheared periodic cell; \"350 mm,350 mm\"").type("LX,LY[,tilt]");
-  command.add("--origin", a.origin, "Lower left corner of the box; default 0,0, or around the centres where these lie elsewhere").type("X,Y");
-  command.add("--periodic{xy}", a.periodic, "Opposite sides are joined; --periodic=x or --periodic=y for one direction");
+  command.add("--box", a.box, "Width and height of the sample, and tilt of a sheared periodic cell, e.g. \"350 mm,350 mm\"").type("LX,LY[,tilt]");
+  command.add("--origin", a.origin, "Lower left corner of the box; default 0,0, or around the centres if they lie elsewhere").type("X,Y");
+  command.add("--periodic{xy}", a.periodic, "Periodic boundaries; --periodic=x or --periodic=y for one direction");
   command.add("--thickness", a.thickness, "Out-of-plane length of the cylinders, e.g. \"60 mm\"; stresses need it").type("LENGTH");
-  command.add("--materials", a.materials, "Table of material,name,density,... or of id,material").type("FILE");
+  command.add("--materials", a.materials, "Table of materials (material,name,density,...) or of the material of each grain (id,material)").type("FILE");
 }
 
 void add_reading(Options& command, MeasureArguments& a) {
   std::vector<std::string> formats = io::sample_formats();
   formats.insert(formats.begin(), "auto");
-  command.add("--format", a.format, "Format of the files; auto looks at their first line").among(formats).type("NAME");
-  command.add("--grain-columns", a.grain_columns, "Columns of a table of grains without header, e.g. \"id,x,y,-,radius\"").type("NAMES");
+  command.add("--format", a.format, "Format of the files; auto: by their first line").among(formats).type("NAME");
+  command.add("--grain-columns", a.grain_columns, "Columns of a grain table without header, e.g. \"id,x,y,-,radius\"").type("NAMES");
   command
       .add("--columns", a.contact_columns,
-           "Columns of contacts without header, e.g. \"i,j,-,ft [N],fn [N]\" or \"i,j,fx,fy\"; of a LAMMPS dump whose computes are not those that "
-           "docs/measure.md names, e.g. \"-,patom1,patom2,fx,fy,p1,p2\"")
+           "Columns of a contact table without header, e.g. \"i,j,-,ft [N],fn [N]\" or \"i,j,fx,fy\"; or of a LAMMPS dump with computes other than those in "
+           "docs/measure.md, e.g. \"-,patom1,patom2,fx,fy,p1,p2\"")
       .type("NAMES");
-  command.add("--touching", a.touching, "Without a file of contacts: grains touch where their surfaces are no further apart than this; forces are not known")
+  command
+      .add("--touching", a.touching, "Without a file of contacts: widest gap between the surfaces of grains that are taken to touch; forces are then not known")
       .type("LENGTH");
-  command.add("--y-down", a.y_down, "y counts image rows, which point down; it is turned round, fn and ft are kept");
-  command.add("--doubled", a.doubled, "What to do with a contact listed twice: error, or merge (taken once, mean of its forces)")
+  command.add("--y-down", a.y_down, "y counts image rows, which point down; y is flipped, fn and ft are kept");
+  command.add("--doubled", a.doubled, "What to do with a contact listed twice: error, or merge (taken once, with the mean of its forces)")
       .among({"error", "merge"})
       .type("WAY");
 }
@@ -140,7 +143,7 @@ void add_reading(Options& command, MeasureArguments& a) {
 /// The stresses of a stored field, measured anew.
 void measure_field(const MeasureArguments& a) {
   const FieldResult field = io::read_field(a.grains);
-  if (field.field.size() == 0) throw InputError(a.grains, 0, "is a sample without load: it has no stresses; give the file of a load");
+  if (field.field.size() == 0) throw InputError(a.grains, 0, "is a sample that was not loaded and has no stresses; give the file of a load");
   stress::StressOptions options = a.stress;
   options.components = {stress::Component::yy, stress::Component::xx, stress::Component::xy, stress::Component::hydrostatic};
   const auto statistics = stress::measure(field.map, field.field, options);
@@ -148,20 +151,20 @@ void measure_field(const MeasureArguments& a) {
 }
 
 void add_field_statistics(Options& command, MeasureArguments& a) {
-  command.add("--clamp-rows", a.stress.clamp_rows, "Of a field: rows left out at the lower and the upper edge; default 4").between(0, 1 << 20).type("N");
+  command.add("--clamp-rows", a.stress.clamp_rows, "Fields: rows to leave out at the lower and the upper edge; default 4").between(0, 1 << 20).type("N");
   command.add("--leave-out-surface", a.stress.leave_out_surface, "Fields: exclude nodes that border another phase or grain");
   command.add("--leave-out-unloaded", a.stress.leave_out_unloaded, "Fields: exclude nodes that carry no stress");
-  command.add("--mean-over-area", a.stress.mean_over_area, "Of a field: the sample's mean counts the void as zero stress");
+  command.add("--mean-over-area", a.stress.mean_over_area, "Fields: count the void as zero stress in the mean of the sample");
 }
 
 void add_statistics(Options& command, MeasureArguments& a) {
-  command.add("--border", a.texture.border, "Strip left out along walls, in mean diameters; default 2.5").between(0.0, 1000.0).type("NUMBER");
-  command.add("--load-axis", a.load_axis_deg, "Direction of the load for signed anisotropies, degrees from x; default: greatest compression")
+  command.add("--border", a.texture.border, "Width of the strip left out along walls, in mean diameters; default 2.5").between(0.0, 1000.0).type("NUMBER");
+  command.add("--load-axis", a.load_axis_deg, "Direction of the load for signed anisotropies, in degrees from x; default: greatest compression")
       .between(0.0, 180.0)
       .type("DEGREES");
-  command.add("--seed", a.texture.seed, "Seed of the random places of windows; default 1").type("NUMBER");
+  command.add("--seed", a.texture.seed, "Seed of the random positions of windows; default 1").type("NUMBER");
   command.add("--json", a.json, "Print all statistics as JSON, each as value and error");
-  command.add("--curves", a.curves, "With --json: also histograms, distributions, and values by grain");
+  command.add("--curves", a.curves, "With --json: also histograms, distributions and values by grain");
 }
 
 }  // namespace
@@ -188,7 +191,7 @@ void add_measure(Options& command, int&) {
     if (a->contacts.empty() == a->touching.empty())
       throw InputError(a->touching.empty() ? "give the file of contacts after that of the grains, or --touching with the widest gap between grains that touch, "
                                              "for example --touching \"0.2 mm\""
-                                           : "--touching: is for grains without a file of contacts; leave out one of the two");
+                                           : "--touching: for grains without a file of contacts; leave out one of the two");
     measure(*a);
   };
 }

@@ -62,7 +62,7 @@ std::string stage_line(const StagePrediction& s) {
 std::string prediction_text(const Prediction& p) {
   std::string text = fmt::format("\ntime step    {:.3g} s: {}; stable up to {:.3g} s\n", p.time_step, limit_text(p), p.largest_step);
   if (p.stages.empty()) return text;
-  text += fmt::format("{:<12} {:>12} {:>10} {:>9}  {:<22} {:>8}\n", "stage", "steps", "its time", "computing", "inertial number", "k/P");
+  text += fmt::format("{:<12} {:>12} {:>10} {:>9}  {:<22} {:>8}\n", "stage", "steps", "simulated", "CPU time", "inertial number", "k/P");
   bool all_exact = true;
   std::int64_t steps = 0;
   for (const StagePrediction& stage : p.stages) {
@@ -70,12 +70,13 @@ std::string prediction_text(const Prediction& p) {
     all_exact = all_exact && stage.exact;
     steps += stage.steps;
   }
-  const std::string from = p.sample < p.grains ? fmt::format("a sample of {}, for some {} grains", p.sample, p.grains) : fmt::format("its {} grains", p.grains);
-  text += fmt::format("in all       {:>12} steps, about {} on one free core, at {:.2g} s a step timed on {}\n", count_text(steps, all_exact),
+  const std::string from =
+      p.sample < p.grains ? fmt::format("a sample of {} grains, for about {}", p.sample, p.grains) : fmt::format("its {} grains", p.grains);
+  text += fmt::format("total        {:>12} steps, about {} on one free core, at {:.2g} s per step timed on {}\n", count_text(steps, all_exact),
                       duration_text(p.seconds()), p.seconds_per_step, from);
   if (!all_exact)
-    text += "~ is an estimate: a stage that ends at rest lasts until the sample stops oscillating; the true time may be half or twice the estimate\n";
-  for (const std::string& warning : p.warnings) text += "mind: " + warning + "\n";
+    text += "~ marks an estimate: a stage that ends at equilibrium lasts until the sample stops oscillating, which may take half or twice as long\n";
+  for (const std::string& warning : p.warnings) text += "warning: " + warning + "\n";
   return text;
 }
 

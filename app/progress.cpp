@@ -87,7 +87,7 @@ std::string ProgressLine::text(const workflow::Progress& progress) const {
   if (progress.step > 0)
     line += fmt::format("  {} {}  {} {:.1e}", progress.field ? "iteration" : "step", progress.step, progress.field ? "residual" : "unbalanced",
                         progress.unbalanced_ratio);
-  if (progress.share >= 1) return line + fmt::format("  {} in all", whole_seconds(clock_.seconds()));
+  if (progress.share >= 1) return line + fmt::format("  {} total", whole_seconds(clock_.seconds()));
   const double left = clock_.seconds_left(progress.share);
   return std::isnan(left) ? line : line + fmt::format("  about {} left", whole_seconds(left));
 }

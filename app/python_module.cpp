@@ -53,7 +53,7 @@ Module find_module(const char* what) {
     if (is_built(folder / "arenite")) return {folder, fs::exists("/usr/bin/python3") ? "/usr/bin/python3" : "python3"};
   if (const auto found = installed_by_pip(program)) return *found;
   throw InputError(fmt::format(
-      "{} need the Python module, which is not built beside this program; `make build` in the source folder builds it (`make demo` does not)", what));
+      "{} need the Python module, which has not been built beside this program; `make build` in the source folder builds it (`make demo` does not)", what));
 }
 
 }  // namespace

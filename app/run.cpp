@@ -80,7 +80,7 @@ Status run_one(const recipe::Recipe& recipe, const fs::path& folder, const RunAr
   StatusFile status(folder);
   const workflow::RunOutcome outcome = carry_out(recipe, folder, arguments, status);
   if (outcome.interrupted) {
-    fmt::print(stderr, "stopped; the same command goes on from the checkpoint in {}\n", folder.string());
+    fmt::print(stderr, "stopped; the same command continues from the checkpoint in {}\n", folder.string());
     return other_failure;
   }
   for (const auto& stage : outcome.stages) fmt::print("{:<12} {}\n", stage.name, stage.outcome);
@@ -96,8 +96,9 @@ recipe::Recipe read(const std::string& file, const std::vector<std::string>& ove
   if (recipe::describes_film(io::read_file(file)))
     throw InputError(
         file, 0,
-        fmt::format("is a recipe of a film (`arenite film FILM --recipe {}`), not of a simulation; `arenite init composite r.toml` writes one of a simulation",
-                    file));
+        fmt::format(
+            "is the recipe of a film (`arenite film FILM --recipe {}`), not of a simulation; `arenite init composite r.toml` writes one of a simulation",
+            file));
   return recipe::read_recipe(file, overrides);
 }
 
@@ -125,12 +126,12 @@ void add_run(Options& command, int& status) {
   auto arguments = std::make_shared<RunArguments>();
   command.add("recipe", arguments->recipes, "Recipe to run (TOML); several are run one after the other").required().type("RECIPE.toml");
   add_overrides(command, arguments->overrides);
-  command.add("--out", arguments->out, "Folder of the results, of several recipes a folder each below it (default: out/NAME)").type("DIR");
-  command.add("--threads", arguments->threads, "Threads (default: 1); they change no bit of the results").between(1, 1024).type("N");
+  command.add("--out", arguments->out, "Output folder; with several recipes, one subfolder each (default: out/NAME)").type("DIR");
+  command.add("--threads", arguments->threads, "Threads (default: 1); the results do not depend on their number").between(1, 1024).type("N");
   command.add("--kernel", arguments->kernel, "Kernel of the contact loop: auto, portable, avx2, avx512").type("NAME");
   command.add("--checkpoint-every", arguments->checkpoint_seconds, "Seconds between two checkpoints").between(0.0, 1e9).type("S");
-  command.add("--watch", arguments->watch, "Serve a page that shows the run to this machine's browsers as it goes on, and print its address");
-  command.add("--quiet", arguments->quiet, "No progress");
+  command.add("--watch", arguments->watch, "Serve a live page of the run to browsers on this machine, and print its address");
+  command.add("--quiet", arguments->quiet, "Show no progress");
   command.work = [arguments, &status] { status = execute(*arguments); };
 }
 

@@ -163,15 +163,15 @@ std::string run_status_text(const fs::path& folder) {
   const auto status = read_run_status(folder);
   if (!status) return "";
   const std::string process = fmt::format("process {} on {}", status->process, status->host), at = where(status->progress);
-  const std::string heard = fmt::format("last heard of {}", clock_text(status->heard));
+  const std::string heard = fmt::format("last update {}", clock_text(status->heard));
   switch (life_of(*status)) {
     case Life::running: {
       const std::string left = std::isnan(status->seconds_left) ? "" : fmt::format(", about {} left of the stage", duration_text(status->seconds_left));
-      return fmt::format("Running: {}{}\n  since {}, the stage since {}; {}\n", at, left, clock_text(status->began), clock_text(status->stage_began), process);
+      return fmt::format("Running: {}{}\n  since {}, this stage since {}; {}\n", at, left, clock_text(status->began), clock_text(status->stage_began), process);
     }
-    case Life::stopped: return fmt::format("Stopped: {}\n  {}; the same command goes on from the checkpoint\n", at, heard);
-    case Life::died: return fmt::format("Ended before its time: {}\n  {} is gone, {}; the same command goes on from the last checkpoint\n", at, process, heard);
-    case Life::unknown: return fmt::format("Not known whether it still runs: {}\n  {}, {}\n", at, process, heard);
+    case Life::stopped: return fmt::format("Stopped: {}\n  {}; the same command continues from the checkpoint\n", at, heard);
+    case Life::died: return fmt::format("Died: {}\n  {} is gone, {}; the same command continues from the last checkpoint\n", at, process, heard);
+    case Life::unknown: return fmt::format("Unknown whether it is still running: {}\n  {}, {}\n", at, process, heard);
   }
   return "";
 }

@@ -55,12 +55,12 @@ void refuse(const fs::path& path, bool study_passes) {
     if (is_study(path)) {
       if (study_passes) return;
       throw InputError(name, 0,
-                       fmt::format("is the folder of a study, not a result; give a run of it, {}/runs/NAME; `arenite study status RECIPE --out {}` "
-                                   "tells how it stands",
+                       fmt::format("is the folder of a study, not a result; give one of its runs, {}/runs/NAME; `arenite study status RECIPE --out {}` "
+                                   "reports its progress",
                                    name, name));
     }
-    if (holds_maps(path)) throw InputError(name, 0, fmt::format("holds the maps of a film, each a picture by itself, and is no result; {}", give_a_result));
-    if (!may_hold_something(path)) throw InputError(name, 0, fmt::format("is no result; {}", give_a_result));
+    if (holds_maps(path)) throw InputError(name, 0, fmt::format("holds the maps of a film, each an image of its own, and is not a result; {}", give_a_result));
+    if (!may_hold_something(path)) throw InputError(name, 0, fmt::format("is not a result; {}", give_a_result));
     return;
   }
   if (fs::is_regular_file(path, error)) {
@@ -70,7 +70,7 @@ void refuse(const fs::path& path, bool study_passes) {
   }
   const auto* source = validation::find_study(name);
   if (source && source->has_runs())
-    throw InputError(name, 0, "is a study that comes with the program, not a result; `arenite verify` runs it, and each of its runs' folders is a result");
+    throw InputError(name, 0, "is a built-in study, not a result; `arenite verify` runs it, and the folder of each of its runs is a result");
 }
 
 std::string shown(const ShowArguments& a) {
@@ -106,13 +106,15 @@ void refuse_neither_result_nor_study(const std::string& path) { refuse(path, tru
 void add_show(Options& command, int&) {
   const auto a = std::make_shared<ShowArguments>();
   command.add("result", a->result, "Stage file (.h5) or folder of a run, or a film: a file, a folder of frames, or a name with *").required().type("RESULT");
-  command.add("--json", a->json, "Print everything as JSON: provenance, stages, texture of the last state; or what a film says about itself");
-  command.add("--all", a->all, "Print every number, not the headlines alone").not_with("--json");
-  command.add("--numbers", a->numbers, "Print every number under its name in files and tables, with error, unit and what it is")
+  command.add("--json", a->json, "Print everything as JSON: provenance, stages, statistics of the last state; or the metadata of a film");
+  command.add("--all", a->all, "Print every number, not only the headlines").not_with("--json");
+  command.add("--numbers", a->numbers, "Print every number under its name in files and tables, with its error, unit and meaning")
       .not_with("--json")
       .not_with("--all")
       .not_with("--states");
-  command.add("--states", a->states, "Print one row a stored state as CSV: strains, stress and texture along the loading").not_with("--json").not_with("--all");
+  command.add("--states", a->states, "Print one row per stored state as CSV: strains, stress and fabric along the loading")
+      .not_with("--json")
+      .not_with("--all");
   a->reading.add_to(command);
   command.work = [a] { std::fputs(shown_with_status(*a).c_str(), stdout); };
 }

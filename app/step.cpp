@@ -36,7 +36,7 @@ void tell(const thermography::StepMaps& m, const StepArguments& a, const FilmInf
     fmt::print("step             {:.6g} s after the first frame{}\n", m.time, a.time.empty() ? ", found on the film" : "");
     fmt::print("frames           {} before, {} after, of {} x {} pixels\n", m.before, m.after, m.width, m.height);
     for (const auto& [side, time] : {std::pair{"before", m.relaxation_before}, std::pair{"after", m.relaxation_after}})
-      if (time > 0) fmt::print("relaxation       {:.4g} s, an exponential that pixels follow {}\n", time, side);
+      if (time > 0) fmt::print("relaxation       {:.4g} s, exponential, {} the step\n", time, side);
     fmt::print("jump             {:.4g} {} (median)\nstandard error   {:.4g} {} (median)\nresidual         {:.4g} {} (median)\n", median_of_finite(m.jump),
                unit, median_of_finite(m.standard_error), unit, median_of_finite(m.residual), unit);
     return;
@@ -84,16 +84,16 @@ int execute(StepArguments& a) {
 void add_step(Options& command, int& status) {
   const auto a = std::make_shared<StepArguments>();
   command.add("film", a->film, "Film of a sample whose load steps once").required().type("FILM");
-  command.add("--time", a->time, "Of the middle of the step after the first frame, e.g. \"2.5 s\"; without it found on the film").type("TIME");
-  command.add("--rise", a->rise, "That the load takes; frames within are left out; default 0 s").type("TIME");
-  command.add("--window", a->window, "Before and after the step that is used; default all of the film").type("TIME");
-  command.add("--drift", a->options.drift_order, "Order of the polynomial that pixels drift by on each side; default 1").type("N");
-  command.add("--out", a->out, "Folder for the maps; without it nothing is stored").type("DIR");
-  command.add("--format", a->format, "Of the maps").among({"tiff", "npy", "hdf5"});
+  command.add("--time", a->time, "Time of the middle of the step after the first frame, e.g. \"2.5 s\"; if not given, found on the film").type("TIME");
+  command.add("--rise", a->rise, "Time that the load takes to change; frames within it are left out; default 0 s").type("TIME");
+  command.add("--window", a->window, "Time before and after the step that is used; default: the whole film").type("TIME");
+  command.add("--drift", a->options.drift_order, "Order of the polynomial that describes the drift of pixels on each side; default 1").type("N");
+  command.add("--out", a->out, "Folder for the maps; if not given, nothing is stored").type("DIR");
+  command.add("--format", a->format, "Format of the maps").among({"tiff", "npy", "hdf5"});
   a->reading.add_to(command);
   command.add("--threads", a->options.threads, "Threads (default: 1)").between(1, 256).type("N");
   command.add("--json", a->json, "Print all numbers as JSON");
-  command.add("--quiet", a->quiet, "No progress");
+  command.add("--quiet", a->quiet, "Show no progress");
   command.work = [a, &status] { status = execute(*a); };
 }
 

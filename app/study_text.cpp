@@ -49,9 +49,8 @@ std::string stage_lines(const campaign::Study& study, const campaign::StudyFolde
 std::string saved_line(const campaign::StudyFolder& folder) {
   const auto account = workflow::read_account(folder.store);
   if (account.computed + account.reused == 0) return {};
-  return fmt::format("store: {} computed in {} of CPU, {} taken from it instead of computed, which saved {} of CPU\n",
-                     counted(account.computed, "stage", "stages"), duration_text(account.seconds_computed), account.reused,
-                     duration_text(account.seconds_saved));
+  return fmt::format("store: {} computed in {} of CPU time; {} reused, which saved {} of CPU time\n", counted(account.computed, "stage", "stages"),
+                     duration_text(account.seconds_computed), account.reused, duration_text(account.seconds_saved));
 }
 
 }  // namespace
@@ -65,10 +64,10 @@ std::string plan_text(const campaign::Study& study, const campaign::StudyFolder&
   if (runs.size() < study.runs.size()) text += fmt::format(", {} of them different", runs.size());
   text += "\n\n" + stage_lines(study, folder) + "\n";
   const double seconds = campaign::seconds_of_missing(study, runs, folder);
-  if (std::isnan(seconds)) text += "time: not known yet, since no stage of some names was measured; it will be when the first run has ended\n";
-  else if (seconds == 0) text += "time: all stages are there\n";
+  if (std::isnan(seconds)) text += "time: not known until the first run has ended, because some stages have not been timed yet\n";
+  else if (seconds == 0) text += "time: all stages are in the store\n";
   else
-    text += fmt::format("time: about {} of CPU are left, {} with {} at once\n", duration_text(seconds), duration_text(seconds / static_cast<double>(jobs)),
+    text += fmt::format("time: about {} of CPU time left, {} with {} at a time\n", duration_text(seconds), duration_text(seconds / static_cast<double>(jobs)),
                         counted(jobs, "run", "runs"));
   return text;
 }
@@ -91,7 +90,7 @@ std::string status_text(const campaign::Study& study, const campaign::StudyFolde
   for (const auto kind : {RunState::Kind::done, RunState::Kind::running, RunState::Kind::waiting, RunState::Kind::unfinished, RunState::Kind::failed})
     if (count[kind] > 0) text += fmt::format("{}{} {}", std::exchange(separator, ", "), count[kind], campaign::word_for(kind));
   text += "\n" + saved_line(folder);
-  if (!failures.empty()) text += "\n" + failures + "`--retry` does these again\n";
+  if (!failures.empty()) text += "\n" + failures + "`--retry` repeats these\n";
   return text;
 }
 
@@ -111,7 +110,7 @@ std::vector<report::Figure> read_study_figures(const campaign::Study& study) {
   const std::filesystem::path declared = figures_of(study);
   std::ifstream in(declared, std::ios::binary);
   if (!in && !std::filesystem::exists(declared)) return {};
-  if (!in) throw InputError(declared.string(), 0, "cannot be read; it declares the figures of the study, one [[figures]] each (docs/studies.md)");
+  if (!in) throw InputError(declared.string(), 0, "cannot be read; it declares the figures of the study, each as one [[figures]] (docs/studies.md)");
   std::vector<std::string> notices;
   auto figures = report::read_figures({std::istreambuf_iterator<char>(in), {}}, declared.string(), &notices);
   for (const std::string& sentence : notices) fmt::print(stderr, "{}: {}\n", declared.string(), sentence);

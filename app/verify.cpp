@@ -103,7 +103,7 @@ bool run_all(const fs::path& out, const VerifyArguments& a) {
 }
 
 int stopped() {
-  fmt::print(stderr, "stopped; the same command goes on where it was\n");
+  fmt::print(stderr, "stopped; the same command continues where it stopped\n");
   return other_failure;
 }
 
@@ -122,14 +122,15 @@ std::string heading(const VerifyArguments& a) {
   std::strftime(date, sizeof date, "%Y-%m-%d", std::gmtime(&now));
   return fmt::format(
       "# The ledger of claims\n\n{}Written by `arenite verify`, version {}, on {}, {} cores of {}.\n\n"
-      "Errors (±) are standard errors over runs, each with a seed of its own. A check holds where the 95 % interval (Student's t) lies in what is "
-      "wanted, fails where it lies "
-      "outside, and is undecided where the bound lies within it. Many like numbers, such as those of all pairs, are one check: it holds if each shows it, and "
-      "fails if one is outside "
-      "after Holm's correction. What is said not to depend on something must lie within a margin. Law S has a tangential spring; law R is the thesis's "
-      "regularised friction, which holds none at rest. "
+      "Errors (±) are standard errors over runs with different seeds. A check holds where the 95 % interval (Student's t) lies within the claimed range, "
+      "fails where it lies "
+      "outside, and is undecided where it contains a bound. Many numbers of one kind, such as those of all pairs, are one check: it holds if each of them "
+      "holds, "
+      "and fails if one is outside "
+      "after Holm's correction. Independence of a parameter means that the change lies within a margin. Law S has a tangential spring; law R is the thesis's "
+      "regularised friction, which has no static friction. "
       "{}\n\n",
-      a.small ? "**Of the small studies: this is no ledger.**\n\n" : "", version, date, std::thread::hardware_concurrency(), processor_name(),
+      a.small ? "**From the small studies: this is not the ledger.**\n\n" : "", version, date, std::thread::hardware_concurrency(), processor_name(),
       a.csv.empty() ? "`--csv FILE` writes all checks and all choices."
                     : fmt::format("All checks, and all choices, are in [{0}]({0}).", fs::path(a.csv).filename().string()));
 }
@@ -185,19 +186,19 @@ int execute(const VerifyArguments& a) {
 void add_verify(Options& command, int& status) {
   auto a = std::make_shared<VerifyArguments>();
   a->jobs = std::max(1u, std::thread::hardware_concurrency());
-  command.add("source", a->sources, "Whose claims: those of the thesis, of the paper, or both").required().type("SOURCE").among({"thesis", "paper"});
+  command.add("source", a->sources, "Source of the claims: the thesis, the paper, or both").required().type("SOURCE").among({"thesis", "paper"});
   command.add("--small", a->small, "Smaller samples and fewer seeds: minutes instead of hours");
   command.add("--json", a->json, "Print the ledger as JSON");
-  command.add("--markdown", a->markdown, "Write the ledger as a page of text, too, with its pictures in a folder of that name beside it").type("FILE");
-  command.add("--csv", a->csv, "Write all checks and all choices as a table, too").type("FILE");
-  command.add("--verdicts", a->verdicts, "Write the verdicts alone, to hold later ones against").type("FILE");
-  command.add("--expect", a->expected, "End with 3 when a verdict differs from this file's, not when a claim is not reproduced").type("FILE");
+  command.add("--markdown", a->markdown, "Also write the ledger as a Markdown page, with its pictures in a folder of the same name").type("FILE");
+  command.add("--csv", a->csv, "Also write all checks and all choices as a table").type("FILE");
+  command.add("--verdicts", a->verdicts, "Write only the verdicts, to compare later ones with").type("FILE");
+  command.add("--expect", a->expected, "Exit with status 3 when a verdict differs from this file, not when a claim is not reproduced").type("FILE");
   command.add("--out", a->out, "Folder of the studies (default: out/ledger, or out/ledger-small)").type("DIR");
-  command.add("--jobs", a->jobs, "Runs at once, each in a process of its own (default: all cores)").between(1, 4096).type("J");
-  command.add("--only", a->only, "Run and read this study only; may be repeated").each().type("STUDY");
-  command.add("--read", a->read_only, "Run nothing: judge by the runs that are there");
-  command.add("--keep", a->keep, "Keep all files, or of cemented samples and loads only their numbers (default)").type("WHAT").among({"all", "numbers"});
-  command.add("--quiet", a->quiet, "No progress");
+  command.add("--jobs", a->jobs, "Concurrent runs, each in its own process (default: all cores)").between(1, 4096).type("J");
+  command.add("--only", a->only, "Run and read only this study; may be repeated").each().type("STUDY");
+  command.add("--read", a->read_only, "Run nothing: judge the existing runs");
+  command.add("--keep", a->keep, "Keep all files, or only the numbers of cemented samples and loads (default)").type("WHAT").among({"all", "numbers"});
+  command.add("--quiet", a->quiet, "Show no progress");
   add_overrides(command, a->overrides);
   command.work = [a, &status] { status = execute(*a); };
 }

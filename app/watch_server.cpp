@@ -131,7 +131,7 @@ void serve_watch(const std::filesystem::path& folder, int port, const std::funct
     return httplib::Server::HandlerResponse::Handled;
   });
   answers.port = port == 0 ? server.bind_to_any_port(loopback) : server.bind_to_port(loopback, port) ? port : -1;
-  if (answers.port <= 0) throw InputError(fmt::format("--port {}: cannot be had on this machine; leave it out, and a free one is taken", port));
+  if (answers.port <= 0) throw InputError(fmt::format("--port {}: not available on this machine; leave the option out to use a free port", port));
   std::thread listener([&] { server.listen_after_bind(); });
   tell(fmt::format("http://{}:{}/{}/", loopback, answers.port, token));
   while (!is_over()) std::this_thread::sleep_for(std::chrono::milliseconds(100));
@@ -162,9 +162,9 @@ void let_go_of_output() {
 Watcher::Watcher(const std::filesystem::path& folder) {
   int ends[2];
   std::fflush(nullptr);
-  if (::pipe2(ends, O_CLOEXEC) != 0) throw InputError("--watch: the system grants no pipe; run `arenite watch` beside it");
+  if (::pipe2(ends, O_CLOEXEC) != 0) throw InputError("--watch: the system cannot create a pipe; run `arenite watch` separately");
   const pid_t child = ::fork();
-  if (child < 0) throw InputError("--watch: the system grants no process; run `arenite watch` beside it");
+  if (child < 0) throw InputError("--watch: the system cannot create a process; run `arenite watch` separately");
   if (child > 0) {
     ::close(ends[0]);
     tie_ = ends[1];
@@ -180,7 +180,7 @@ Watcher::Watcher(const std::filesystem::path& folder) {
       let_go_of_output();
     };
     serve_watch(folder, 0, tell, after_end_of(ends[0]));
-  } catch (const std::exception& error) { fmt::print(stderr, "--watch: {}; the run goes on\n", error.what()); }
+  } catch (const std::exception& error) { fmt::print(stderr, "--watch: {}; the run continues\n", error.what()); }
   ::_exit(0);
 }
 

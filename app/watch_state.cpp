@@ -46,7 +46,7 @@ class PrivateFolder {
  public:
   PrivateFolder() {
     std::string pattern = (fs::temp_directory_path() / "arenite-watch-XXXXXX").string();
-    if (!::mkdtemp(pattern.data())) throw InputError(pattern, 0, "cannot be made; set TMPDIR to a folder that can be written to");
+    if (!::mkdtemp(pattern.data())) throw InputError(pattern, 0, "cannot be created; set TMPDIR to a writable folder");
     path_ = pattern;
   }
   ~PrivateFolder() {

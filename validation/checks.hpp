@@ -33,7 +33,7 @@ std::string capital(std::string text);
 /// A value that nothing is wanted of.
 Check reported(std::string what, const Value& ours, std::string unit = "");
 
-/// Adds checks that were made under other conditions ("under law R") as told beside, and says in a finding how many of them hold.
+/// Adds checks that were made under other conditions ("under law R") as reported only, and says in a finding how many of them hold.
 void add_beside(Judgement& judgement, const std::string& conditions, const std::vector<Check>& checks);
 
 }  // namespace arenite::validation

@@ -13,26 +13,26 @@ class Results;
 enum class Outcome {
   holds,
   fails,
-  undecided,  ///< the bound lies within the error of ours, or the error is not known
+  undecided,  ///< the interval of our value contains the bound, or its error is not known
   unknown     ///< runs that decide it are missing
 };
 const char* word_for(Outcome outcome);  ///< "holds", "fails", "undecided", "unknown"
 
-/// What a check asks.
+/// The subject of a check.
 enum class Kind {
-  trend,   ///< which way, or whether: what the claim says in words
-  number,  ///< how much: the source's own numbers
-  source,  ///< whether the source's own tables bear its words out
-  beside   ///< told beside the claim; decides nothing
+  trend,   ///< direction or existence of an effect: the claim in words
+  number,  ///< size: the source's own numbers
+  source,  ///< whether the source's own tables support its words
+  beside   ///< reported with the claim; decides nothing
 };
 const char* word_for(Kind kind);  ///< "trend", "number", "source", "beside"
 
-/// Where a number is wanted, ends excluded.
+/// The claimed range of a number, ends excluded.
 struct Range {
   double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
 };
 
-/// One number held against what the source says of it.
+/// One number compared with the claim of the source.
 struct Check {
   std::string what;    ///< "z at ratio 10, law S"
   std::string source;  ///< what the source has, as text
@@ -44,7 +44,7 @@ struct Check {
   Kind kind = Kind::trend;
 };
 
-/// How a number hangs on what its source leaves open, one choice at a time.
+/// How a number depends on the choices that its source leaves open, varied one at a time.
 struct Sensitivity {
   struct Entry {
     std::string choice;  ///< "without friction"; empty: as the study has it
@@ -73,7 +73,7 @@ struct Judgement {
   Verdict verdict() const;
 };
 
-/// The check that its verdict hangs on: of the first that ends like it; the first of all if it is reproduced. nullptr if it has none.
+/// The check that decides its verdict: of the first that ends like it; the first of all if it is reproduced. nullptr if it has none.
 const Check* deciding_check(const Judgement& judgement);
 /// One sentence: the fact or the choice that decides.
 std::string what_decides(const Judgement& judgement);

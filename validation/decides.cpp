@@ -1,4 +1,4 @@
-// The sentence that names what a claim's verdict hangs on.
+// The sentence that names what decides a claim's verdict.
 #include <fmt/format.h>
 
 #include <cmath>

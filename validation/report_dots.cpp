@@ -77,7 +77,7 @@ std::string line(double x0, double y0, double x1, double y1, const char* kind) {
   return fmt::format("<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" class=\"{}\"/>\n", x0, y0, x1, y1, kind);
 }
 
-/// A full dot, a hollow one, a cross: not told by colour alone.
+/// A full dot, a hollow one, a cross: not distinguished by colour alone.
 std::string mark(double x, double y, Outcome outcome) {
   if (outcome == Outcome::fails) return fmt::format("<path d=\"M{:.1f} {:.1f}l7 7m0 -7l-7 7\" class=\"fails\"/>\n", x - 3.5, y - 3.5);
   return fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.6\" class=\"{}\"/>\n", x, y, outcome == Outcome::holds ? "holds" : "undecided");

@@ -1,4 +1,4 @@
-"""The page of `arenite compare`: what differs in the settings and in the numbers of two results, and curves of both."""
+"""The page of `arenite compare`: differences in the settings and numbers of two results, and the curves of both."""
 
 import base64
 import html
@@ -42,7 +42,7 @@ def table(head, body):
 
 
 def settings(pairs):
-    """Keys of the recipes that differ, by what the last parts that are compared were made with."""
+    """Keys that differ between the recipes of the last parts compared."""
     recipes = [recipe_of(*part[::3]) for part in pairs[-1][1:]]
     differing = [key for key in {**recipes[0], **recipes[1]} if recipes[0].get(key) != recipes[1].get(key)]
     if not differing:
@@ -52,7 +52,7 @@ def settings(pairs):
 
 
 def recipe_of(kind, part):
-    """{key: value} of what a part was made with, as this version understands it; {} of one that does not tell."""
+    """{key: value} of the recipe of a part, as this version reads it; {} if the part has none."""
     text = part.provenance.get("recipe", "") if hasattr(part, "provenance") else ""
     try:
         return keys(tomllib.loads((FilmRecipe if kind == "film" else Recipe).from_text(text).toml()))
@@ -82,7 +82,7 @@ def numbers_of(row):
 
 
 def figure(pairs):
-    """Curves of both in one picture; nothing where there are none."""
+    """Curves of both in one picture; nothing if there are none."""
     drawn = [(name, *panel) for name, one, other in pairs for panel in panels(one[0], one[3], other[3])]
     return f'<h2>Curves</h2><img alt="curves of both" src="{picture(drawn)}">' if drawn else ""
 
@@ -97,11 +97,11 @@ def panels(kind, a, b):
 def stage_curves(stage):
     found = {}
     if curves.has_history(stage):
-        course = curves.curves_of(curves.Test(stage, None))
-        x, words = ("shear_strain", "shear strain, %") if "mu" in course else ("axial_strain", "axial strain since the first row, %")
+        path = curves.curves_of(curves.Test(stage, None))
+        x, words = ("shear_strain", "shear strain, %") if "mu" in path else ("axial_strain", "axial strain since the first row, %")
         for name, label, factor in (("mu", "$\\mu$", 1), ("q_over_p", "$q/p$", 1), ("p", "$p$, kPa", 1e3), ("volumetric_strain", "volumetric strain, %", 0.01)):
-            if name in course and np.ptp(course[x].values) > 1e-5:
-                found[words, label, "linear"] = (100 * course[x].values, course[name].values / factor)
+            if name in path and np.ptp(path[x].values) > 1e-5:
+                found[words, label, "linear"] = (100 * path[x].values, path[name].values / factor)
     return {**found, **texture_curves(measure(stage.packing))}
 
 
@@ -110,7 +110,7 @@ def texture_curves(texture):
     found = {}
     for name, label in (("force", "$F_{\\mathrm{n}}/\\langle F_{\\mathrm{n}}\\rangle$"), ("sigma_norm", "$\\sigma_{\\mathrm{norm}}$")):
         if "cumulative" in texture.get(name, {}):
-            found[label, "share above", "log"] = tuple(np.array(texture[name]["cumulative"][axis]) for axis in "xy")
+            found[label, "fraction above", "log"] = tuple(np.array(texture[name]["cumulative"][axis]) for axis in "xy")
     sectors = np.array(texture.get("fabric", {}).get("sectors", []), float)
     if sectors.sum() > 0:
         found["contact orientation, °", "share over isotropic", "linear"] = (180 * (np.arange(len(sectors)) + 0.5) / len(sectors), sectors / sectors.mean())

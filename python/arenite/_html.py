@@ -1,4 +1,4 @@
-"""How results show themselves in a notebook: a line of text, the numbers that matter, and a picture."""
+"""Display of results in a notebook: a line of text, the main numbers, and a picture."""
 
 import base64
 import html
@@ -6,7 +6,7 @@ import io
 
 
 def _picture(name, *objects, **options):
-    """What `arenite.figures.NAME` draws; nothing where there is no Matplotlib, so that the numbers are shown all the same."""
+    """The picture that `arenite.figures.NAME` draws; nothing without Matplotlib, so that the numbers are shown in any case."""
     try:
         from matplotlib.figure import Figure
 

@@ -1,9 +1,9 @@
-"""What a command says of its own accord."""
+"""Messages of the commands."""
 
 import sys
 
 
 def said(sentence):
-    """Tells why nothing came of it, as the program does; gives the exit status of bad input."""
+    """Prints the reason of a failure as the program does; returns the exit status of bad input."""
     print(f"arenite: {sentence}", file=sys.stderr)
     return 2

@@ -1,6 +1,6 @@
-"""Films of a run along its loading: `save(result, "film.mp4", by="pressure")`, or `python3 -m arenite.animate RESULT`.
+"""Animations of a run along its loading: `save(result, "run.mp4", by="pressure")`, or `python3 -m arenite.animate RESULT`.
 
-ffmpeg makes an MP4 where it is installed; Pillow, which comes with Matplotlib, a GIF.
+ffmpeg, if installed, writes an MP4; Pillow, which comes with Matplotlib, a GIF.
 """
 
 import argparse
@@ -16,15 +16,15 @@ colourings = ("material", "forces", "pressure", "deviator", "z", "velocity", "di
 
 
 def save(result, path, by="material", *, stage=None, chains=False, colour_map=None, low=None, high=None, fps=10.0, size=(800, 800), curve=None, progress=None):
-    """Writes the stored states of a result (a Result or its path), or of one `stage`, as a film; gives its path, which ends in .gif
-    instead of .mp4 where ffmpeg is not installed.
+    """Writes the stored states of a result (a Result or its path), or of one `stage`, as an animation; returns its path, which ends in .gif
+    instead of .mp4 if ffmpeg is not installed.
 
-    `by`: "material", "forces" (bars alone), "pressure", "deviator" (Pa), "z", "velocity" (m/s), "displacement" (since the first
-    state, m), "rotation" (rad), "mobilisation" (mean ``|F_t|/(mu F_n)`` of a grain); `chains`: forces as bars over the grains, too;
-    `colour_map`: a name of Matplotlib's; `low`, `high`: ends of its scale in SI units, found in the states unless given; `fps`:
+    `by`: "material", "forces" (bars only), "pressure", "deviator" (Pa), "z", "velocity" (m/s), "displacement" (from the first
+    state, m), "rotation" (rad), "mobilisation" (mean ``|F_t|/(mu F_n)`` of a grain); `chains`: also forces as bars over the grains;
+    `colour_map`: a colour map of Matplotlib; `low`, `high`: limits of its scale in SI units, taken from the states unless given; `fps`:
     states per second; `size`: width and height in pixels; `curve`: ("axial_strain", "top_force"), columns of `curves.along` or of
-    the history, drawn beside with a mark where the state is, or "test": q/p or mu against strain; `progress(share, "states")` is called meanwhile. Raises ValueError
-    with a sentence."""
+    the history, drawn beside the grains with the current state marked, or "test": q/p or mu against strain; `progress(share, "states")` is called meanwhile. Raises
+    ValueError."""
     from .figures import motion, moving
     from .figures.style import journal_style
 
@@ -43,7 +43,7 @@ def save(result, path, by="material", *, stage=None, chains=False, colour_map=No
 
 
 def refuse(by, path, colour_map, fps, size):
-    """ValueError for what cannot be meant."""
+    """Raises ValueError for invalid arguments."""
     import matplotlib
 
     if by not in colourings:
@@ -51,9 +51,9 @@ def refuse(by, path, colour_map, fps, size):
     if path.suffix not in (".mp4", ".gif"):
         raise ValueError(f"{path}: give a name that ends in .mp4 or .gif")
     if colour_map is not None and colour_map not in matplotlib.colormaps:
-        raise ValueError(f"Matplotlib has no colour map {colour_map}; viridis, magma_r, RdBu_r, cividis and turbo are some that it has")
+        raise ValueError(f"Matplotlib has no colour map {colour_map}; examples are viridis, magma_r, RdBu_r, cividis and turbo")
     if not 0 < fps <= 100:
-        raise ValueError(f"{fps:g} pictures per second cannot be shown; give up to 100")
+        raise ValueError(f"{fps:g} states per second cannot be shown; give up to 100")
     if not all(100 <= n <= 4000 for n in size):
         raise ValueError("give 100 to 4000 pixels for width and height")
 
@@ -112,23 +112,23 @@ def palette_of(images, colour_map=None, scale=176):
 
 
 def main(words=None):
-    """The command's end in Python: prints the path; 2 and a sentence on stderr for what is refused."""
+    """The command in Python: prints the path; status 2 and a message on stderr for bad input."""
     parser = argparse.ArgumentParser(prog="arenite animate", description="A film of a run along its loading: MP4 by ffmpeg, or GIF.")
     parser.add_argument("result", help="folder of a run, or a file of it")
     parser.add_argument("--out", help="file to write, .mp4 or .gif (default: animation.mp4 in the result's folder)")
     parser.add_argument("--by", default="material", choices=colourings)
-    parser.add_argument("--stage", help="only this stage; all unless given")
+    parser.add_argument("--stage", help="only this stage; all if not given")
     parser.add_argument("--chains", action="store_true", help="forces as bars over the grains")
     parser.add_argument("--map", metavar="NAME", help="colour map of Matplotlib")
-    parser.add_argument("--low", type=float, help="lower end of the colours, in SI units")
-    parser.add_argument("--high", type=float, help="upper end of the colours, in SI units")
+    parser.add_argument("--low", type=float, help="lower end of the colour scale, in SI units")
+    parser.add_argument("--high", type=float, help="upper end of the colour scale, in SI units")
     parser.add_argument("--fps", type=float, default=10, help="states per second")
     parser.add_argument("--size", type=int, nargs=2, default=None, metavar=("WIDTH", "HEIGHT"), help="pixels (default: 800 800, with a curve 1200 800)")
-    parser.add_argument("--curve", metavar="X,Y", help="columns drawn beside, such as axial_strain,top_force, or test: q/p or mu against strain")
+    parser.add_argument("--curve", metavar="X,Y", help="columns of a curve beside the grains, such as axial_strain,top_force, or test: q/p or mu against strain")
     a = parser.parse_args(words)
     try:
         written = save(a.result, target(a), a.by, stage=a.stage, chains=a.chains, colour_map=a.map, low=a.low, high=a.high, fps=a.fps,
-                       size=a.size or (1200 if a.curve else 800, 800), curve=a.curve and pair(a.curve), progress=told(sys.stderr))
+                       size=a.size or (1200 if a.curve else 800, 800), curve=a.curve and pair(a.curve), progress=progress_on(sys.stderr))
     except ValueError as error:
         return said(str(error))
     except ImportError as error:
@@ -156,7 +156,7 @@ def pair(text):
     return names
 
 
-def told(stream):
+def progress_on(stream):
     """Progress on a terminal, and nothing elsewhere."""
     if not stream.isatty():
         return None

@@ -1,7 +1,7 @@
 """Two results side by side: `rows(a, b)`, `save_page(a, b, "compare.html")`, or `python3 -m arenite.compare A B`.
 
-Every number of both, with its standard error where the result tells one. A difference counts where it is beyond two standard errors
-of it; of numbers without errors it is only told.
+Every number of both, with its standard error if the result has one. A difference is significant beyond two of its standard errors;
+differences of numbers without errors are listed but not judged.
 """
 
 import argparse
@@ -16,7 +16,7 @@ import sys
 from ._core import open as open_result
 from ._said import said
 
-beyond, within, equal, untold, alone = "beyond errors", "within errors", "equal", "no errors given", "in one only"
+beyond, within, equal, unjudged, alone = "beyond errors", "within errors", "equal", "no errors given", "in one only"
 sure = 2  # standard errors of the difference
 
 
@@ -33,15 +33,15 @@ class Row:
 
     @property
     def difference(self):
-        """b - a; of directions the shorter way round."""
+        """b - a; for angles the shorter difference."""
         turn = turn_of(self.name)
         return (self.b - self.a + turn / 2) % turn - turn / 2 if turn else self.b - self.a
 
     @property
     def error(self):
-        """Standard error of the difference; that of one of the two where the other tells none, NaN where both do."""
-        told = [e for e in (self.a_error, self.b_error) if not math.isnan(e)]
-        return math.hypot(*told) if told else math.nan
+        """Standard error of the difference; that of one of the two if the other has none, NaN if neither has."""
+        known = [e for e in (self.a_error, self.b_error) if not math.isnan(e)]
+        return math.hypot(*known) if known else math.nan
 
     @property
     def verdict(self):
@@ -50,7 +50,7 @@ class Row:
         if self.a == self.b:
             return equal
         if not self.error > 0:
-            return untold
+            return unjudged
         return beyond if abs(self.difference) > sure * self.error else within
 
 
@@ -91,7 +91,7 @@ def is_number(value):
 
 
 def flattened(numbers, path=""):
-    """{"coordination.all": (value, error)} of a tree of numbers; NaN for an error that is not told. Items of lists are counted from
+    """{"coordination.all": (value, error)} of a tree of numbers; NaN for an unknown error. Items of lists are counted from
     0; densities and other curves, several lists side by side, are left to the figure."""
     if is_number(numbers):
         return {path: (float(numbers), math.nan)}
@@ -132,17 +132,17 @@ def opened(result):
 
 def counted(found):
     """{verdict: how many rows}."""
-    return {verdict: sum(row.verdict == verdict for row in found) for verdict in (beyond, within, equal, untold, alone)}
+    return {verdict: sum(row.verdict == verdict for row in found) for verdict in (beyond, within, equal, unjudged, alone)}
 
 
 def summary(found):
-    """What came out, in a sentence or two; what chance would give is told, for with many numbers some are always beyond."""
+    """The result in a sentence or two, with the number expected by chance, because among many numbers some always differ."""
     counts = counted(found)
-    told = counts[beyond] + counts[within]
-    text = f"{counts[beyond]} of {told} numbers with errors that differ are beyond {sure} standard errors of the difference"
-    if told:
-        text += f"; equal samples would give about {max(1, round(0.0455 * told))}, and numbers of one sample go together"
-    return f"{text}. {counts[equal]} are equal, {counts[untold]} differ but have no error, {counts[alone]} are in one result only."
+    known = counts[beyond] + counts[within]
+    text = f"{counts[beyond]} of {known} numbers with errors that differ are beyond {sure} standard errors of the difference"
+    if known:
+        text += f"; equal samples would give about {max(1, round(0.0455 * known))}, and numbers of one sample are correlated"
+    return f"{text}. {counts[equal]} are equal, {counts[unjudged]} differ but have no error, {counts[alone]} are in one result only."
 
 
 def text_table(found):

@@ -1,9 +1,9 @@
-"""Curves of a test: strains, stresses and texture along a loading, against its cycles, and mu(I), phi(I) over several runs.
+"""Curves of a test: strains, stresses and fabric along a loading and over its cycles, and mu(I), phi(I) over several runs.
 
-Each function gives a dict of names, {"axial_strain": Curve(values, unit), ...}; a Curve is a tuple of an array and its SI unit ("1"
-for numbers). Strains are positive where the sample shortens, as `arenite show --states` has them, since the state before the stage;
+Each function returns a dict, {"axial_strain": Curve(values, unit), ...}; a Curve is a tuple of an array and its SI unit ("1"
+for numbers). Strains are positive in compression, as in `arenite show --states`, relative to the state before the stage;
 stresses of the sides are positive in compression, p their mean and q half the difference of the principal ones, so that q/p is the
-sine of the mobilised angle of friction. What a result does not know is left out. For pandas: `pandas.DataFrame({name: c.values for
+sine of the mobilised angle of friction. Quantities that a result lacks are left out. For pandas: `pandas.DataFrame({name: c.values for
 name, c in along(result).items()})`.
 """
 
@@ -27,14 +27,14 @@ class Curve(NamedTuple):
 
 
 class Test(NamedTuple):
-    """A stage of loading and the packing before it, from which strains are counted; None where there is none."""
+    """A loading stage and the packing before it, the reference of strains; None if there is none."""
 
     stage: object
     before: object
 
 
 def find_test(result, stage=None):
-    """The stage of this name, or the last one that has a history. Raises ValueError where there is none."""
+    """The stage of this name, or the last one that has a history. Raises ValueError if there is none."""
     stages = list(result.stages)
     found = [k for k, part in enumerate(stages) if has_history(part) and stage in (None, part.name)]
     if not found:
@@ -49,11 +49,11 @@ def has_history(stage):
 
 
 def along(result, stage=None):
-    """What was sampled while a stage ran, fine in time: `time`; `strain_x`, `strain_y`, `axial_strain` (of the axis that shortens
-    most), `volumetric_strain`, `shear_strain` (of a sheared cell or between sliding walls; elsewhere axial less lateral strain);
-    `sigma_xx`, `sigma_yy`, `tau`, `p`, `q`, `q_over_p` and, where a cell is sheared or a wall slides, `mu`, shear over normal stress
-    there, negative where it is sheared to the left; ratios are NaN where the
-    sides are all but unloaded; `solid_fraction` of the whole box, `inertial_number`; of runs with
+    """The history sampled while a stage ran: `time`; `strain_x`, `strain_y`, `axial_strain` (of the axis that shortens
+    most), `volumetric_strain`, `shear_strain` (of a sheared cell or between sliding walls; otherwise axial minus lateral strain);
+    `sigma_xx`, `sigma_yy`, `tau`, `p`, `q`, `q_over_p` and, if a cell is sheared or a wall slides, `mu`, shear over normal stress
+    there, negative for shear to the left; ratios are NaN if the
+    sides are almost unloaded; `solid_fraction` of the whole box, `inertial_number`; for runs with
     track_energy `dissipated_energy` and `work` since the first row. Raises ValueError for a result without such a stage."""
     return curves_of(find_test(result, stage))
 
@@ -110,17 +110,17 @@ def sheared_by(test):
 
 
 def stage_recipe(stage):
-    """What the recipe says of a stage; {} where it is not known."""
+    """The recipe of a stage; {} if it is not known."""
     recipe = tomllib.loads(stage.provenance.get("recipe", ""))
-    told = [part for part in recipe.get("stages", []) if part.get("name") == stage.name]
-    return told[-1] if told else {}
+    own = [part for part in recipe.get("stages", []) if part.get("name") == stage.name]
+    return own[-1] if own else {}
 
 
 def slides(stage):
-    """{side: m/s} of walls that move along themselves, from the stage's recipe; at the beginning, where a programme drives them."""
-    told = stage_recipe(stage)
-    speeds = {side: speed_of(text) for side, text in told.get("slide", {}).items()}
-    driven = {programme["of"].removeprefix("slide.") for programme in told.get("programmes", []) if programme["of"].startswith("slide.")}
+    """{side: m/s} of sliding walls, from the stage's recipe; the initial value if a programme drives them."""
+    own = stage_recipe(stage)
+    speeds = {side: speed_of(text) for side, text in own.get("slide", {}).items()}
+    driven = {programme["of"].removeprefix("slide.") for programme in own.get("programmes", []) if programme["of"].startswith("slide.")}
     return {side: speed for side, speed in speeds.items() if speed or side in driven}
 
 
@@ -171,7 +171,7 @@ def sides_shear(test):
 
 
 def loaded(stress):
-    """A stress, and 0 where it is below a hundredth of its largest value: ratios to that are noise."""
+    """A stress, set to 0 below a hundredth of its largest value, where ratios to it are noise."""
     return np.where(stress > 0.01 * np.max(stress), stress, 0)
 
 
@@ -190,7 +190,7 @@ def inertial_number(found, pressure, packing):
 
 
 def energies(history):
-    """Since the first row; nothing where the run did not keep account of them."""
+    """Relative to the first row; nothing if the run did not track energies."""
     none = np.zeros(len(history["time"]))
     spent, work = (sum((history.get(name, none) for name in names), none) for names in (dissipations, ["work_walls", "work_gravity"]))
     if not np.any(spent) and not np.any(work):
@@ -198,7 +198,7 @@ def energies(history):
     return {"dissipated_energy": Curve(spent - spent[0], "J"), "work": Curve(work - work[0], "J")}
 
 
-# (name, unit) and where the texture of a state has it.
+# (name, unit) and its path in the statistics of a state.
 textures = {
     ("solid_fraction", "1"): ("solid_fraction",),
     ("z", "1"): ("coordination", "all"),
@@ -218,10 +218,10 @@ textures = {
 
 
 def of_states(result, stage=None):
-    """Texture against strain: of the stored states of a stage, the strains of `along` and `solid_fraction` (away from the walls),
+    """Fabric against strain, for the stored states of a stage: the strains of `along` and `solid_fraction` (away from the walls),
     `z`, `z_without_rattlers`, `rattlers`, `a_c` (and signed along the compression: all, strong, weak contacts), `a_n`, `a_t`,
-    `theta_c`, `mean_force`, `p`, `q`, `q_over_p` of the contacts; standard errors beside them, `z_error`. NaN where a state does
-    not tell. Raises ValueError for a result without such a stage."""
+    `theta_c`, `mean_force`, `p`, `q`, `q_over_p` of the contacts; with standard errors such as `z_error`. NaN if a state has
+    no value. Raises ValueError for a result without such a stage."""
     return states_of(find_test(result, stage))
 
 
@@ -242,7 +242,7 @@ def states_of(test):
 
 
 def statistic(about, path):
-    """(value, error) of a number of a texture; NaN where it has none."""
+    """(value, error) of a statistic; NaN if there is none."""
     for name in path:
         about = about.get(name, {}) if isinstance(about, dict) else {}
     if isinstance(about, dict):
@@ -251,7 +251,7 @@ def statistic(about, path):
 
 
 def of_cycles(result, stage=None):
-    """Against the number of the cycle, of a stage with `cycles`: `cycle`, and every curve of `of_states` at the largest and at the
+    """Curves over the cycles of a stage with `cycles`: `cycle`, and every curve of `of_states` at the largest and at the
     smallest load of each, `axial_strain_maximum`, `z_minimum`; `strain_amplitude` between the two; `accumulated_strain` of the
     smallest load since the end of the first cycle; `dissipated_energy` in each cycle. Raises ValueError for a stage without cycles."""
     return cycles_of(find_test(result, stage))
@@ -268,7 +268,7 @@ def cycles_of(test):
     """As `of_cycles`, of a Test."""
     cycles = whole_cycles(test.stage)
     if not cycles:
-        raise ValueError(f"the stage {test.stage.name} has no whole cycle of load")
+        raise ValueError(f"the stage {test.stage.name} has no complete load cycle")
     found = {"cycle": Curve(np.array(list(cycles), float), "1")}
     for name, curve in states_of(test).items():
         for end, places in zip(("maximum", "minimum"), zip(*cycles.values())):
@@ -292,7 +292,7 @@ def every_cycle_of(test):
     """As `every_cycle`, of a Test."""
     table, history = dict(getattr(test.stage, "cycles", {})), test.stage.history
     if not table:
-        raise ValueError(f"the stage {test.stage.name} has no whole cycle")
+        raise ValueError(f"the stage {test.stage.name} has no complete cycle")
     before = test.before or types.SimpleNamespace(domain={"width": extent(history, "x")[0], "height": extent(history, "y")[0]})
     rows = types.SimpleNamespace(name=test.stage.name, history=table, frames=test.stage.frames, provenance=test.stage.provenance)
     of_rows = curves_of(Test(rows, before))
@@ -303,8 +303,8 @@ def every_cycle_of(test):
     for name, curve in of_rows.items():
         if name not in ("time", "inertial_number"):
             found[f"{name}_maximum"], found[f"{name}_minimum"] = Curve(curve.values[0:2 * whole:2], curve.unit), Curve(curve.values[1:2 * whole:2], curve.unit)
-    told = stage_recipe(test.stage)
-    side = told.get("strain_cycles", {}).get("of") or told.get("cycles", {}).get("side")
+    own = stage_recipe(test.stage)
+    side = own.get("strain_cycles", {}).get("of") or own.get("cycles", {}).get("side")
     for end in ("maximum", "minimum") if side in ("left", "right", "bottom", "top") else ():  # which axis cycles, not which has shortened in the end
         found[f"axial_strain_{end}"] = found[f"strain_{'x' if side in ('left', 'right') else 'y'}_{end}"]
     low = found["axial_strain_minimum"].values
@@ -327,7 +327,7 @@ def steady(values):
 
 def rheology(results, stage=None):
     """mu(I) and phi(I) of sheared runs: `inertial_number`, `mu` and `solid_fraction`, each the mean over the steady part of a run
-    with its error (`mu_error`, `solid_fraction_error`), in the order of I. mu is q/p where nothing is sheared along a wall."""
+    with its error (`mu_error`, `solid_fraction_error`), in the order of I. mu is q/p unless a wall slides or a cell is sheared."""
     rows = []
     for result in results:
         found = along(result, stage)

@@ -1,8 +1,8 @@
-"""What studies of flows under weight and of shear come to: discharge against opening (Beverloo), run-out against aspect ratio, pressure at
+"""Results of studies of gravity flow and shear: discharge against opening (Beverloo), run-out against aspect ratio, pressure at
 the bottom of a silo against its filling (Janssen), solid fraction and friction of the critical state against the grains' friction.
 
-Each gives a dict of names, {"opening": Curve(values, unit), ...}, one value a result in the order of the abscissa, errors beside them
-("rate_error"), and the fits give {"exponent": (value, error), ...}.
+Each returns a dict, {"opening": Curve(values, unit), ...}, with one value per result in the order of the abscissa and errors
+("rate_error"); the fits return {"exponent": (value, error), ...}.
 """
 
 import tomllib
@@ -21,25 +21,25 @@ def table(rows, names):
 
 
 def last_numbers(result, part):
-    """What the last stage has measured under this name; {} where it has nothing."""
+    """The statistic of this name of the last stage; {} if there is none."""
     stages = list(result.stages)
     return stages[-1].texture.get(part, {}) if stages else {}
 
 
 def estimate(number):
-    """(value, error) of a number as results hold it, NaN where it is not known."""
+    """(value, error) of a stored number, NaN if not known."""
     return [np.nan if number.get(key) is None else number[key] for key in ("value", "error")]
 
 
 def discharges(results):
-    """`opening` (m, the narrowest way between boundaries) and `rate` (kg/s) with its error, of results whose last stage discharges."""
+    """`opening` (m, the narrowest gap between boundaries) and `rate` (kg/s) with its error, of results whose last stage discharges."""
     found = [last_numbers(result, "discharge") for result in results]
     rows = [[n["opening_m"], *estimate(n["rate_kg_s"])] for n in found if "opening_m" in n]
     return table(rows, [("opening", "m"), ("rate", "kg/s"), ("rate_error", "kg/s")])
 
 
 def runouts(results):
-    """Of results whose last stage is a collapse: `aspect_ratio`, height over width, before; `runout`, way of the front over that width,
+    """Of results whose last stage is a collapse: `aspect_ratio`, height over width, before; `runout`, displacement of the front over that width,
     with its error; `height` of the deposit over that width; `angle` of the deposit (deg) with its error."""
     rows = []
     for n in (last_numbers(result, "surface") for result in results):
@@ -72,7 +72,7 @@ def late_mean(values, blocks=10):
 
 
 def mean_stress(packing):
-    """Sum over contacts of force times branch, along x and y: the mean stress but for the area, which is one for both."""
+    """Sum over contacts of force times branch, along x and y: the mean stress times the area."""
     c = packing.contacts
     branch, fn, ft = c.arm_i + c.arm_j, c.fn, c.ft
     return np.array([np.sum((fn * c.nx - ft * c.ny) * branch * c.nx), np.sum((fn * c.ny + ft * c.nx) * branch * c.ny)])
@@ -95,8 +95,8 @@ def friction_of(result):
 
 
 def critical_states(results, stage=None):
-    """Plateaus of sheared or compressed samples against the grains' `friction`: `mu` (of the sheared plane; q/p where nothing is sheared) and
-    `solid_fraction`, with errors that respect correlation; `reached` is 0 where a plateau is not sure (`arenite.steady_state`): the means are
+    """Plateaus of sheared or compressed samples against the grains' `friction`: `mu` (on the sheared plane; q/p without shear) and
+    `solid_fraction`, with errors that allow for correlation; `reached` is 0 if the plateau is uncertain (`arenite.steady_state`): the means are
     then those of the second half."""
     rows = []
     for result in results:
@@ -104,15 +104,15 @@ def critical_states(results, stage=None):
         stress = np.abs(found["mu"].values) if "mu" in found else found["q_over_p"].values
         means = [steady_state(values[np.isfinite(values)]) for values in (stress, found["solid_fraction"].values)]
         late = [late_mean(stress[np.isfinite(stress)]), late_mean(found["solid_fraction"].values)]
-        told = [(plateau["mean"], plateau["error"]) if plateau["reached"] else half for plateau, half in zip(means, late)]
-        rows.append([friction_of(result), *told[0], *told[1], all(plateau["reached"] for plateau in means)])
+        plateaus = [(plateau["mean"], plateau["error"]) if plateau["reached"] else half for plateau, half in zip(means, late)]
+        rows.append([friction_of(result), *plateaus[0], *plateaus[1], all(plateau["reached"] for plateau in means)])
     return table(rows, [(name, "1") for name in ("friction", "mu", "mu_error", "solid_fraction", "solid_fraction_error", "reached")])
 
 
 def fit(model, start, x, y, error, rounds=200):
-    """Least squares of y = model(x, parameters) weighed by `error`, by Levenberg's and Marquardt's method: (parameters, their standard
-    errors), which are scaled up where the points scatter more than their errors say. Errors that are not known count as the largest that is,
-    or all alike."""
+    """Least squares of y = model(x, parameters) weighted by `error`, by the Levenberg-Marquardt method: (parameters, their standard
+    errors), scaled up if the points scatter more than their errors. Unknown errors are set to the largest known one,
+    or all equal."""
     known = np.isfinite(error) & (error > 0)
     scale = np.where(known, error, np.max(error[known])) if np.any(known) else np.full(len(y), np.std(y) if len(y) > 1 else 1.0)
     p, damping = np.array(start, float), 1e-3
@@ -140,7 +140,7 @@ def named(names, found):
 
 
 def fit_beverloo(found, exponent=None):
-    """W = a (D - w)^n of `discharges`: `factor` a, `lost_width` w (m; k d) and, unless it is given, `exponent` n. In two dimensions n = 3/2
+    """W = a (D - w)^n of `discharges`: `factor` a, `lost_width` w (m; k d) and, unless given, `exponent` n. In two dimensions n = 3/2
     (Beverloo, Leniger and van de Velde, Chem. Eng. Sci. 15, 260, 1961) and a = C rho_b sqrt(g) times the out-of-plane length."""
     x, y, error = (found[name].values for name in ("opening", "rate", "rate_error"))
     n = 1.5 if exponent is None else exponent
@@ -162,7 +162,7 @@ def fit_power(x, y, error):
 def fit_runout(found, low=2.5, high=2.5):
     """Power laws of `runouts` below and above aspect ratios: {"low": ..., "high": ...} as fit_power gives them. Grains on a plane spread by
     about a below 2 to 3 and by a^(2/3) to a^0.7 above (Lube et al., Phys. Rev. E 72, 041301, 2005; Lajeunesse, Monnier and Homsy, Phys. Fluids
-    17, 103302, 2005; Staron and Hinch, J. Fluid Mech. 545, 1, 2005). The points count alike: what scatters is the front, not its place."""
+    17, 103302, 2005; Staron and Hinch, J. Fluid Mech. 545, 1, 2005). The points have equal weights: the front scatters, not the measurement of its position."""
     x, y = found["aspect_ratio"].values, found["runout"].values
     parts = {"low": x <= low, "high": x >= high}
     return {name: fit_power(x[part], y[part], 0.05 * y[part]) for name, part in parts.items() if np.sum(part) > 2}
@@ -170,7 +170,7 @@ def fit_runout(found, low=2.5, high=2.5):
 
 def fit_janssen(found):
     """p = p_s (1 - exp(-H/l)) of `silos` (Janssen 1895): `saturation` p_s (Pa), `length` l (m); `length_by_stresses`, W/(2 mu_w K) with the wall
-    friction and the ratio of stresses measured in the higher half of the fillings, where they are those of the saturated part."""
+    friction and the ratio of stresses measured in the taller half of the fillings, where they are those of the saturated part."""
     x, y, error = (found[name].values for name in ("height", "pressure", "pressure_error"))
     start = [np.max(y), np.max(y) / max(np.max(found["hydrostatic"].values / x), 1e-300)]
     result = named(["saturation", "length"], fit(lambda h, p: p[0] * -np.expm1(-h / p[1]), start, x, y, error))

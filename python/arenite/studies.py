@@ -1,4 +1,4 @@
-"""Studies are run by an interpreter of their own: each run forks, which a process that has used threads must not do."""
+"""Studies run in a separate interpreter: each run forks, which a process that has used threads must not do."""
 
 import os
 import pathlib
@@ -11,7 +11,7 @@ from . import _core
 
 
 def run_study(recipe: Union[str, os.PathLike], out: Union[str, os.PathLike], *, jobs: int = 1, progress: Optional[Callable[[float, str], Any]] = None) -> Dict[str, int]:
-    """Runs a recipe with [sweep], each run in a process of its own; what was done before is not done again.
+    """Runs a recipe with [sweep], each run in its own process; finished runs are not repeated.
 
     `progress(share, "runs")` is called meanwhile. Gives how many runs are done, not done (failed or without equilibrium) and
     left. Raises ValueError with the program's sentence.
@@ -34,7 +34,7 @@ def run_study(recipe: Union[str, os.PathLike], out: Union[str, os.PathLike], *, 
 
 
 def _heard(pipe):
-    """What the process says, one dict after the other."""
+    """The messages of the process, one dict after the other."""
     while True:
         try:
             yield pickle.load(pipe)
@@ -43,7 +43,7 @@ def _heard(pipe):
 
 
 def _environment():
-    """This module must be found by the new interpreter where it was found by this one."""
+    """The new interpreter must find this module at the same place."""
     home = str(pathlib.Path(__file__).resolve().parent.parent)
     return {**os.environ, "PYTHONPATH": os.pathsep.join([home, *filter(None, [os.environ.get("PYTHONPATH")])])}
 

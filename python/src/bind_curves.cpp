@@ -32,7 +32,8 @@ py::object critical_state(const StageResult& stage) {
 void bind_curves(py::module_& m) {
   m.def(
       "size_curve", [](const Packing& packing) { return curve_of(packing::measured_size_curve(packing.grains, packing.materials)); }, py::arg("packing"),
-      "Grading curve of the grains: diameter (m, rising) and passing, the share of the mass in grains no wider; it keeps its value from one point to the "
+      "Grading curve of the grains: diameter (m, increasing) and passing, the fraction of the mass in grains no wider; it keeps its value from one point to "
+      "the "
       "next.");
   m.def(
       "asked_size_curve",
@@ -40,10 +41,10 @@ void bind_curves(py::module_& m) {
         Call call;
         return curve_of(call.without_lock([&] { return packing::asked_size_curve(recipe.populations, recipe.materials, recipe.packing.grains); }));
       },
-      py::arg("recipe"), "The same of the size laws of a recipe's populations. Raises ValueError for a recipe without populations.");
+      py::arg("recipe"), "The same for the size laws of a recipe's populations. Raises ValueError for a recipe without populations.");
   m.def("critical_state", &critical_state, py::arg("stage"),
         "The critical state of a test: `strain` (its name), `from` and `to`, and value, error, low_95 and high_95 of `mu` (shear over normal stress on the "
-        "sides) or `q_over_p`, and of `solid_fraction`; None where the ratio does not settle.");
+        "sides) or `q_over_p`, and of `solid_fraction`; None if the ratio does not settle.");
 }
 
 }  // namespace arenite::python

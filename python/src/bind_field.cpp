@@ -75,9 +75,9 @@ void bind_field(py::module_& m) {
         py::arg("full_width") = false, py::arg("thickness") = 0.0, py::arg("volume") = 0.0, py::arg("saturation") = py::none(),
         "Matrix between grains: kind \"bridges\" (surface gap up to `gap`, half base `width` times the radius: P II.B), \"full\", \"coating\" (`thickness`), "
         "\"menisci\" (`volume`, "
-        "m^2 each) or \"none\". With `saturation` (S_m) the free parameter is found by program. Lengths in m, or text with a unit.");
+        "m^2 each) or \"none\". With `saturation` (S_m) the free parameter is computed. Lengths in m, or text with a unit.");
   m.def("rasterise", &rasterised, py::arg("packing"), py::arg("cement"), py::kw_only(), py::arg("nodes") = 1024, py::arg("crop") = 0.0,
-        "The centred square of side `crop` (m; 0: the largest that fits) as nodes x nodes, by phase and grain. Of two materials the one with larger grains is "
+        "The centred square of side `crop` (m; 0: the largest that fits) as nodes x nodes, by phase and grain. The material with the larger grains is "
         "class large.");
   m.def(
       "cavities",
@@ -94,13 +94,13 @@ void bind_field(py::module_& m) {
         Call call;
         return call.without_lock([&] { return workflow::make_cemented_sample(recipe, packing); });
       },
-      py::arg("recipe"), py::arg("packing"), "Cement and grid as the recipe says, with phases, pores, voids and coordination as numbers.");
+      py::arg("recipe"), py::arg("packing"), "Cement and grid according to the recipe, with phases, pores, voids and coordination as numbers.");
   m.def("load", &loaded, py::arg("map"), py::arg("loading") = "tension", py::kw_only(), py::arg("strain") = 1e-4, py::arg("axis") = "y",
         py::arg("lower") = "fixed", py::arg("method") = "static_solve", py::arg("tolerance") = 1e-6, py::arg("moduli") = false, py::arg("failure") = false,
         py::arg("matrix") = "1 GPa", py::arg("interface") = py::none(), py::arg("particle") = py::none(), py::arg("progress") = py::none(),
         "Loads a phase map by peridynamics (P II.C): \"tension\", \"compression\" or \"shear\" by displacement of the top row. `matrix`, `interface` (E_m), "
         "`particle` (4 E_m): moduli of "
-        "the bonds, Pa or text. `failure`: pulled until it breaks. `moduli`: effective moduli along both axes and in shear too.");
+        "the bonds, Pa or text. `failure`: loaded to failure. `moduli`: also effective moduli along both axes and in shear.");
 }
 
 }  // namespace arenite::python

@@ -180,14 +180,13 @@ void bind_film(py::module_& m) {
         py::arg("drift_order") = 1, py::arg("frame_rate") = 0.0,
         "The jump of every pixel at a step of the load (s after the first frame; found on the film if not given): time (s), jump, standard_error, residual "
         "(height, width), in the film's unit.");
-  m.def("film_info", &film_info, py::arg("path"),
-        "What a film says about itself: width, height, frames, frame_rate (Hz), integration (s), bits, format, camera.");
+  m.def("film_info", &film_info, py::arg("path"), "Metadata of a film: width, height, frames, frame_rate (Hz), integration (s), bits, format, camera.");
   m.def("read_film", &film_frames, py::arg("path"), py::arg("first") = 0, py::arg("count") = 1,
         "Frames of a film as an array (frames, height, width), top row first.");
   m.def("find_grains", &circles, py::arg("image"), py::kw_only(), py::arg("radii") = std::vector<double>{}, py::arg("smallest") = 2.5, py::arg("largest") = 0.0,
         py::arg("materials") = 0, py::arg("contrast") = "found",
-        "Circles in a picture (height, width): centres, radii, material by brightness. `radii`: of the size classes, pixels, if they are known; `materials`: "
-        "number of brightnesses.");
+        "Circles in a picture (height, width): centres, radii, material by brightness. `radii`: of the size classes, pixels, if known; `materials`: "
+        "number of levels of brightness.");
   m.def("propose_contacts", &touching, py::arg("packing"), py::kw_only(), py::arg("position_error") = 0.0, py::arg("radius_error") = 0.0,
         "The packing with contacts where surfaces are no farther apart than three standard errors (m); forces are 0.");
   m.def("infer_forces", &inferred, py::arg("packing"), py::arg("signal"), py::arg("error"), py::kw_only(), py::arg("pixel"), py::arg("first"),
@@ -198,7 +197,7 @@ void bind_film(py::module_& m) {
         "material (K/Pa), `walls`: wall forces by side, peak to peak, {\"bottom\": 1000.0} (N, taken as known to 0.1 %); each a number or text with a unit. "
         "Gives "
         "fn, ft, fn_error, "
-        "ft_error (N), presence (probability that a contact is there), present (bool: the likeliest, as many as are expected), residual.");
+        "ft_error (N), presence (probability that a contact exists), present (bool: the most probable contacts, as many as expected), residual.");
 }
 
 }  // namespace arenite::python

@@ -15,11 +15,11 @@ namespace arenite::python {
 namespace {
 
 void bind_lockin_maps(py::module_& m) {
-  py::class_<LockinMaps> c(m, "LockinMaps", "What a lock-in finds in every pixel, in the film's unit; arrays are (height, width), the top row first.");
+  py::class_<LockinMaps> c(m, "LockinMaps", "Result of a lock-in for every pixel, in the film's unit; arrays are (height, width), the top row first.");
   c.def_readonly("frequency", &LockinMaps::frequency, "Hz, refined on the film.")
       .def_readonly("frequency_error", &LockinMaps::frequency_error, "Hz.")
       .def_readonly("reference_phase", &LockinMaps::reference_phase, "rad.")
-      .def_readonly("frames", &LockinMaps::frames, "Number of frames that were used.")
+      .def_readonly("frames", &LockinMaps::frames, "Number of frames used.")
       .def_property_readonly(
           "peak_to_peak", [](const LockinMaps& l) { return l.convention == AmplitudeConvention::peak_to_peak; }, "Amplitudes are peak to peak.");
   const auto map = [&c](const char* name, std::vector<float> LockinMaps::*member, const char* doc) {
@@ -33,14 +33,14 @@ void bind_lockin_maps(py::module_& m) {
   };
   map("mean", &LockinMaps::mean, "Level at the middle of the film.");
   map("drift", &LockinMaps::drift, "Slope of the mean, unit/s.");
-  map("amplitude", &LockinMaps::amplitude, "At the load frequency.");
+  map("amplitude", &LockinMaps::amplitude, "Amplitude at the load frequency.");
   map("phase", &LockinMaps::phase, "rad.");
-  map("in_phase", &LockinMaps::in_phase, "Signed: positive where a pixel warms when the load rises.");
-  map("quadrature", &LockinMaps::quadrature, "A quarter of a cycle off.");
+  map("in_phase", &LockinMaps::in_phase, "Component in phase with the load, signed: positive if a pixel warms as the load rises.");
+  map("quadrature", &LockinMaps::quadrature, "Component a quarter of a cycle off the load.");
   map("standard_error", &LockinMaps::standard_error, "Of `in_phase`.");
-  map("noise_floor", &LockinMaps::noise_floor, "Amplitude that noise alone shows on the mean.");
+  map("noise_floor", &LockinMaps::noise_floor, "Mean amplitude due to noise alone.");
   map("second_harmonic", &LockinMaps::second_harmonic, "Amplitude at twice the frequency: slip, plasticity.");
-  map("residual", &LockinMaps::residual, "Root mean square of what the fit leaves.");
+  map("residual", &LockinMaps::residual, "Root mean square residual of the fit.");
 }
 
 void bind_grains(py::module_& m) {
@@ -59,7 +59,7 @@ void bind_grains(py::module_& m) {
   array_property(
       g, "brightness", [](const PictureGrains& p) -> auto& { return p.brightness; }, "Mean over the inner half of the disk.");
   array_property(
-      g, "score", [](const PictureGrains& p) -> auto& { return p.score; }, "Share of the rim that shows an edge.");
+      g, "score", [](const PictureGrains& p) -> auto& { return p.score; }, "Fraction of the rim that shows an edge.");
   array_property(
       g, "material", [](const PictureGrains& p) -> auto& { return p.material; }, "Class by brightness, darkest first; -1 unknown.");
   array_property(
@@ -85,7 +85,7 @@ void bind_motion(py::module_& m) {
       "Standard error of each of the four, pixels; infinite for a grain that shows no contrast.");
   c.def_property_readonly(
       "lost", [](const GrainMotion& motion) { return taken_over_as_bool(thermography::lost_grains(motion)); },
-      "True for grains that the film does not show well enough to follow.");
+      "True for grains that are not visible enough in the film to be tracked.");
 }
 
 using thermography::Correction, thermography::FrameStatistics;
@@ -167,7 +167,7 @@ py::dict means(const LockinMaps& maps, const PictureGrains& grains, const std::v
 
 thermography::PhasePictures pictures_of(FilmSource& film, const LockinMaps& maps, double frame_rate, Call& call) {
   if (film.info().width != maps.width || film.info().height != maps.height)
-    throw InputError("the maps are of another film: their size is not that of its frames");
+    throw InputError("the maps are of another film: their size differs from that of its frames");
   thermography::LockinOptions o;
   o.frequency = maps.frequency;
   o.frame_rate = frame_rate;
@@ -209,26 +209,26 @@ void bind_maps(py::module_& m) {
 
 void bind_film_parts(py::module_& m) {
   m.def("find_bad_pixels", &bad_pixels, py::arg("film"), py::kw_only(), py::arg("cold") = py::none(), py::arg("warm") = py::none(),
-        "Pixels that are not to be believed, as bool (height, width), top row first: dead, hot, blinking and frozen ones, by level and noise of the film or of "
+        "Bad pixels, as bool (height, width), top row first: dead, hot, blinking and frozen ones, by level and noise of the film or of "
         "a film `cold` of a black-body "
-        "reference; with a second one `warm` of another temperature by their answer too.");
+        "reference; with a second one `warm` of another temperature also by their response.");
   m.def("correct_film", &corrected, py::arg("film"), py::kw_only(), py::arg("cold") = py::none(), py::arg("warm") = py::none(), py::arg("bad_pixels") = true,
         "All frames of a film in levels, float32 (frames, height, width), corrected: every pixel's offset by a film `cold` of a black-body reference, gain and "
         "offset with a second one, "
         "`warm`, and bad pixels replaced by their good neighbours.");
   m.def("film_in_kelvin", &in_kelvin, py::arg("film"), py::arg("recipe"),
-        "All frames of a film in K, float32 (frames, height, width), corrected as [correction] and [temperature] of its recipe say.");
+        "All frames of a film in K, float32 (frames, height, width), corrected according to [correction] and [temperature] of its recipe.");
   m.def("grain_means", &means, py::arg("maps"), py::arg("grains"), py::arg("factor"), py::kw_only(), py::arg("share") = 0.5,
         "Peak-to-peak change of every grain from the mean of the signed map (K) over `share` of its area round its centre: arrays temperature (K), sigma_hyd = "
         "-dT/(2 A) and "
         "its standard error (Pa, "
-        "tension positive), pixels (area). `factor`: A of every material (K/Pa, or text with a unit). Whatever the maps' convention.");
+        "tension positive), pixels (area). `factor`: A of every material (K/Pa, or text with a unit). For any convention of the maps.");
   m.def("grain_motion", &motion_of, py::arg("film"), py::arg("maps"), py::arg("grains"), py::kw_only(), py::arg("frame_rate") = 0.0,
         py::arg("time") = py::none(),
-        "How grains move at the load frequency, by their rims in the film whose lock-in is `maps`; `grains` at their mean places, as maps.mean shows them.");
+        "Motion of grains at the load frequency, from their rims in the film whose lock-in is `maps`; `grains` at their mean positions, as in maps.mean.");
   m.def("follow_grains", &followed, py::arg("film"), py::arg("maps"), py::arg("grains"), py::arg("motion"), py::kw_only(), py::arg("frame_rate") = 0.0,
         py::arg("time") = py::none(), py::arg("blur") = 0.5,
-        "The maps anew with pixels that follow their grains; amplitudes have no value between grains. `blur` of the lens: standard deviation, pixels.");
+        "The maps recomputed with pixels that follow their grains; amplitudes have no value between grains. `blur` of the lens: standard deviation, pixels.");
 }
 
 }  // namespace arenite::python

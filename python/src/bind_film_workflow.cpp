@@ -77,15 +77,15 @@ std::vector<std::string> camera(const Path& result, const RecipeLike& recipe, co
 }  // namespace
 
 void bind_film_workflow(py::module_& m) {
-  py::class_<FilmResult> c(m, "FilmResult", "What a film of a loaded packing gives: maps in kelvin (height, width), grains, their stresses, contact forces.");
-  c.def_readonly("name", &FilmResult::name, "Of the film.")
-      .def_readonly("outcome", &FilmResult::outcome, "How it ended, in a sentence.")
+  py::class_<FilmResult> c(m, "FilmResult", "Results of a film of a loaded packing: maps in kelvin (height, width), grains, their stresses, contact forces.");
+  c.def_readonly("name", &FilmResult::name, "Name of the film.")
+      .def_readonly("outcome", &FilmResult::outcome, "Outcome in a sentence.")
       .def_readonly("pixel", &FilmResult::pixel, "Side of a pixel on the sample, m.")
       .def_property_readonly(
           "origin", [](const FilmResult& f) { return py::make_tuple(f.origin.x, f.origin.y); }, "Centre of the upper left pixel, m; y up.")
       .def_property_readonly(
           "maps", [](const FilmResult& f) -> const LockinMaps& { return f.maps; }, py::return_value_policy::reference_internal,
-          "The lock-in, in K; peak to peak.")
+          "The lock-in, in K, peak to peak.")
       .def_property_readonly(
           "grains", [](const FilmResult& f) -> const PictureGrains& { return f.grains; }, py::return_value_policy::reference_internal,
           "Grains at the smallest load, in pixels.")
@@ -107,7 +107,7 @@ void bind_film_workflow(py::module_& m) {
   array_property(
       c, "ft_error", [](const FilmResult& f) -> auto& { return f.ft_error; }, "Standard error of every tangential force, N.");
   array_property(
-      c, "presence", [](const FilmResult& f) -> auto& { return f.presence; }, "Probability that a contact is there, of the contacts that count as there.");
+      c, "presence", [](const FilmResult& f) -> auto& { return f.presence; }, "Probability that a contact exists, for the contacts accepted.");
   image_property(
       c, "picture", [](const FilmResult& f) -> auto& { return f.picture; }, "Mean of the frames at the smallest load, K.");
   image_property(
@@ -115,15 +115,16 @@ void bind_film_workflow(py::module_& m) {
       "1 for pixels that were replaced by their neighbours, 0 for others; (height, width), uint8.");
   image_property(
       c, "fitted", [](const FilmResult& f) -> auto& { return f.fit.picture; },
-      "The picture that the contact forces make, K (height, width), to hold beside maps.in_phase; not a number outside grains.");
+      "Image reconstructed from the contact forces, K (height, width), for comparison with maps.in_phase; NaN outside grains.");
   m.def("film", &film, py::arg("film"), py::arg("recipe"), py::arg("out"), py::arg("changes") = py::dict(), py::kw_only(), py::arg("threads") = 1,
         py::arg("progress") = py::none(),
         "The whole workflow from a film (a file) to grain stresses and contact forces, as `arenite film` runs it; `recipe`: a FilmRecipe or its file "
         "(docs/film-recipe.md).");
   m.def("camera", &camera, py::arg("result"), py::arg("recipe"), py::arg("out"), py::arg("format") = "ptw", py::arg("changes") = py::dict(), py::kw_only(),
         py::arg("progress") = py::none(),
-        "Films simulated states of a run's folder with a virtual infrared camera, as [camera] of the recipe says (a FilmRecipe or its file); gives the files "
-        "that were written.");
+        "Films simulated states of a run's folder with a virtual infrared camera, according to [camera] of the recipe (a FilmRecipe or its file); returns the "
+        "files "
+        "written.");
 }
 
 }  // namespace arenite::python

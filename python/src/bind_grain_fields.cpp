@@ -177,12 +177,12 @@ py::dict free_surface(const Packing& packing, const Quantity& gravity_angle, dou
 
 void bind_grain_fields(py::module_& m) {
   m.def("discharge", &discharge, py::arg("time"), py::arg("passed"),
-        "How fast something passes, from amounts passed at times (`passed_mass` of a history): rate (value, error) of the steady part between begin and end "
-        "(s), without where it sets in and runs dry; steady says whether there is one, else the rate has no error.");
+        "Discharge rate from the amounts passed at given times (`passed_mass` of a history): rate (value, error) of the steady part between begin and end "
+        "(s), without its onset and end; steady: whether there is such a part; otherwise the rate has no error.");
   m.def("free_surface", &free_surface, py::arg("packing"), py::kw_only(), py::arg("gravity_angle") = 0.0, py::arg("gap") = 0.1,
-        "Surface of the largest set of grains that hang together (surfaces nearer than `gap` mean diameters): place and height (m) of its upper rim, grains, "
+        "Surface of the largest connected set of grains (surfaces nearer than `gap` mean diameters): position and height (m) of its upper rim, grains, "
         "left, right, bottom, top (m), and the angle of its flanks in rad by a line through the middle of their height, each (value, error). "
-        "`gravity_angle`: by which gravity is turned from straight down, counter-clockwise, rad or text with a unit.");
+        "`gravity_angle`: angle of gravity from straight down, counter-clockwise, rad or text with a unit.");
   m.def("coarse_grained", &coarse_grained, py::arg("packing"), py::arg("width"), py::arg("spacing") = py::none(), py::kw_only(), py::arg("kernel") = "lucy",
         py::arg("tilt_rate") = py::none(),
         "Coarse-grained fields of a state (Goldhirsch 2010) on a grid of points x, y (m), arrays of rows from below: density (kg/m^3), solid_fraction, "
@@ -195,7 +195,7 @@ void bind_grain_fields(py::module_& m) {
         "major principal "
         "stress; `angle`, degrees; `least` grains of a chain.");
   m.def("strong_clusters", &strong_clusters, py::arg("packing"), py::kw_only(), py::arg("factor") = 1.0,
-        "Clusters of grains joined by contacts above `factor` times the mean force, the largest first: threshold_N, share of strong contacts, grains and "
+        "Clusters of grains joined by contacts above `factor` times the mean force, the largest first: threshold_N, fraction of strong contacts, grains and "
         "contacts of each, of (cluster of every grain, -1: none).");
   m.def("loops", &loops, py::arg("packing"), py::kw_only(), py::arg("bearing_only") = true,
         "Smallest cycles of the contact network without rattlers: edges (contacts of each), area (m^2), histogram by number of contacts, mean_edges.");
@@ -203,13 +203,14 @@ void bind_grain_fields(py::module_& m) {
         "Deformation between two states of the same grains: strain and rotation of every grain's surroundings within `range` (m or text with a unit), d2min "
         "(m^2, mean over neighbours; "
         "Falk and Langer 1998), and of all grains the gradient, residual displacements (m) and their root mean square, fluctuation.");
-  m.def("friction_state", &friction, py::arg("packing"), py::arg("mu"), py::arg("wall_mu") = py::none(),
-        "Friction at the contacts: mobilisation (tangential force over mu times the normal one) and power_W of each; mean and sliding (share of contacts that "
-        "slide), each (value, error); total_power_W.");
   m.def(
-      "steady_state", &steady, py::arg("series"),
-      "The part of an evenly sampled series in which it only fluctuates: reached, first (sample), mean with its error, which respects correlation, low_95 and "
-      "high_95, deviation.");
+      "friction_state", &friction, py::arg("packing"), py::arg("mu"), py::arg("wall_mu") = py::none(),
+      "Friction at the contacts: mobilisation (tangential force over mu times the normal one) and power_W of each; mean and sliding (fraction of contacts that "
+      "slide), each (value, error); total_power_W.");
+  m.def("steady_state", &steady, py::arg("series"),
+        "The part of an evenly sampled series in which it only fluctuates: reached, first (sample), mean with its error, which allows for correlation, low_95 "
+        "and "
+        "high_95, deviation.");
 }
 
 }  // namespace arenite::python

@@ -66,19 +66,19 @@ py::dict factor(const Path& file, const std::optional<Quantity>& section, bool t
 void bind_identify(py::module_& m) {
   m.def("identify_stiffness", &stiffness, py::arg("file"), py::kw_only(), py::arg("preload") = 1000.0, py::arg("length") = py::none(),
         py::arg("branch") = "loading",
-        "Contact stiffness of every group of a file: slope of force-displacement beyond the preload (N, or text with a unit), T ch. 2; per length of the "
-        "cylinders too if `length` (m) is "
-        "given. The dict's names end with their units.");
+        "Contact stiffness of every group of a file: slope of force-displacement beyond the preload (N, or text with a unit), T ch. 2; also per length of the "
+        "cylinders if `length` (m) is "
+        "given. The names in the dict end with their units.");
   m.def("identify_adhesion", &adhesion, py::arg("file"), py::kw_only(), py::arg("stiffness") = py::none(), py::arg("radii") = py::none(),
         "Separation force and surface energy sqrt(4 k F_c/r_eff) (T eq. 1.25) of every group of a file. `stiffness`: N/m, or (value, error); `radii`: of both "
         "cylinders, m; or text with "
         "units.");
   m.def("identify_factor", &factor, py::arg("file"), py::kw_only(), py::arg("section") = py::none(), py::arg("temperature_amplitudes") = false,
         py::arg("load_amplitudes") = false, py::arg("young") = py::none(), py::arg("poisson") = py::none(), py::arg("through_origin") = false,
-        "Thermoelastic factor A (K/Pa) of every material of a file, by the ways that its columns allow (T 1.4). Columns hold peak-to-peak values unless "
+        "Thermoelastic factor A (K/Pa) of every material of a file, by the methods that its columns allow (T 1.4). Columns hold peak-to-peak values unless "
         "`temperature_amplitudes` or `load_amplitudes`. `section`: of the specimen, m^2 or \"30.9 mm x "
         "4.9 mm\"; `young` (Pa) and "
-        "`poisson` where the file gives strains: a number, or (value, error).");
+        "`poisson` if the file gives strains: a number, or (value, error).");
 }
 
 }  // namespace arenite::python

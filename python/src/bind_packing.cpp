@@ -46,7 +46,7 @@ io::RawGrains rows_of(const ArrayLike& x, const ArrayLike& y, const ArrayLike& r
                outside_y = !grains.periodic[1] && (centre.y < low.y || centre.y > high.y);
     if (outside_x || outside_y)
       throw InputError(
-          fmt::format("the centre of grain {}, ({:g}, {:g}) m, lies outside the container, which reaches from ({:g}, {:g}) to ({:g}, {:g}) m; "
+          fmt::format("the centre of grain {}, ({:g}, {:g}) m, lies outside the container, which extends from ({:g}, {:g}) to ({:g}, {:g}) m; "
                       "correct the centre, or origin, width and height",
                       k, centre.x, centre.y, low.x, low.y, high.x, high.y));
     grains.rows.push_back({static_cast<std::int64_t>(k), centre, radii[k], {}, 0, 0});
@@ -225,13 +225,13 @@ py::list outlines_of(const Packing& packing) {
 
 void bind_contacts(py::module_& m) {
   py::class_<Contacts> c(m, "Contacts",
-                         "Contacts, each once: arrays of one length. n points from grain j to grain i, t is n turned by +90 degrees, and the "
-                         "force on i is fn n + ft t, fn > 0 pushing apart. j = -1, -2, -3, -4 stands for the left, right, bottom, top wall.");
+                         "Contacts, each once: arrays of one length. n points from grain j to grain i, t is n rotated by +90 degrees, and the "
+                         "force on i is fn n + ft t, fn > 0 repulsive. j = -1, -2, -3, -4 stands for the left, right, bottom, top wall.");
   c.def("__len__", &Contacts::size, "Number of contacts.");
   array_property(
-      c, "i", [](const Contacts& k) -> auto& { return k.i; }, "First grain, its place in the packing's arrays (not its id), int32.");
+      c, "i", [](const Contacts& k) -> auto& { return k.i; }, "First grain, its index in the packing's arrays (not its id), int32.");
   array_property(
-      c, "j", [](const Contacts& k) -> auto& { return k.j; }, "Second grain, its place in the packing's arrays, or a wall if negative, int32.");
+      c, "j", [](const Contacts& k) -> auto& { return k.j; }, "Second grain, its index in the packing's arrays, or a wall if negative, int32.");
   coordinate_property(
       c, "nx", [](const Contacts& k) -> auto& { return k.normal; }, &Vec2::x, "Normal, x.");
   coordinate_property(
@@ -245,15 +245,14 @@ void bind_contacts(py::module_& m) {
   array_property(
       c, "arm_j", [](const Contacts& k) -> auto& { return k.arm_j; }, "Distance from the centre of j, m; 0 for a wall.");
   array_property(
-      c, "overlap", [](const Contacts& k) -> auto& { return k.overlap; }, "Overlap h, m; NaN where it is not known.");
+      c, "overlap", [](const Contacts& k) -> auto& { return k.overlap; }, "Overlap h, m; NaN if not known.");
   array_property(
-      c, "sliding_velocity", [](const Contacts& k) -> auto& { return k.sliding_velocity; },
-      "Tangential velocity at the contact point, m/s; NaN where it is not known.");
+      c, "sliding_velocity", [](const Contacts& k) -> auto& { return k.sliding_velocity; }, "Tangential velocity at the contact point, m/s; NaN if not known.");
   array_property(
       c, "glued", [](const Contacts& k) -> auto& { return k.glued; }, "1 where adhesion acts.");
   c.def_property_readonly(
       "points", [](const Contacts& k) { return levers_of(k); },
-      "Contact points from the centre of grain i, m, n x 2; off the normal through it where grains are no disks.");
+      "Contact points from the centre of grain i, m, n x 2; not on the normal through the centre if grains are not disks.");
 }
 
 void bind_grains(py::class_<Packing>& c) {
@@ -264,9 +263,9 @@ void bind_grains(py::class_<Packing>& c) {
   coordinate_property(
       c, "y", [](const Packing& p) -> auto& { return p.grains.position; }, &Vec2::y, "Centres, m.");
   array_property(
-      c, "radius", [](const Packing& p) -> auto& { return p.grains.radius; }, "Radii, m; of grains that are no disks those of the disks of their area.");
+      c, "radius", [](const Packing& p) -> auto& { return p.grains.radius; }, "Radii, m; for grains that are not disks, those of the disks of equal area.");
   array_property(
-      c, "material", [](const Packing& p) -> auto& { return p.grains.material; }, "Place in `materials` of every grain, int32.");
+      c, "material", [](const Packing& p) -> auto& { return p.grains.material; }, "Index in `materials` of every grain, int32.");
   array_property(
       c, "zone", [](const Packing& p) -> auto& { return p.grains.zone; }, "0, or the number of a region: 1 is the glued agglomerate.");
   array_property(
@@ -285,21 +284,21 @@ void bind_packing(py::module_& m) {
   py::class_<Material>(m, "Material", "A material of grains.")
       .def(py::init(&material), py::arg("name"), py::arg("density") = 0.0, py::arg("stiffness") = 0.0, py::arg("thermoelastic_factor") = 0.0,
            "Density (kg/m^3), contact stiffness k (N/m) and thermoelastic factor A (K/Pa), or text with a unit; 0: not known.")
-      .def_readonly("name", &Material::name, "As recipes, tables and figures call it.")
+      .def_readonly("name", &Material::name, "Name in recipes, tables and figures.")
       .def_readonly("density", &Material::density, "kg/m^3")
       .def_readonly("stiffness", &Material::stiffness, "Contact stiffness k, N/m (T ch. 2).")
       .def_readonly("thermoelastic_factor", &Material::thermoelastic_factor, "A, K/Pa (T ch. 2).")
-      .def_readonly("youngs_modulus", &Material::youngs_modulus, "Young's modulus E, Pa; None if the recipe does not say.")
-      .def_readonly("poisson", &Material::poisson, "Poisson's ratio nu; None if the recipe does not say.")
+      .def_readonly("youngs_modulus", &Material::youngs_modulus, "Young's modulus E, Pa; None if not given in the recipe.")
+      .def_readonly("poisson", &Material::poisson, "Poisson's ratio nu; None if not given in the recipe.")
       .def("__repr__", [](const Material& of) { return "<arenite.Material " + of.name + ">"; });
   bind_contacts(m);
-  py::class_<Packing> packing(m, "Packing",
-                              "Grains in their frame, with the contacts between them where these are known. Arrays look into the packing's own memory.");
+  py::class_<Packing> packing(m, "Packing", "Grains in their container, with the contacts between them if known. Arrays refer to the packing's own memory.");
   packing
       .def(py::init(&make), py::arg("x"), py::arg("y"), py::arg("radius"), py::arg("material") = py::none(), py::arg("materials") = std::vector<Material>{},
            py::kw_only(), py::arg("width"), py::arg("height"), py::arg("thickness") = 1.0, py::arg("periodic") = "", py::arg("contacts") = py::none(),
            py::arg("origin") = std::pair(0.0, 0.0),
-           "A packing of your own: centres and radii (m), width and height of the frame, its depth (m, or text with a unit; 0: not known) and lower left "
+           "A packing from your own data: centres and radii (m), width and height of the container, its depth (m, or text with a unit; 0: not known) and lower "
+           "left "
            "corner `origin`; `periodic` is "
            "\"\", \"x\", \"y\" or \"xy\". `contacts`: a dict, a table of pandas or Contacts with i and j (grains from 0; j = -1, -2, -3, -4: left, right, "
            "bottom, top "
@@ -308,22 +307,23 @@ void bind_packing(py::module_& m) {
           "__len__", [](const Packing& p) { return p.grains.size(); }, "Number of grains.")
       .def_property_readonly(
           "contacts", [](const Packing& p) -> const Contacts& { return p.contacts; }, py::return_value_policy::reference_internal,
-          "Those that are known, with walls too.")
-      .def_property_readonly(
-          "bonds", &bonds_of,
-          "Bonds by name, arrays of one length: grains i < j (places in the arrays), broken (0 holds, 1 in tension, 2 in bending, 3 in shear), time (s) and "
-          "place x, y (m) of the break, fn, ft (N, signs as of contacts) and moment on i (N m) now, energy (J, as it broke), load (stress over strength), "
-          "length (m, as made).")
+          "Known contacts, including those with walls.")
+      .def_property_readonly("bonds", &bonds_of,
+                             "Bonds by name, arrays of one length: grains i < j (indices into the arrays), broken (0 intact, 1 in tension, 2 in bending, 3 in "
+                             "shear), time (s) and "
+                             "position x, y (m) of the break, current fn, ft (N, signs as for contacts) and moment on i (N m), energy (J, at the break), load "
+                             "(stress over strength), "
+                             "length (m, initial).")
       .def_property_readonly(
           "cohesive", &cohesive_of,
-          "Pairs that adhesion or a liquid bridge joins by name, arrays of one length: grains i < j (places in the arrays), gap (m, negative "
-          "where they overlap), pull (N; of touching grains part of the contact's fn), energy (J, 0 where it begins to act).")
+          "Pairs joined by adhesion or a liquid bridge, by name, arrays of one length: grains i < j (indices into the arrays), gap (m, negative "
+          "if they overlap), pull (attraction, N; for touching grains part of the contact's fn), energy (J, 0 at the onset of the attraction).")
       .def_property_readonly(
-          "materials", [](const Packing& p) { return p.materials; }, "Those that `material` numbers.")
-      .def_property_readonly("domain", &domain_of, "The frame: position (m), velocity (m/s) and force (N) of every wall, width, height, thickness (m).")
+          "materials", [](const Packing& p) { return p.materials; }, "Materials, to which `material` refers by index.")
+      .def_property_readonly("domain", &domain_of, "The container: position (m), velocity (m/s) and force (N) of every wall, width, height, thickness (m).")
       .def_property_readonly(
           "are_disks", [](const Packing& p) { return p.grains.shapes.empty(); }, "Whether all grains are disks.")
-      .def("outlines", &outlines_of, "Points along the rim of every grain as it lies, m: a list of arrays n x 2, counter-clockwise, not closed.")
+      .def("outlines", &outlines_of, "Points along the outline of every grain at its position, m: a list of arrays n x 2, counter-clockwise, not closed.")
       .def_property_readonly(
           "gyration",
           [](const Packing& p) {

@@ -58,8 +58,7 @@ PhaseMap read_map(const Path& file, const Quantity& dx, const Path& labels, doub
   const std::string way = labels.string();
   const bool by_program = way == "components" || way == "watershed" || way == "none";
   if (!by_program && !std::filesystem::exists(labels))
-    throw InputError(
-        fmt::format("labels is \"{}\", which is no file; give \"components\", \"watershed\", \"none\", or a picture whose values number the grains", way));
+    throw InputError(fmt::format("labels is \"{}\", which is not a file; give \"components\", \"watershed\", \"none\", or a label image", way));
   io::PhaseMapOptions options;
   options.dx = dx.si(dimension::length, "dx");
   if (!(options.dx > 0)) throw InputError(fmt::format("dx is {} m; give a length above 0", options.dx));
@@ -80,17 +79,18 @@ PhaseMap read_map(const Path& file, const Quantity& dx, const Path& labels, doub
 
 void bind_phase_map(py::module_& m) {
   py::class_<Cement>(m, "Cement", "The binding matrix of a packing, as geometry (P II.B).")
-      .def_readonly("full", &Cement::full, "Matrix fills all that is not grain.")
-      .def_readonly("coating", &Cement::coating, "Thickness of the layer round every grain, m.")
+      .def_readonly("full", &Cement::full, "Whether matrix fills everything outside the grains.")
+      .def_readonly("coating", &Cement::coating, "Thickness of the layer around every grain, m.")
       .def_property_readonly(
-          "bridges", [](const Cement& c) { return c.bridges.size(); }, "Number of bridges.")
+          "bridges", [](const Cement& c) { return c.bridges.size(); }, "Number of necks (bridges).")
       .def_property_readonly(
           "menisci", [](const Cement& c) { return c.menisci.size(); }, "Number of menisci.");
   py::class_<PhaseMap>(m, "PhaseMap", "A cemented packing on a square lattice of nodes; arrays are (height, width), the bottom row first.")
       .def(py::init(&map_of), py::arg("phase"), py::arg("grain") = py::none(), py::kw_only(), py::arg("dx"),
-           "A map of your own, copied: `phase` is 0 (void), 1 (matrix) or 2 (particle), `grain` numbers the particles from 0, -1 elsewhere (found by "
-           "connection if not given), `dx` is the "
-           "distance of nodes (m, or text with a unit).")
+           "A map from your own data, which are copied: `phase` is 0 (void), 1 (matrix) or 2 (particle), `grain` numbers the particles from 0, -1 elsewhere "
+           "(connected "
+           "particles if not given), `dx` is the "
+           "node spacing (m, or text with a unit).")
       .def_readonly("width", &PhaseMap::width, "Nodes.")
       .def_readonly("height", &PhaseMap::height, "Nodes.")
       .def_readonly("dx", &PhaseMap::dx, "Distance between neighbouring nodes, m.")
@@ -109,7 +109,7 @@ void bind_phase_map(py::module_& m) {
             const auto& map = self.cast<const PhaseMap&>();
             return image_view(map.grain, map.height, map.width, self);
           },
-          "Number of the grain, -1 where there is none; int32, (height, width).")
+          "Number of the grain, -1 outside grains; int32, (height, width).")
       .def_property_readonly(
           "grain_class",
           [](const py::object& self) {
@@ -119,7 +119,7 @@ void bind_phase_map(py::module_& m) {
             array.attr("setflags")(py::arg("write") = false);
             return array;
           },
-          "0 none, 1 small, 2 large; one a grain, uint8.")
+          "0 none, 1 small, 2 large; one per grain, uint8.")
       .def("__repr__", [](const PhaseMap& map) { return "<arenite.PhaseMap " + std::to_string(map.width) + " x " + std::to_string(map.height) + ">"; });
   m.def("read_phase_map", &read_map, py::arg("file"), py::kw_only(), py::arg("dx"), py::arg("labels") = "components", py::arg("smoothing") = 1.0,
         py::arg("phases") = "", py::arg("slice") = py::none(), py::arg("crop") = py::none(), py::arg("dataset") = "", py::arg("label_slice") = py::none(),

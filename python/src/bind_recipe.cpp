@@ -18,7 +18,7 @@ Recipe from_template(const std::string& name, const py::dict& changes) {
     if (name == each.name) return recipe::parse_recipe(recipe::to_toml(each.make()), name, overrides_of(changes));
     known += (known.empty() ? "" : ", ") + std::string(each.name);
   }
-  if (name == "film") throw InputError("the template \"film\" is of a film; take FilmRecipe.template()");
+  if (name == "film") throw InputError("the template \"film\" is for films; use FilmRecipe.template()");
   throw InputError(fmt::format("there is no template \"{}\"; there are {}", name, known));
 }
 
@@ -37,16 +37,15 @@ FilmRecipe changed(const FilmRecipe& recipe, const py::dict& changes) {
 }
 
 void bind_film_recipe(py::module_& m) {
-  py::class_<FilmRecipe>(
-      m, "FilmRecipe",
-      "What `arenite film` and `arenite camera` are given: materials, container, picture, correction, temperature, lock-in, forces, simulation, "
-      "camera (docs/film-recipe.md).")
+  py::class_<FilmRecipe>(m, "FilmRecipe",
+                         "Input of `arenite film` and `arenite camera`: materials, container, picture, correction, temperature, lock-in, forces, simulation, "
+                         "camera (docs/film-recipe.md).")
       .def(py::init([](const Path& file, const py::dict& changes) { return recipe::read_film_recipe(file.string(), overrides_of(changes)); }), py::arg("file"),
            py::arg("changes") = py::dict(), "Reads a film's recipe from a file; `changes` as for Recipe.")
       .def_static(
           "template",
           [](const py::dict& changes) { return recipe::parse_film_recipe(recipe::to_toml(recipe::film_template()), "film", overrides_of(changes)); },
-          py::arg("changes") = py::dict(), "The recipe to start from that `arenite init film` writes.")
+          py::arg("changes") = py::dict(), "The template that `arenite init film` writes.")
       .def_static(
           "from_text", [](const std::string& text, const py::dict& changes) { return recipe::parse_film_recipe(text, "recipe", overrides_of(changes)); },
           py::arg("text"), py::arg("changes") = py::dict(), "A film's recipe from TOML text.")
@@ -54,7 +53,7 @@ void bind_film_recipe(py::module_& m) {
       .def(
           "toml", [](const FilmRecipe& r) { return recipe::to_toml(r); }, "The resolved recipe as TOML, every key with its unit.")
       .def_readonly("title", &FilmRecipe::title, "As pages show it.")
-      .def_readonly("seed", &FilmRecipe::seed, "Of the virtual camera's noise.")
+      .def_readonly("seed", &FilmRecipe::seed, "Seed of the virtual camera's noise.")
       .def(
           "__eq__", [](const FilmRecipe& a, const FilmRecipe& b) { return recipe::to_toml(a) == recipe::to_toml(b); }, py::is_operator(), py::arg("other"),
           "Whether all keys are equal.")
@@ -65,11 +64,11 @@ void bind_film_recipe(py::module_& m) {
 
 void bind_recipe(py::module_& m) {
   bind_film_recipe(m);
-  py::class_<Recipe>(m, "Recipe", "What `arenite run` is given: materials, container, packing, stages of loading, cement, grid, loads (docs/recipe.md).")
+  py::class_<Recipe>(m, "Recipe", "Input of `arenite run`: materials, container, packing, stages of loading, cement, grid, loads (docs/recipe.md).")
       .def(py::init([](const Path& file, const py::dict& changes) { return recipe::read_recipe(file.string(), overrides_of(changes)); }), py::arg("file"),
            py::arg("changes") = py::dict(),
-           "Reads a recipe from a file; `changes` are {\"dotted.key\": value}, with units in text: {\"frame.width\": \"35 cm\"}.")
-      .def_static("template", &from_template, py::arg("name"), py::arg("changes") = py::dict(), "A recipe to start from; `templates()` names them.")
+           "Reads a recipe from a file; `changes` are {\"dotted.key\": value}, with units in text: {\"container.width\": \"35 cm\"}.")
+      .def_static("template", &from_template, py::arg("name"), py::arg("changes") = py::dict(), "A template; `templates()` lists them.")
       .def_static(
           "from_text", [](const std::string& text, const py::dict& changes) { return recipe::parse_recipe(text, "recipe", overrides_of(changes)); },
           py::arg("text"), py::arg("changes") = py::dict(), "A recipe from TOML text.")
@@ -77,7 +76,7 @@ void bind_recipe(py::module_& m) {
       .def(
           "toml", [](const Recipe& r) { return recipe::to_toml(r); }, "The resolved recipe as TOML, every key with its unit.")
       .def_readonly("title", &Recipe::title, "As pages show it.")
-      .def_readonly("seed", &Recipe::seed, "Of all random numbers.")
+      .def_readonly("seed", &Recipe::seed, "Seed of all random numbers.")
       .def_property_readonly(
           "stages",
           [](const Recipe& r) {
@@ -105,7 +104,7 @@ void bind_recipe(py::module_& m) {
         for (const auto& each : recipe::recipe_templates()) d[each.name] = each.sentence;
         return d;
       },
-      "Names of the recipes to start from, with a sentence each.");
+      "Names of the templates, with a sentence each.");
 }
 
 }  // namespace arenite::python

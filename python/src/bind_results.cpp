@@ -56,9 +56,9 @@ void bind_stage_results(py::module_& m) {
           "kinetic_ratio", [](const Frame& f) { return f.equilibrium.kinetic_ratio; }, "Kinetic over elastic energy.")
       .def("__repr__", [](const Frame& f) { return "<arenite.Frame \"" + f.label + "\">"; });
   py::class_<StageResult>(m, "Stage", "The result of one stage of packing or loading.")
-      .def_readonly("name", &StageResult::name, "In the recipe.")
+      .def_readonly("name", &StageResult::name, "Name in the recipe.")
       .def_readonly("converged", &StageResult::converged, "Equilibrium was reached in every increment.")
-      .def_readonly("outcome", &StageResult::outcome, "How it ended, in a sentence.")
+      .def_readonly("outcome", &StageResult::outcome, "Outcome in a sentence.")
       .def_property_readonly(
           "frames",
           [](const py::object& self) {
@@ -73,7 +73,7 @@ void bind_stage_results(py::module_& m) {
             if (s.frames.empty()) throw InputError("this stage stored no state");
             return s.frames.back().packing;
           },
-          py::return_value_policy::reference_internal, "The state that is handed on.")
+          py::return_value_policy::reference_internal, "The final state, passed to the next stage.")
       .def_property_readonly(
           "history", [](const py::object& self) { return columns_of(self.cast<const StageResult&>().history, self); },
           "Scalars sampled while the stage ran, as arrays by name; `history_units` has their units.")
@@ -81,10 +81,9 @@ void bind_stage_results(py::module_& m) {
           "history_units", [](const StageResult& s) { return history_units(s.history); }, "Unit of every column of `history`; empty: none.")
       .def_property_readonly(
           "cycles", [](const py::object& self) { return columns_of(self.cast<const StageResult&>().cycles, self); },
-          "Of a stage with cycles the columns of `history` at the end of each half, behind `cycle` (from 1) and `at_maximum` (1, else 0).")
+          "For a stage with cycles: `cycle` (from 1), `at_maximum` (1 or 0) and the columns of `history` at the end of each half cycle.")
       .def_property_readonly(
-          "texture", [](const StageResult& s) { return to_python(s.texture); },
-          "Texture of the last state as it was stored, without curves; names as `measure` gives them.")
+          "texture", [](const StageResult& s) { return to_python(s.texture); }, "Stored statistics of the last state, without curves; names as in `measure`.")
       .def_property_readonly(
           "provenance", [](const StageResult& s) { return provenance_of(s.provenance); },
           "What made it: version, stage, input_hash, recipe, seed, kernel, options.")
@@ -103,16 +102,16 @@ py::dict cracks_of(const py::object& self) {
 
 void bind_fields(py::module_& m) {
   py::class_<FieldResult> c(m, "Field", "A cemented sample, or its stresses under load. Arrays are (height, width), the bottom row first.");
-  c.def_readonly("name", &FieldResult::name, "In the recipe.")
+  c.def_readonly("name", &FieldResult::name, "Name in the recipe.")
       .def_readonly("converged", &FieldResult::converged, "The equilibrium was found to the tolerance.")
-      .def_readonly("outcome", &FieldResult::outcome, "How it ended, in a sentence.")
+      .def_readonly("outcome", &FieldResult::outcome, "Outcome in a sentence.")
       .def_property_readonly(
           "map", [](const FieldResult& f) -> const PhaseMap& { return f.map; }, py::return_value_policy::reference_internal, "Phases and grains of the nodes.")
       .def_property_readonly(
           "packing", [](const FieldResult& f) -> const Packing& { return f.packing; }, py::return_value_policy::reference_internal,
-          "What was rasterised, in the map's coordinates; no grains if the map came from a picture.")
+          "The packing that was discretised, in the map's coordinates; no grains if the map came from a picture.")
       .def_property_readonly(
-          "loaded", [](const FieldResult& f) { return f.field.size() > 0; }, "False for a sample without load, which has no stresses.")
+          "loaded", [](const FieldResult& f) { return f.field.size() > 0; }, "False for a sample that was not loaded and has no stresses.")
       .def_property_readonly(
           "numbers", [](const FieldResult& f) { return to_python(f.numbers); },
           "Report and statistics as `arenite show --json` prints them; the end of a name is its unit.")
@@ -138,7 +137,7 @@ void bind_fields(py::module_& m) {
           py::kw_only(), py::arg("curves") = true,
           "Distributions of node stresses by phase (P IV) as a dict: by component (sigma_yy, sigma_xx, sigma_xy, sigma_hyd) and set, each statistic "
           "{\"value\", \"error\"}; the end of a name is its unit "
-          "(_Pa), all others are over the mean of the sample or of the set.")
+          "(_Pa); all others are relative to the mean of the sample or of the set.")
       .def("__repr__", [](const FieldResult& f) { return "<arenite.Field \"" + f.name + "\": " + f.outcome + ">"; });
   const auto component = [&c](const char* name, std::vector<double> StressField::*member, const char* doc) {
     c.def_property_readonly(

@@ -56,7 +56,7 @@ class TemporaryFolder {
  public:
   TemporaryFolder() {
     std::string name = (std::filesystem::temp_directory_path() / "arenite-XXXXXX").string();
-    if (!::mkdtemp(name.data())) throw InputError("no temporary folder can be made; set TMPDIR to one that can be written to");
+    if (!::mkdtemp(name.data())) throw InputError("no temporary folder can be created; set TMPDIR to a writable folder");
     path_ = name;
   }
   TemporaryFolder(const TemporaryFolder&) = delete;
@@ -131,19 +131,19 @@ StageResult load_stage(const Packing& packing, const Recipe& recipe, const py::o
 }  // namespace
 
 void bind_store(py::module_& m) {
-  py::class_<Result>(m, "Result", "What a folder or a file of results holds, or parts that were computed one by one.")
+  py::class_<Result>(m, "Result", "Contents of a folder or file of results, or parts computed separately.")
       .def(py::init(&result_of), py::arg("stages") = std::vector<StageResult>{}, py::arg("fields") = std::vector<FieldResult>{},
            py::arg("films") = std::vector<FilmResult>{}, py::kw_only(), py::arg("title") = "",
            "Parts (copied) as one result, for figures, `save`, `page` and `export`.")
-      .def_readonly("path", &Result::path, "Where it was read from; empty for parts put together.")
-      .def_readonly("title", &Result::title, "Of the recipe.")
+      .def_readonly("path", &Result::path, "Path it was read from; empty if assembled from parts.")
+      .def_readonly("title", &Result::title, "Title of the recipe.")
       .def_property_readonly(
           "converged", [](const Result& r) { return r.run.converged; }, "Every part reached its equilibrium.")
       .def_property_readonly(
           "stages", [](const Result& r) -> const std::vector<StageResult>& { return r.run.stages; }, "Packing first, then the stages of loading.")
       .def_property_readonly(
           "fields", [](const Result& r) -> const std::vector<FieldResult>& { return r.run.fields; }, "The cemented sample and its loads.")
-      .def_readonly("films", &Result::films, "What a film gave.")
+      .def_readonly("films", &Result::films, "Results of films.")
       .def_property_readonly(
           "numbers", [](const Result& r) { return to_python(numbers_of(r)); }, "As `arenite show --json` prints them; the end of a name is its unit.")
       .def_property_readonly(
@@ -169,7 +169,7 @@ void bind_store(py::module_& m) {
       },
       py::arg("path"), "Reads a run's folder, or one file of it.");
   m.def("run", &run, py::arg("recipe"), py::arg("out"), py::kw_only(), py::arg("threads") = 1, py::arg("progress") = py::none(),
-        "Runs a recipe: packing, loading stage by stage, cement, grid, loads. What lies in `out` already is not computed again. `progress(share, name)` is "
+        "Runs a recipe: packing, loading stage by stage, cement, grid, loads. Stages already in `out` are not computed again. `progress(share, name)` is "
         "called meanwhile.");
   m.def(
       "save",
@@ -179,12 +179,12 @@ void bind_store(py::module_& m) {
         return names_of(call.without_lock([&] { return save(result, folder); }));
       },
       py::arg("result"), py::arg("folder"),
-      "Stores a Result, Stage, Field, FilmResult or Packing as files of the program's own in a folder, which `open`, `arenite show`, `arenite export` and "
+      "Stores a Result, Stage, Field, FilmResult or Packing as result files in a folder, which `open`, `arenite show`, `arenite export` and "
       "`arenite figures` "
-      "read; gives the files. Other results that lie there are put aside, under earlier/.");
+      "read; returns the files. Other results in the folder are moved to earlier/.");
   m.def("export", &exported, py::arg("result"), py::arg("folder"), py::arg("format") = "vtk", py::kw_only(), py::arg("last") = false,
-        "Writes a result (its folder or file, a Result, Stage, Field, FilmResult or Packing) as `arenite export` does, in one of `export_formats`' words; "
-        "gives the files. `last`: the "
+        "Writes a result (its folder or file, a Result, Stage, Field, FilmResult or Packing) as `arenite export` does, in one of `export_formats`; "
+        "returns the files. `last`: the "
         "last state only.");
   m.def(
       "page",
@@ -196,7 +196,7 @@ void bind_store(py::module_& m) {
           return 0;
         });
       },
-      py::arg("result"), py::arg("file"), "Writes the page (HTML, all inside) of a Result, Stage, Field, FilmResult or Packing, or of a folder of results.");
+      py::arg("result"), py::arg("file"), "Writes the page (self-contained HTML) of a Result, Stage, Field, FilmResult or Packing, or of a folder of results.");
 }
 
 void bind_stages(py::module_& m) {
@@ -211,7 +211,7 @@ void bind_stages(py::module_& m) {
         py::arg("progress") = py::none(),
         "Takes a packing through one stage of the recipe, by number or name: compaction or loading by discrete elements. `progress(share, name)` is called "
         "meanwhile. Velocities are kept, "
-        "the history of friction is not.");
+        "the contact history is not.");
 }
 
 }  // namespace arenite::python

@@ -84,7 +84,7 @@ void bind_study(py::module_& m) {
   m.def(
       "study_table",
       [](const Path& recipe, const Path& out, const std::vector<std::string>& by) {
-        if (!fs::exists(out)) throw InputError(out.string(), 0, "there is no such folder; run_study makes it");
+        if (!fs::exists(out)) throw InputError(out.string(), 0, "there is no such folder; run_study creates it");
         const campaign::Study study = campaign::read_study(recipe.string(), {}, out);
         auto table = campaign::collect(study, campaign::StudyFolder(out));
         if (!by.empty()) table = campaign::averaged(table, by);
@@ -92,10 +92,10 @@ void bind_study(py::module_& m) {
       },
       py::arg("recipe"), py::arg("out"), py::arg("by") = std::vector<std::string>{},
       "The runs of a study as columns, by the names that `arenite study collect` gives them, without units: run, status, swept keys (numbers where they are, "
-      "in SI: \"frame.width\" in m), "
-      "then all numbers of `arenite show --json` by dotted names, \"NAME_error\" beside them; NaN where a run has none. `by`: means over runs with equal "
+      "in SI: \"container.width\" in m), "
+      "then all numbers of `arenite show --json` by dotted names, with \"NAME_error\"; NaN if a run has none. `by`: means over runs with equal "
       "values of these keys, and "
-      "`runs`, how many.");
+      "`runs`, their number.");
   m.def(
       "_study_figures", [](const Path& page) { return to_python(report::figures_on(page)); }, py::arg("page"),
       "What the page of a study shows, from the numbers that `arenite study page` writes beside it: its title and its figures; empty where there are none.");
@@ -122,7 +122,7 @@ void bind_study(py::module_& m) {
         return d;
       },
       py::arg("recipe"), py::arg("out"), py::kw_only(), py::arg("jobs") = 1, py::arg("progress") = py::none(),
-      "Runs a recipe with [sweep], each run in a process of its own; what was done before is not done again. Gives how many are done, not done, left.");
+      "Runs a recipe with [sweep], each run in its own process; finished runs are not repeated. Returns how many are done, not done, left.");
 }
 
 }  // namespace arenite::python

@@ -25,7 +25,7 @@ py::dict measured(const Packing& packing, double border, const std::optional<dou
   texture::Options options = options_of(border);
   if (sigma_hyd) {
     options.grain_sigma_hyd = to_vector(*sigma_hyd, "sigma_hyd");
-    if (options.grain_sigma_hyd.empty()) throw InputError("sigma_hyd holds no value; give one a grain, or leave it out");
+    if (options.grain_sigma_hyd.empty()) throw InputError("sigma_hyd holds no value; give one per grain, or leave it out");
   }
   if (load_axis && !std::isfinite(*load_axis)) throw InputError("load_axis is not finite; give degrees, or leave it out");
   if (load_axis) options.load_axis = *load_axis * std::numbers::pi / 180;
@@ -83,24 +83,25 @@ Packing packing_of_files(const Path& grains, const std::optional<Path>& contacts
 void bind_texture(py::module_& m) {
   m.def("measure", &measured, py::arg("packing"), py::kw_only(), py::arg("border") = 2.5, py::arg("load_axis") = py::none(), py::arg("curves") = true,
         py::arg("sigma_hyd") = py::none(),
-        "Texture and stress of a packing as a dict: solid_fraction, rev, coordination (contacts of a grain), fabric, force, stress, sigma_norm, local_order, "
+        "Fabric, forces and stress of a packing as a dict: solid_fraction, rev, coordination (contacts of a grain), fabric, force, stress, sigma_norm, "
+        "local_order, "
         "quality. Each "
-        "statistic is {\"value\", \"error\"}, its standard error. The end of a name is its unit: _N, _Pa, _m, _deg; all other numbers have none (shares, "
+        "statistic is {\"value\", \"error\"}, its standard error. The end of a name is its unit: _N, _Pa, _m, _deg; all other numbers have none (fractions, "
         "ratios, x over the mean "
-        "of its set). Curves are arrays. `border`: strip left out along walls, mean diameters (T 3.2.4). `load_axis`: degrees from x; found from the stress if "
+        "of its set). Curves are arrays. `border`: strip left out along walls, mean diameters (T 3.2.4). `load_axis`: degrees from x; taken from the stress if "
         "not given. "
-        "`sigma_hyd`: stress of every grain as it was measured, Pa, NaN where it is not known, instead of that of its contacts.");
+        "`sigma_hyd`: measured stress of every grain, Pa, NaN if not known, instead of that from its contacts.");
   m.def("measure_grains", &per_grain, py::arg("packing"), py::kw_only(), py::arg("border") = 2.5,
-        "What texture knows of every grain, as arrays of your own: considered, rattler (bool), contacts, sigma_hyd (Pa, tension positive), sigma_norm (over "
+        "Statistics of every grain, as writable arrays: considered, rattler (bool), contacts, sigma_hyd (Pa, tension positive), sigma_norm (over "
         "the mean of the "
         "considered), psi6.");
   m.def("read_packing", &packing_of_files, py::arg("grains"), py::arg("contacts") = py::none(), py::arg("format") = "auto", py::kw_only(),
         py::arg("box") = py::none(), py::arg("origin") = py::none(), py::arg("thickness") = py::none(), py::arg("periodic") = "",
         py::arg("length_unit") = py::none(), py::arg("force_unit") = py::none(), py::arg("pixel") = py::none(), py::arg("materials") = py::none(),
         py::arg("grain_columns") = "", py::arg("contact_columns") = "", py::arg("y_down") = false, py::arg("merge_doubled") = false,
-        "Grains and contacts from files of YADE, LAMMPS, MercuryDPM or CSV, as `arenite measure` reads them. What the files do not say: `box` (width, height) "
+        "Grains and contacts from files of YADE, LAMMPS, MercuryDPM or CSV, as `arenite measure` reads them. Data missing in the files: `box` (width, height) "
         "and its lower left "
-        "corner `origin`, `thickness` of the cylinders (m, or text with a unit), `periodic` (\"x\", \"y\", \"xy\"), units of columns that name none, `pixel` "
+        "corner `origin`, `thickness` of the cylinders (m, or text with a unit), `periodic` (\"x\", \"y\", \"xy\"), units of columns without a unit, `pixel` "
         "for tables in pixels, a table "
         "of `materials`, columns of tables without header (\"id,x,y,-,radius\"). `y_down`: y counts image rows. `merge_doubled`: a contact listed twice is "
         "taken once, with the mean of its forces.");

@@ -74,7 +74,7 @@ PYBIND11_MODULE(_core, m) {
     } catch (const arenite::InputError& error) {
       PyErr_SetString(PyExc_ValueError, arenite::python::with_arguments(error.what()).c_str());
     } catch (const arenite::NumbersError&) {
-      PyErr_SetString(PyExc_ValueError, "the numbers stored in the result are not those that this version writes; make the result again");
+      PyErr_SetString(PyExc_ValueError, "the numbers stored in the result are not those that this version writes; compute the result again");
     }
   });
   // What is given comes before what takes it, so that docstrings name types as Python does.

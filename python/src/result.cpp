@@ -27,7 +27,7 @@ StageResult stage_of(const Packing& packing) {
   StageResult stage;
   stage.name = stage.provenance.stage = "packing";
   stage.provenance.version = version;
-  stage.outcome = "a packing by itself";
+  stage.outcome = "a single packing";
   stage.frames.emplace_back();
   stage.frames.back().label = "packing";
   stage.frames.back().packing = packing;

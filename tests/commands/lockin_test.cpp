@@ -95,7 +95,7 @@ TEST(LockInCommand, PhasesAreAnglesInDegrees) {
   EXPECT_FALSE(Json::parse(degrees.out).contains("reference_phase_rad"));
   EXPECT_EQ(degrees.out, radians.out);
   EXPECT_EQ(degrees.out, bare.out);
-  EXPECT_NE(bare.err.find("is taken in radians"), std::string::npos) << bare.err;
+  EXPECT_NE(bare.err.find("is taken to be in radians"), std::string::npos) << bare.err;
 }
 
 TEST(LockInCommand, IsLedByTheLockInLineOfAFilm) {

@@ -76,7 +76,7 @@ TEST(Check, ReadsARecipeOfAFilmAsWhatItIs) {
   const auto refused = arenite("run " + recipe);
   EXPECT_EQ(refused.status, 2);
   EXPECT_EQ(lines_of(refused.err), 1) << refused.err;
-  EXPECT_TRUE(contains(refused.err, "film.toml: is a recipe of a film (`arenite film FILM --recipe ")) << refused.err;
+  EXPECT_TRUE(contains(refused.err, "film.toml: is the recipe of a film (`arenite film FILM --recipe ")) << refused.err;
 }
 
 TEST(Check, QuietPrintsWhatIsWrongAlone) {
@@ -96,7 +96,7 @@ TEST(Check, PredictsTheRunOnStderrAndAsNumbers) {
   ASSERT_EQ(arenite("init composite " + recipe).status, 0);
   const auto text = arenite("check " + recipe);
   EXPECT_EQ(text.status, 0);
-  for (const char* part : {"time step ", "prepare ", "load ", "in all ", "mind: stage load: grains overlap"}) EXPECT_TRUE(contains(text.err, part)) << part;
+  for (const char* part : {"time step ", "prepare ", "load ", "total ", "warning: stage load: grains overlap"}) EXPECT_TRUE(contains(text.err, part)) << part;
   const auto json = nlohmann::json::parse(arenite("check --json " + recipe).out);
   EXPECT_EQ(json["grains"], 705);
   EXPECT_GT(json["time_step_s"], 0);
@@ -113,7 +113,7 @@ TEST(Check, OfASampleThatCannotBeMadeIsNoRefusal) {
   ASSERT_EQ(arenite("init composite " + recipe).status, 0);
   const auto checked = arenite("check " + recipe + " --set 'container.height=\"10 mm\"'");
   EXPECT_EQ(checked.status, 0) << checked.err;
-  EXPECT_TRUE(contains(checked.err, "mind: `arenite run` will refuse this: ")) << checked.err;
+  EXPECT_TRUE(contains(checked.err, "warning: `arenite run` will refuse this: ")) << checked.err;
 }
 
 TEST(Init, StudyRunsAsItIs) {

@@ -66,7 +66,7 @@ TEST(Show, StoredNumbersOfAnotherShapeAreOneSentence) {
   auto result = sample();
   result.texture = test::numbers_of(R"({"coordination": 5, "stages": 7, "provenance": "me"})");
   io::write_stage(folder / "r.h5", result);
-  expect_refused("show --json " + (folder / "r.h5").string(), "make the result again");
+  expect_refused("show --json " + (folder / "r.h5").string(), "compute the result again");
 }
 
 void expect_refused(const std::string& command, const std::string& words) {
@@ -90,11 +90,11 @@ TEST(Show, SaysWhatStandsThereWhereItIsNoResult) {
   const auto at = [&](const char* name) { return (folder / name).string(); };
   for (const char* each : {"show ", "show --states ", "export --to csv ", "figures "}) {
     const std::string command = each;
-    expect_refused(command + at("empty"), "empty: is no result; give the folder that");
+    expect_refused(command + at("empty"), "empty: is not a result; give the folder that");
     expect_refused(command + at("maps"), "maps: holds the maps of a film");
     expect_refused(command + at("r.toml"), "r.toml: is a recipe, not a result");
-    expect_refused(command + "thesis-ch4", "thesis-ch4: is a study that comes with the program");
-    if (command != "figures ") expect_refused(command + at("study"), "study: is the folder of a study, not a result; give a run of it");
+    expect_refused(command + "thesis-ch4", "thesis-ch4: is a built-in study");
+    if (command != "figures ") expect_refused(command + at("study"), "study: is the folder of a study, not a result; give one of its runs");
   }
   expect_refused("show " + at("words.txt"), "words.txt: holds no rows of numbers");
 }

@@ -69,7 +69,7 @@ TEST(Study, OnSlurmFortyRunsInFourTasksWithOneKilledAndOneStoppedGiveTheLocalBit
   for (const std::string task : {"2", "4"}) ASSERT_TRUE(comes_about(20, [&] { return state_of(task) == "PENDING"; })) << slurm(tasks);
   EXPECT_TRUE(comes_about(40, [&] { return slurm(tasks) == "1 COMPLETED\n2 COMPLETED\n3 COMPLETED\n4 COMPLETED\n"; })) << slurm(tasks);
 
-  EXPECT_NE(arenite::test::slurp(fs::path(cluster) / ("slurm-" + job + "-4.log")).find("stopped; the same command goes on"), std::string::npos);
+  EXPECT_NE(arenite::test::slurp(fs::path(cluster) / ("slurm-" + job + "-4.log")).find("stopped; the same command continues"), std::string::npos);
   const auto expected = arenite::test::files_of_runs(local), got = arenite::test::files_of_runs(cluster);
   EXPECT_EQ(expected.size(), 40u * 8);
   ASSERT_EQ(got.size(), expected.size());

@@ -51,7 +51,7 @@ TEST(Study, TheSamePackingUnderSeveralCementsIsMadeOnceAndTheResultsAreThoseOfSi
   ASSERT_EQ(run.status, 0) << run.err;
   EXPECT_TRUE(contains(run.out, "6 runs: 6 done\n")) << run.out;
   EXPECT_TRUE(contains(run.out, "16 stages computed")) << run.out;
-  EXPECT_TRUE(contains(run.out, "8 taken from it instead of computed")) << run.out;
+  EXPECT_TRUE(contains(run.out, "8 reused")) << run.out;
   for (const auto& [stage, made] : {std::pair("packing", 2u), {"prepare", 2u}, {"cement", 6u}, {"tension", 6u}}) {
     std::size_t computed = 0;
     std::istringstream lines(account(out));
@@ -105,7 +105,7 @@ TEST(Study, AskedToStopItLeavesAndGoesOnLater) {
   const auto stopped = shell(ARENITE_BINARY " " + study_line("run", file, out, "--quiet --jobs 1") + " & for i in $(seq 500); do [ -d " +
                              (out / "journal").string() + " ] && break; sleep 0.01; done; kill -TERM $!; wait $!; echo ended $?");
   if (contains(stopped.out, "ended 0\n")) GTEST_SKIP() << "this machine ran the study before it could be stopped";
-  EXPECT_TRUE(contains(stopped.err, "stopped; the same command goes on with the ")) << stopped.err;
+  EXPECT_TRUE(contains(stopped.err, "stopped; the same command continues with the ")) << stopped.err;
   EXPECT_TRUE(shell("pgrep -f '[s]tudy run .*" + out.string() + "'").out.empty()) << "no process stays behind";
   ASSERT_EQ(arenite(study_line("run", file, out, "--quiet")).status, 0);
   EXPECT_TRUE(contains(arenite(study_line("status", file, out)).out, "6 runs: 6 done\n"));
@@ -236,7 +236,7 @@ TEST(Study, ThePlanTellsRunsSharedStagesAndTimeWithoutTouchingTheDisk) {
   ASSERT_EQ(arenite(study_line("run", file, out, "--quiet --shard 1/2")).status, 0);
   EXPECT_TRUE(contains(arenite(study_line("plan", file, out)).out, "time: about ")) << "costs of the first half estimate the second";
   ASSERT_EQ(arenite(study_line("run", file, out, "--quiet --shard 2/2")).status, 0);
-  EXPECT_TRUE(contains(arenite(study_line("plan", file, out)).out, "time: all stages are there\n"));
+  EXPECT_TRUE(contains(arenite(study_line("plan", file, out)).out, "time: all stages are in the store\n"));
 }
 
 TEST(Study, WhereARecipeIsOneRunOrManyTheOtherCommandIsNamed) {

@@ -226,7 +226,7 @@ TEST(Status, OfARunThatWasKilledSaysThatItsProcessIsGone) {
   run.end(SIGKILL);
   const auto shown = test::arenite("show " + out.string());
   EXPECT_EQ(shown.status, 0) << shown.err;
-  EXPECT_EQ(shown.out.find("Ended before its time: "), 0u) << shown.out;
+  EXPECT_EQ(shown.out.find("Died: "), 0u) << shown.out;
   EXPECT_FALSE(nlohmann::json::parse(test::arenite("show --json " + out.string()).out)["running"]["alive"].get<bool>());
 }
 

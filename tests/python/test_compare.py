@@ -33,8 +33,8 @@ def test_differences_count_beyond_two_standard_errors():
         return compare.Row("load", "z", *numbers).verdict
 
     assert verdict(1.0, 0.3, 2.01, 0.4) == compare.beyond and verdict(1.0, 0.3, 1.99, 0.4) == compare.within
-    assert verdict(1.0, 0.3, 2.0, math.nan) == compare.beyond and verdict(1.0, math.nan, 2.0, math.nan) == compare.untold
-    assert verdict(1.0, 0.0, 2.0, 0.0) == compare.untold and verdict(1.0, math.nan, 1.0, math.nan) == compare.equal
+    assert verdict(1.0, 0.3, 2.0, math.nan) == compare.beyond and verdict(1.0, math.nan, 2.0, math.nan) == compare.unjudged
+    assert verdict(1.0, 0.0, 2.0, 0.0) == compare.unjudged and verdict(1.0, math.nan, 1.0, math.nan) == compare.equal
     assert verdict(1.0, 0.1, math.nan, math.nan) == compare.alone
 
 

@@ -100,7 +100,7 @@ def test_cycles_are_whole_ones():
     assert found["axial_strain_maximum"].values == pytest.approx([0.1, 0.125]) and found["axial_strain_minimum"].values == pytest.approx([0.05, 0.075])
     assert found["strain_amplitude"].values == pytest.approx([0.05, 0.05]) and found["accumulated_strain"].values == pytest.approx([0, 0.025])
     assert found["dissipated_energy"].values == pytest.approx([3, 2])
-    with pytest.raises(ValueError, match="the stage test has no whole cycle of load"):
+    with pytest.raises(ValueError, match="the stage test has no complete load cycle"):
         curves.of_cycles(alone(a_stage([4.0] * 2, [4.0, 3.9])))
 
 

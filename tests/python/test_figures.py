@@ -297,7 +297,7 @@ def test_numbers_of_another_shape_are_one_sentence(tmp_path):
     (file,) = arenite.save(packing, tmp_path)
     program = "import sys, arenite.figures.catalogue as c\nc.save_all = lambda *a: {}['mean']\nsys.argv = ['figures', sys.argv[1]]\nimport runpy; runpy.run_module('arenite.figures', run_name='__main__')"
     done = subprocess.run([sys.executable, "-c", program, file], capture_output=True, text=True, env={**os.environ, "PYTHONPATH": os.environ["ARENITE_PYTHONPATH"]})
-    assert done.returncode == 2 and done.stderr.count("\n") == 1 and "make the result again" in done.stderr, done.stderr
+    assert done.returncode == 2 and done.stderr.count("\n") == 1 and "compute the result again" in done.stderr, done.stderr
 
 
 def test_broken_bonds_are_counted_by_type_up_to_each_step():

@@ -5,7 +5,7 @@
 
 namespace arenite::validation {
 
-/// A laboratory sample of tables 3.1 and 3.2, told by its number of POM grains.
+/// A laboratory sample of tables 3.1 and 3.2, identified by its number of POM grains.
 struct LaboratorySample {
   const char* name;
   const char* pom_grains;

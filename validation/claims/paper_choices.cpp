@@ -65,8 +65,8 @@ void tell_samples(Judgement& judgement, const Results& results, const Samples& u
   std::size_t fewest = 0;
   for (const Choice& choice : choices)
     if (const std::size_t here = samples_a_place(chosen(results, choice.where, usual).runs); here > 0) fewest = fewest == 0 ? here : std::min(fewest, here);
-  const std::string told = fmt::format("Open choices, below: {} samples a pair as it is, {} with each choice.", samples_a_place(usual.runs), fewest);
-  if (std::find(judgement.findings.begin(), judgement.findings.end(), told) == judgement.findings.end()) judgement.findings.push_back(told);
+  const std::string note = fmt::format("Open choices, below: {} samples a pair as it is, {} with each choice.", samples_a_place(usual.runs), fewest);
+  if (std::find(judgement.findings.begin(), judgement.findings.end(), note) == judgement.findings.end()) judgement.findings.push_back(note);
 }
 
 void tell_difference(Judgement& judgement, const std::string& what, const Check& everywhere, const Check& there) {

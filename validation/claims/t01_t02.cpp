@@ -22,7 +22,7 @@ const identify::Finding* finding(const identify::Identification& all, const std:
 }
 
 /// A mean of the records that must round to `printed`; half of its last digit is `half_digit`. A rounding is right or wrong: the
-/// scatter of the records is told, and decides nothing.
+/// scatter of the records is reported and decides nothing.
 Check rounds_to(std::string what, const identify::Finding* found, double printed, double half_digit) {
   Check check = within(std::move(what), found ? Value{found->value.value / found->scale(), 0} : Value(), printed, half_digit, found ? found->unit : "");
   if (found) check.ours = {found->value.value / found->scale(), found->value.error / found->scale(), found->value.freedom};

@@ -88,7 +88,7 @@ void add_reasons(Judgement& judgement, const Results& results) {
 }  // namespace
 
 /// Tails of stresses (chapters 3 and 6) and of forces (chapters 4 and 5): the straight line that the thesis drew through them. The
-/// likelihood against a half-Gaussian is told beside.
+/// likelihood against a half-Gaussian is also reported.
 Judgement judge_t6(const Results& results) {
   Tails all_stresses{"stresses of all grains", 0.95, {}, {}, {}}, some_stresses{"stresses of one material or zone", 0.90, {}, {}, {}};
   Tails all_forces{"all forces", 0.95, {}, {}, {}}, some_forces{"forces of one type of contact", 0.90, {}, {}, {}};

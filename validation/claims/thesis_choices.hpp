@@ -8,7 +8,7 @@
 
 namespace arenite::validation {
 
-// How a number hangs on the choices that the thesis leaves open. As it is: the runs that the claim is judged by; otherwise those
+// How a number depends on the choices that the thesis leaves open. As it is: the runs that the claim is judged by; otherwise those
 // of the studies thesis-choices of the chapter, and for another border the same states measured again.
 
 /// Of a sample of chapter 3.

@@ -26,7 +26,7 @@ def main():
     except ValueError as error:
         sys.exit(said(str(error)))
     except (ArithmeticError, AttributeError, LookupError, MemoryError, RuntimeError, TypeError) as error:  # numbers of another shape than this version's
-        sys.exit(said(f"{a.result}: holds what these figures cannot draw ({type(error).__name__}: {error}); make the result again with `arenite run`"))
+        sys.exit(said(f"{a.result}: holds what these figures cannot draw ({type(error).__name__}: {error}); compute the result again with `arenite run`"))
     except OSError as error:
         sys.exit(said(f"{error.filename or out}: cannot be written ({error.strerror or error}); choose another folder with --out"))
     for path in paths:
