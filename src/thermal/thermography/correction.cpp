@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "core/median.hpp"
 #include "core/problems.hpp"
+#include "thermal/thermography/grain_motion.hpp"
 
 namespace arenite::thermography {
 namespace {
@@ -58,22 +58,6 @@ void check(const std::vector<LevelPoint>& points) {
   for (const LevelPoint& p : points)
     if (!std::isfinite(p.level) || !(p.temperature > 0) || !std::isfinite(p.temperature))
       throw refusal("a calibration curve has the point ({}, {} K), which cannot be; correct it", p.level, p.temperature);
-}
-
-constexpr double beyond = 1.5;  // pixels: how far a lens spreads a rim
-
-/// The material of every pixel; -1 between the grains.
-std::vector<std::int32_t> material_map(const LockinMaps& maps, const PictureGrains& grains) {
-  std::vector<std::int32_t> material(maps.size(), -1);
-  std::vector<float> away(maps.size(), std::numeric_limits<float>::infinity());
-  for (std::size_t g = 0; g < grains.size(); ++g)
-    each_pixel_near(grains.centre[g], grains.radius[g] + beyond, maps.width, maps.height, [&](int x, int y, std::size_t at) {
-      const auto distance = static_cast<float>(std::hypot(x - grains.centre[g].x, y - grains.centre[g].y) - grains.radius[g]);
-      if (distance > beyond || distance >= away[at]) return;
-      away[at] = distance;
-      material[at] = grains.material[g];
-    });
-  return material;
 }
 
 }  // namespace
@@ -196,10 +180,12 @@ LevelCurve curve_by_radiometry(const radiometry::Band& band, const LevelPoint& k
 void see_surfaces(LockinMaps& maps, const PictureGrains& grains, const GrainSurfaces& surfaces) {
   const auto as_assumed = [&](double e) { return e == surfaces.assumed.emissivity; };
   if (std::all_of(surfaces.emissivity.begin(), surfaces.emissivity.end(), as_assumed)) return;
-  const auto material = material_map(maps, grains);
+  constexpr double spread = 1.5;  // pixels: how far a lens spreads a rim
+  const auto grain = owners(grains, maps.width, maps.height, spread);
   for (std::size_t i = 0; i < maps.size(); ++i) {
-    if (material[i] < 0 || !std::isfinite(maps.mean[i])) continue;
-    const double emissivity = surfaces.emissivity[static_cast<std::size_t>(material[i])];
+    const auto material = grain[i] < 0 ? -1 : grains.material[static_cast<std::size_t>(grain[i])];
+    if (material < 0 || !std::isfinite(maps.mean[i])) continue;
+    const double emissivity = surfaces.emissivity[static_cast<std::size_t>(material)];
     const auto true_one =
         radiometry::taken_for_another(surfaces.band, surfaces.assumed, {emissivity, surfaces.assumed.ambient}, static_cast<double>(maps.mean[i]));
     maps.mean[i] = static_cast<float>(true_one.temperature);

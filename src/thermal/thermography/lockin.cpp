@@ -166,14 +166,12 @@ double reference_phase(const std::vector<double>& cosine, const std::vector<doub
 
 double diffusion_length(double diffusivity, double frequency) { return std::sqrt(diffusivity / (std::numbers::pi * frequency)); }
 
-double amplitude_lost_to_diffusion(double diffusion_length, double pixel) {
-  const double wave = std::numbers::pi * diffusion_length / pixel;
-  return 1 - 1 / std::hypot(1.0, wave * wave / 2);
-}
-
 Adiabatic::Adiabatic(double diffusivity, double frequency, double side) : length(diffusion_length(diffusivity, frequency)), pixel(side) {}
 
-double Adiabatic::lost() const { return amplitude_lost_to_diffusion(length, pixel); }
+double Adiabatic::lost() const {
+  const double wave = std::numbers::pi * length / pixel;
+  return 1 - 1 / std::hypot(1.0, wave * wave / 2);
+}
 
 std::string Adiabatic::sentence() const {
   return fmt::format(

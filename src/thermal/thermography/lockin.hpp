@@ -45,17 +45,14 @@ double reference_phase(const std::vector<double>& cosine, const std::vector<doub
 /// pixel and a grain. `diffusivity` in m^2/s, `frequency` in Hz.
 double diffusion_length(double diffusivity, double frequency);
 
-/// Share of its amplitude that the finest detail of a picture loses to heat that diffuses within a cycle: stripes of two
-/// pixels' length have 1/|1 + i D k^2/(2 pi f)| of theirs. Same unit for both lengths.
-double amplitude_lost_to_diffusion(double diffusion_length, double pixel);
-
 /// Whether heat stays where it came to be within a cycle of the load.
 struct Adiabatic {
   double length = 0, pixel = 0;  ///< that heat diffuses, and the side of a pixel, m; no pixel: unknown
 
   /// `diffusivity` of heat in the grains, m^2/s; `frequency` of the load, Hz.
   Adiabatic(double diffusivity, double frequency, double side = 0);
-  double lost() const;  ///< share of the finest detail's amplitude
+  /// Share of its amplitude that the finest detail of a picture loses to it: stripes of two pixels' length have 1/|1 + i D k^2/(2 pi f)| of theirs.
+  double lost() const;
   /// At a fifth of a pixel the finest detail loses 2 % of its amplitude and lags by 11 degrees.
   bool holds() const { return length <= pixel / 5; }
   std::string sentence() const;  ///< what to say where it does not hold
