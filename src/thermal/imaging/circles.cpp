@@ -81,7 +81,7 @@ DiskSearch search_disks(const FloatImage& image, const CircleOptions& options) {
   std::array<std::optional<std::vector<Circle>>, 2> seen;
   const auto rims = [&](bool bright) -> const std::vector<Circle>& {  // searched once for all that begin with them
     auto& own = seen[bright ? 1 : 0];
-    if (!own) own = search_rims(image, SearchRounds::first_range(image, options, bright));
+    if (!own) own = search_rims(image, SearchRounds::range(image, options, options.radii, bright, 0.15));
     return *own;
   };
   std::vector<double> levels;

@@ -21,11 +21,14 @@ struct DiskSearch {
 /// not bear out is taken out, and the rest of the picture is searched anew. Picture and options must outlive it.
 class SearchRounds {
  public:
-  /// Where rims are looked for in the first round, on the picture as it is.
-  static RimOptions first_range(const FloatImage& image, const CircleOptions& options, bool bright) {
-    RimOptions o = range(image, options, options.radii, bright);
-    o.least = 0.15;
-    return o;
+  /// Where rims are looked for: the sizes that are known, or all that the picture can hold.
+  static RimOptions range(const FloatImage& image, const CircleOptions& options, const std::vector<double>& sizes, bool bright, double least) {
+    const double smallest = sizes.empty() ? options.smallest : *std::min_element(sizes.begin(), sizes.end());
+    const double largest = options.largest > 0 ? options.largest : 0.5 * std::min(image.width, image.height);
+    return {.bright = bright,
+            .smallest = std::max(0.65 * smallest, 1.2),
+            .largest = sizes.empty() ? largest : 1.1 * *std::max_element(sizes.begin(), sizes.end()),
+            .least = least};
   }
 
   /// `between`: level of the background, where disks may be brighter and darker.
@@ -40,7 +43,7 @@ class SearchRounds {
     classes_.spread = mapped(classes_.mean, [](double r) { return 0.003 * r; });
   }
 
-  /// The first round, with the rims that were seen in `first_range`: of both signs where there is a level between.
+  /// The first round, with the rims that the picture shows as it is: of both signs where there is a level between.
   void begin(std::vector<Circle> seen) {
     if (add(std::move(seen), 0) == 0) return;
     settle(10);
@@ -88,16 +91,6 @@ class SearchRounds {
   /// A long rim that shows says more than a short one: marks on a grain and dirt are small.
   static double weight(const Circle& circle) { return circle.score * std::sqrt(std::sqrt(circle.radius)); }
 
-  /// Where rims are looked for: the sizes that are known, or all that the picture can hold.
-  static RimOptions range(const FloatImage& image, const CircleOptions& options, const std::vector<double>& sizes, bool bright) {
-    RimOptions o;
-    o.bright = bright;
-    const double largest = options.largest > 0 ? options.largest : 0.5 * std::min(image.width, image.height);
-    o.smallest = std::max(0.65 * (sizes.empty() ? options.smallest : *std::min_element(sizes.begin(), sizes.end())), 1.2);
-    o.largest = sizes.empty() ? largest : 1.1 * *std::max_element(sizes.begin(), sizes.end());
-    return o;
-  }
-
   /// Sum over the disks of what they explain of `of` their radius and contrast.
   template <class Of> double explained(const Of& of) const {
     double sum = 0;
@@ -135,8 +128,7 @@ class SearchRounds {
   }
 
   std::vector<Circle> candidates() const {
-    RimOptions how = range(image_, options_, classes_.mean, bright_);
-    how.least = 0.2;
+    RimOptions how = range(image_, options_, classes_.mean, bright_, 0.2);
     if (options_.radii.empty()) how.smallest = std::max(how.smallest, least_resolved(model_));
     const Mask open = open_pixels(how.smallest);
     how.open = &open;

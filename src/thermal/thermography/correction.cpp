@@ -137,7 +137,7 @@ void CorrectedFilm::read(std::int64_t first, std::size_t count, FrameBlock& bloc
   apply(correction_, part_, block.value);
 }
 
-LevelCurve curve_through(std::vector<LevelPoint> points, const LevelRange& range) {
+LevelCurve curve_through(std::vector<LevelPoint> points, const radiometry::Band& band, const radiometry::Surface& surface, const LevelRange& range) {
   check(points);
   std::sort(points.begin(), points.end(), [](const LevelPoint& a, const LevelPoint& b) { return a.level < b.level; });
   for (std::size_t i = 1; i < points.size(); ++i)
@@ -147,16 +147,9 @@ LevelCurve curve_through(std::vector<LevelPoint> points, const LevelRange& range
   return tabulate(range, [&](double level) {
     while (k + 1 < points.size() && level > points[k].level) ++k;
     const LevelPoint &a = points[k - 1], &b = points[k];
-    return a.temperature + (level - a.level) * (b.temperature - a.temperature) / (b.level - a.level);
+    const double t = a.temperature + (level - a.level) * (b.temperature - a.temperature) / (b.level - a.level);
+    return surface.emissivity == 1 ? t : radiometry::temperature_of_seen(band, surface, radiometry::photon_exitance(band, t));
   });
-}
-
-LevelCurve curve_through(std::vector<LevelPoint> points, const radiometry::Band& band, const radiometry::Surface& surface, const LevelRange& range) {
-  LevelCurve curve = curve_through(std::move(points), range);
-  if (surface.emissivity == 1) return curve;
-  for (float& t : curve.temperature)
-    t = static_cast<float>(radiometry::temperature_of_seen(band, surface, radiometry::photon_exitance(band, static_cast<double>(t))));
-  return curve;
 }
 
 LevelCurve curve_by_references(const radiometry::Band& band, const LevelPoint& cold, const LevelPoint& warm, const radiometry::Surface& surface,

@@ -107,10 +107,9 @@ struct LevelRange {
 
 /// Straight between the points of a black body, whatever their order; beyond them the last pieces go on. Throws InputError for fewer
 /// than two points, two of one level, or temperatures that do not rise with the level.
-LevelCurve curve_through(std::vector<LevelPoint> points, const LevelRange& range = {});
-
-/// The same for a surface that is not black: what a level says of the photons stays, and a part of them is mirrored.
-LevelCurve curve_through(std::vector<LevelPoint> points, const radiometry::Band& band, const radiometry::Surface& surface, const LevelRange& range = {});
+/// For a surface that is not black what a level says of the photons stays, and a part of them is mirrored.
+LevelCurve curve_through(std::vector<LevelPoint> points, const radiometry::Band& band = {}, const radiometry::Surface& surface = {},
+                         const LevelRange& range = {});
 
 /// Radiometry between two black-body references: the level is a straight line of the photons in the band, and a surface that is
 /// not black shows eps N(T) + (1 - eps) N(T_amb).

@@ -137,18 +137,6 @@ PhasePictures without_scene(const PhasePictures& pictures, const GrainScene& sce
   return rest;
 }
 
-void put(LockinMaps& maps, std::size_t p, const Followed& f, double factor, double spread) {
-  const auto [mean, cosine, sine, cosine2, sine2] = f.harmonics;
-  maps.mean[p] = static_cast<float>(mean);
-  maps.amplitude[p] = static_cast<float>(factor * std::hypot(cosine, sine));
-  maps.phase[p] = static_cast<float>(std::atan2(sine, cosine));
-  if (!maps.second_harmonic.empty()) maps.second_harmonic[p] = static_cast<float>(factor * std::hypot(cosine2, sine2));
-  const double noise = std::sqrt(f.variance);
-  maps.residual[p] = static_cast<float>(noise);
-  maps.standard_error[p] = static_cast<float>(spread * noise);
-  maps.noise_floor[p] = static_cast<float>(std::sqrt(std::numbers::pi / 2) * spread * noise);
-}
-
 /// Amplitudes in phase with the load and a quarter of a cycle off. Where rims sweep over a pixel it shows their motion and no warming.
 void project(LockinMaps& maps, const std::vector<std::int32_t>& owner) {
   for (std::size_t p = 0; p < maps.size(); ++p) {
@@ -187,7 +175,7 @@ std::vector<std::int32_t> owners(const PictureGrains& grains, int width, int hei
 LockinMaps follow_grains(const PhasePictures& pictures, const LockinMaps& maps, const PictureGrains& grains, const GrainMotion& motion,
                          const PictureGrains& shown, std::optional<double> given_phase, int threads, double blur) {
   LockinMaps result = maps;
-  const double factor = 2 / to_peak_to_peak(maps.convention), spread = factor * std::sqrt(2 * maps.noise_ratio / static_cast<double>(maps.frames));
+  const double spread = std::sqrt(2 * maps.noise_ratio / static_cast<double>(maps.frames));
   const ThreadPool pool(threads);
   const GrainScene scene(pictures, grains, motion, pool);
   const PhasePictures rest = without_scene(pictures, scene, blur, pool);
@@ -202,7 +190,7 @@ LockinMaps follow_grains(const PhasePictures& pictures, const LockinMaps& maps, 
       if (out > r || owner[p] != static_cast<std::int32_t>(i)) return;
       Followed f = fit.follow(rest, Vec2{column, row} + grains.centre[i] - centre);
       f.harmonics[0] += scene.level(i);
-      put(result, p, f, factor, spread);
+      put(result, p, f.harmonics, std::sqrt(f.variance), spread);
       if (out > 0.7 * r) return;
       cosine[i].push_back(f.harmonics[1]);
       sine[i].push_back(f.harmonics[2]);

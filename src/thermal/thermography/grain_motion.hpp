@@ -54,9 +54,8 @@ struct DiskMean {
   double area = 0;   ///< pixels
 };
 
-/// Mean of `map` (width x height, rows from the top) over a disk, centre and radius in pixels; `error` is the map of the
-/// pixels' standard errors.
-DiskMean disk_mean(const std::vector<float>& map, const std::vector<float>& error, int width, int height, Vec2 centre, double radius);
+/// Of a map beside those of the lock-in, whose standard errors are the pixels', over a disk: centre and radius in pixels.
+DiskMean disk_mean(const LockinMaps& maps, const std::vector<float>& map, Vec2 centre, double radius);
 
 /// Standard deviation of a Gaussian lens, pixels, with which a drawing of even disks comes nearest to the rims of one of the
 /// pictures: the film's own word on its blur. `grains` are at their mean places. No number without grains.

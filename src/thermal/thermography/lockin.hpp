@@ -1,4 +1,6 @@
 #pragma once
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -28,6 +30,12 @@ struct LockinOptions {
 /// which nothing changes; and, where the frequency is to be refined, for a film that oscillates at another frequency and not there.
 /// Empty maps if `progress` stopped it.
 LockinMaps lock_in(FilmSource& film, const LockinOptions& options);
+
+/// 1, cosine and sine of the phase 2 pi f t, and of twice the phase; or what a fit has of them.
+using Harmonics = std::array<double, 5>;
+
+/// Writes into the maps what is fitted to a pixel, of which the fit leaves `noise`; `spread` is the standard error of its cosine and sine over that.
+void put(LockinMaps& maps, std::size_t pixel, const Harmonics& fitted, double noise, double spread);
 
 /// As the plain transform does it: mean image subtracted, Fourier sum at the bin next to the frequency, frames evenly
 /// spaced. Off a bin, and with drift, amplitudes are wrong by up to 1 - 2/pi; kept to reproduce results found this way.

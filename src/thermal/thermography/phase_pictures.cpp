@@ -165,11 +165,10 @@ PhasePictures phase_pictures(FilmSource& film, const LockinMaps& maps, const Loc
 
 std::vector<float> picture_of(const PhasePictures& pictures, std::size_t k) {
   std::vector<float> values;
-  values.reserve(pictures.pixels());
-  for (int row = 0; row < pictures.height; ++row)
-    for (int column = 0; column < pictures.width; ++column)
-      values.push_back(
-          static_cast<float>(Resampled(pictures.width, pictures.height, {static_cast<double>(column), static_cast<double>(row)}).of(pictures.picture(k))));
+  Vec2 place, slope;
+  for (place.y = 0; place.y < pictures.height; ++place.y)
+    for (place.x = 0; place.x < pictures.width; ++place.x)
+      values.push_back(static_cast<float>(Resampled(pictures.width, pictures.height, place).of(pictures.picture(k), slope)));
   return values;
 }
 
