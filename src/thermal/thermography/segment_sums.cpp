@@ -75,9 +75,7 @@ struct Pass {
   template <class T> void refer(const T* frame, std::size_t k, std::size_t begin, std::size_t end) {
     const SegmentView view = s.view();
     for (std::size_t p = begin; p < end; ++p) reference[p] = static_cast<float>(frame[p]);
-    if (k == 0)
-      std::copy(reference.begin() + static_cast<std::ptrdiff_t>(begin), reference.begin() + static_cast<std::ptrdiff_t>(end),
-                s.base.begin() + static_cast<std::ptrdiff_t>(begin));
+    if (k == 0) std::copy_n(reference.data() + begin, end - begin, s.base.data() + begin);
     for (std::size_t from = begin; from < end; from += chunk) {
       float* plane = s.sums.get() + view.at(from, k, 0);
       std::fill_n(plane, s.planes() * chunk, 0.f);
