@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numeric>
+#include <span>
 #include <vector>
 
 #include "geometry/rectangle.hpp"
@@ -66,6 +67,36 @@ struct SortedCells {
       for (std::int32_t c = from; c <= to; ++c) near<Axis - 1>(grid, place, row + c, see);
     }
   }
+};
+
+/// Points in cells of a width, to ask which lie near a place. The points must outlive it.
+class PointGrid {
+ public:
+  PointGrid(std::span<const Vec2> points, double width)
+      : points_(points),
+        grid_(box_of(points), width),
+        cells_(grid_.size(), 0, points.size(), [&](std::size_t k) { return grid_.cell(points[k]); }) {}
+
+  /// Calls visit(index, squared distance) for every point no farther than `reach`.
+  template <class Visit> void within(Vec2 place, double reach, Visit visit) const {
+    const auto at = [&](double x, std::int32_t row) { return static_cast<std::size_t>(row * grid_.count[0] + grid_.along(0, x)); };
+    for (std::int32_t row = grid_.along(1, place.y - reach); row <= grid_.along(1, place.y + reach); ++row)
+      for (std::int32_t k = cells_.first[at(place.x - reach, row)]; k < cells_.first[at(place.x + reach, row) + 1]; ++k) {
+        const std::int32_t item = cells_.item[static_cast<std::size_t>(k)];
+        const Vec2 away = points_[static_cast<std::size_t>(item)] - place;
+        if (const double square = dot(away, away); square <= reach * reach) visit(item, square);
+      }
+  }
+
+ private:
+  static Box<2> box_of(std::span<const Vec2> points) {
+    const Rectangle box = bounds(points);
+    return {{box.x_min, box.y_min}, {box.width(), box.height()}};
+  }
+
+  std::span<const Vec2> points_;
+  CellGrid<2> grid_;
+  SortedCells cells_;
 };
 
 }  // namespace arenite::geometry

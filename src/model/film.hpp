@@ -61,14 +61,23 @@ class FilmSource {
   virtual const float* values_in_memory() const { return nullptr; }
 };
 
-/// Reads `count` frames from `first` on, at most `at_once` at a time, and calls visit(pixels, n, some) for each `some` of them, of which the first is
-/// number n of the `count`; ends with false where that is false.
-template <class Visit> bool read_frames(FilmSource& film, std::size_t first, std::size_t count, std::size_t at_once, Visit&& visit) {
+/// Calls visit(pixels, n, some) for `count` frames from `first` on, some at a time, of which the first is number n of the `count`: where they are in
+/// memory, or read into a few megabytes, which the caches hold until they are looked at. Ends with false where that is false.
+template <class Visit> bool read_frames(FilmSource& film, std::size_t first, std::size_t count, Visit&& visit) {
+  const std::uint16_t* levels = film.levels_in_memory();
+  const float* values = film.values_in_memory();
+  const bool in_memory = levels || values;
+  const std::size_t pixels = film.info().pixels(), bytes = std::max<std::size_t>(1, pixels * (film.info().floating ? 4 : 2));
+  const std::size_t at_once = std::max<std::size_t>(16, (std::size_t{in_memory ? 256U : 8U} << 20) / bytes / 16 * 16);
   FrameBlock block;
   for (std::size_t n = 0; n < count; n += at_once) {
     const std::size_t some = std::min(at_once, count - n);
-    film.read(static_cast<std::int64_t>(first + n), some, block);
-    if (!(block.level.empty() ? visit(block.value.data(), n, some) : visit(block.level.data(), n, some))) return false;
+    if (!in_memory) film.read(static_cast<std::int64_t>(first + n), some, block);
+    const bool goes_on = levels                ? visit(levels + (first + n) * pixels, n, some)
+                         : values              ? visit(values + (first + n) * pixels, n, some)
+                         : block.level.empty() ? visit(block.value.data(), n, some)
+                                               : visit(block.level.data(), n, some);
+    if (!goes_on) return false;
   }
   return true;
 }

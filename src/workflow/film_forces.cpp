@@ -148,9 +148,7 @@ void add_fit_error(FilmResult& r, const PictureGrains& shown, double share) {
   for (std::size_t i = 0; i < shown.size(); ++i) {
     const auto m = static_cast<std::size_t>(shown.material[i]);
     const double radius = shown.radius[i] * std::sqrt(share);
-    const auto mean = [&](const std::vector<float>& map) {
-      return thermography::disk_mean(map, r.maps.standard_error, r.maps.width, r.maps.height, shown.centre[i], radius).mean;
-    };
+    const auto mean = [&](const std::vector<float>& map) { return thermography::disk_mean(r.maps, map, shown.centre[i], radius).mean; };
     const double off = std::abs(to_full * mean(r.maps.in_phase) - mean(r.fit.picture)) / (2 * r.packing.materials[m].thermoelastic_factor);
     if (!std::isfinite(off)) continue;
     difference[i] = off;

@@ -92,7 +92,7 @@ class Measurement {
     const double largest = r.maps.reference_phase;
     PictureGrains middle = r.grains;
     for (int round = 0; round < 3; ++round) {
-      r.motion = thermography::grain_motion(pictures, middle, {.threads = options_.threads});
+      r.motion = thermography::grain_motion(pictures, middle, options_.threads);
       for (std::size_t i = 0; i < r.grains.size(); ++i) {
         const Vec2 way = r.motion.at(i, std::cos(largest), std::sin(largest));
         middle.centre[i] = r.grains.centre[i] + way;

@@ -1,9 +1,16 @@
 #pragma once
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
+#include <numbers>
 #include <vector>
 
+#include "core/mapped.hpp"
+#include "core/random.hpp"
+#include "statistics/measured.hpp"
 #include "thermal/camera/camera.hpp"
 
 namespace arenite::camera {
@@ -12,13 +19,60 @@ namespace arenite::camera {
 /// correlated from frame to frame as first-order autoregressive noise is; frames may be asked for in any order.
 class FrameNoise {
  public:
-  FrameNoise(std::size_t pixels, double correlation);
+  FrameNoise(std::size_t pixels, double correlation) : count_(pixels + 1) {
+    // What is older than this is less than 1e-4 of the noise, and every frame is the same sum whichever was read before it.
+    double power = 0;
+    for (double w = 1; w >= 1e-4; w *= correlation) {
+      weight_.push_back(static_cast<float>(w));
+      power += w * w;
+    }
+    for (float& w : weight_) w /= static_cast<float>(std::sqrt(power));
+  }
 
   /// Of the frame that (seed, frame) names; valid until the next call.
-  const std::vector<float>& of(std::uint64_t seed, std::uint64_t frame);
+  const std::vector<float>& of(std::uint64_t seed, std::uint64_t frame) {
+    const std::uint64_t first = frame - (weight_.size() - 1);  // before the first frame of a film the numbers wrap
+    std::erase_if(known_, [&](const auto& each) { return each.first - first >= weight_.size(); });
+    if (weight_.size() == 1) return innovation(seed, frame);
+    sum_.assign(count_, 0.0f);
+    for (std::size_t k = 0; k < weight_.size(); ++k) {
+      const std::vector<float>& e = innovation(seed, frame - k);
+      for (std::size_t i = 0; i < count_; ++i) sum_[i] += weight_[k] * e[i];
+    }
+    return sum_;
+  }
 
  private:
-  const std::vector<float>& innovation(std::uint64_t seed, std::uint64_t frame);
+  const std::vector<float>& innovation(std::uint64_t seed, std::uint64_t frame) {
+    const auto [at, is_new] = known_.try_emplace(frame);
+    if (!is_new) return at->second;
+    const auto& quantile = normal_quantiles();
+    RandomStream random(seed, Purpose::camera_noise, frame);
+    std::uint64_t bits = 0;
+    at->second.resize(count_);
+    for (std::size_t i = 0; i < count_; ++i) {
+      bits = i % 4 == 0 ? random.bits() : bits >> 16;
+      at->second[i] = quantile[bits & 0xffff];
+    }
+    return at->second;
+  }
+
+  /// Quantiles of the normal law at 65 536 even probabilities, so that 16 random bits are a normal number (cut at
+  /// 4.3 standard deviations, scaled to variance 1).
+  static const std::vector<float>& normal_quantiles() {
+    static const std::vector<float> table = [] {
+      constexpr std::size_t n = 65536;
+      std::vector<double> z(n);
+      double sum = 0;
+      for (std::size_t k = 0; k < n / 2; ++k) {
+        z[k] = statistics::student_quantile((static_cast<double>(k) + 0.5) / n, std::numeric_limits<double>::infinity());
+        z[n - 1 - k] = -z[k];
+        sum += 2 * z[k] * z[k];
+      }
+      return mapped<float>(z, [&](double v) { return static_cast<float>(v / std::sqrt(sum / n)); });
+    }();
+    return table;
+  }
 
   std::size_t count_;
   std::vector<float> weight_;                          ///< of this frame's innovation and those before it
@@ -29,11 +83,49 @@ class FrameNoise {
 /// One detector with its pattern of gains, offsets and bad pixels, which follow from the seed alone.
 class Detection {
  public:
-  Detection(const Parameters& parameters, std::uint64_t seed);
+  Detection(const Parameters& p, std::uint64_t seed)
+      : noise_(static_cast<std::size_t>(p.optics.width * p.optics.height), p.detector.noise_correlation),
+        interference_(p.interference),
+        width_(static_cast<std::size_t>(p.optics.width)) {
+    const auto& d = p.detector;
+    highest_ = static_cast<float>((1 << d.bits) - 1);
+    light_per_kelvin_ = radiometry::photon_exitance_slope(p.band, 296) / radiometry::photon_exitance(p.band, 296);
+    const double total = d.netd * light_per_kelvin_;
+    shot_ = d.netd > 0 ? std::min(1 / d.electrons, total * total) : 0;
+    read_ = total * total - shot_;
+    common_ = d.common_noise * light_per_kelvin_;
+    const double levels = highest_ * d.electrons / d.full_well;
+    RandomStream random(seed, Purpose::detector);
+    const auto pixels = static_cast<std::size_t>(p.optics.width * p.optics.height);
+    for (std::size_t i = 0; i < pixels; ++i) {
+      Pixel pixel{static_cast<float>(levels * (1 + d.gain_spread * random.normal())), static_cast<float>(highest_ * d.offset_spread * random.normal()), 1};
+      if (random.uniform() < d.bad_share) switch (random.below(3)) {
+          case 0: pixel.gain *= 0.02f; break;              // dead
+          case 1: pixel.offset += 1.5f * highest_; break;  // hot
+          case 2: pixel.noise = 12; break;
+        }
+      pixel_.push_back(pixel);
+    }
+  }
 
   /// Turns light (photons over those of a black body at 296 K) into levels. `warmer` is the drift of the scene, K, at
   /// `time` (s); (seed, frame) name the draw of the noise.
-  void record(const std::vector<float>& light, double warmer, double time, std::uint64_t seed, std::uint64_t frame, std::uint16_t* level);
+  void record(const std::vector<float>& light, double warmer, double time, std::uint64_t seed, std::uint64_t frame, std::uint16_t* level) {
+    const std::vector<float>& normal = noise_.of(seed, frame);
+    const float drift = static_cast<float>(1 + warmer * light_per_kelvin_);
+    const auto shot = static_cast<float>(shot_), read = static_cast<float>(read_), common = static_cast<float>(common_) * normal[light.size()];
+    float more = common;
+    for (std::size_t i = 0; i < light.size(); ++i) {
+      if (i % width_ == 0 && interference_.amplitude > 0) {
+        const double cycles = interference_.frequency * time + interference_.advance * static_cast<double>(i / width_);
+        more = common + static_cast<float>(interference_.amplitude * light_per_kelvin_ * std::cos(2 * std::numbers::pi * cycles));
+      }
+      const Pixel& pixel = pixel_[i];
+      const float seen = light[i] * drift + more;
+      const float noisy = seen + pixel.noise * std::sqrt(shot * std::max(seen, 0.0f) + read) * normal[i];
+      level[i] = static_cast<std::uint16_t>(std::lround(std::clamp(pixel.gain * noisy + pixel.offset, 0.0f, highest_)));
+    }
+  }
 
  private:
   struct Pixel {
@@ -47,8 +139,5 @@ class Detection {
   double light_per_kelvin_ = 0, shot_ = 0, read_ = 0;  ///< of 1; variance per light; variance: in light
   float highest_ = 0;
 };
-
-/// Numbers of the frames that were not dropped; the first and the last always are there.
-std::vector<std::int64_t> frames_taken(const Timing& timing, std::uint64_t seed);
 
 }  // namespace arenite::camera

@@ -29,35 +29,40 @@ Exitance exitance_near(const Parameters& p, double emissivity) {
           emissivity * (slope_at(t + h) - slope_at(t - h)) / (4 * h) / unit};
 }
 
-/// Points of the scene on a grid finer than the pixels, row by row from the top.
-struct Canvas {
-  int width, height;
-  double step;  ///< m
-  Vec2 first;   ///< point, m
-  std::vector<float> light;
-  std::vector<float> depth;  ///< of the point in the grain that is seen there, m^2: power distance, below 0
-  Vec2 place(int column, int row) const { return {first.x + column * step, first.y - row * step}; }
-};
-
 Vec2 middle_of(const Scene& scene) {
   const auto& wall = scene.low.wall;
   return {0.5 * (wall[left].position + wall[right].position), 0.5 * (wall[bottom].position + wall[top].position)};
 }
 
-/// The canvas reaches beyond the picture by what the lens brings in.
-Canvas canvas_for(const Scene& scene, const Optics& optics, int margin) {
-  const int n = static_cast<int>(optics.supersampling);
-  const double points = static_cast<double>(optics.width) * static_cast<double>(optics.height) * n * n;
+/// What a camera takes up, and through what.
+struct Drawing {
+  optics::Lens lens;
+  optics::Canvas canvas;
+  std::vector<float> depth;  ///< of the point in the grain that is seen there, m^2: power distance, below 0
+
+  Drawing(const Scene& scene, const Optics& optics)
+      : lens(optics::make_lens(optics.blur, static_cast<int>(optics.supersampling), 5)),
+        canvas(lens, static_cast<int>(optics.width), static_cast<int>(optics.height), middle_of(scene), {optics.pixel / lens.fine, -optics.pixel / lens.fine}),
+        depth(canvas.light.size()) {}
+
+  /// Calls paint(light of a point, offset from the centre) for every point in the disk. Grains that press on each other are
+  /// parted by a straight line: a point in both belongs to the one whose rim is further away.
+  template <class Paint> void disk(Vec2 centre, double radius, const Paint& paint) {
+    canvas.each_point(centre, radius, [&](std::size_t at, Vec2 offset) {
+      const auto power = static_cast<float>(dot(offset, offset) - radius * radius);
+      if (power >= depth[at]) return;
+      depth[at] = power;
+      paint(canvas.light[at], offset);
+    });
+  }
+};
+
+void check_points(const Optics& optics) {
+  const double n = static_cast<double>(optics.supersampling), points = static_cast<double>(optics.width) * static_cast<double>(optics.height) * n * n;
   if (points > most_points)
     throw refusal(
         "a picture of {} x {} pixels with {} x {} points each is too large, {:.2g} points; lower camera.width, height or supersampling, or raise optical_pixel",
-        optics.width, optics.height, n, n, points);
-  Canvas canvas{static_cast<int>(optics.width) * n + 2 * margin, static_cast<int>(optics.height) * n + 2 * margin, optics.pixel / n, {}, {}, {}};
-  const Vec2 middle = middle_of(scene);
-  canvas.first = {middle.x - 0.5 * (canvas.width - 1) * canvas.step, middle.y + 0.5 * (canvas.height - 1) * canvas.step};
-  canvas.light.resize(static_cast<std::size_t>(canvas.width) * static_cast<std::size_t>(canvas.height));
-  canvas.depth.assign(canvas.light.size(), 0.0f);
-  return canvas;
+        optics.width, optics.height, optics.supersampling, optics.supersampling, points);
 }
 
 /// How a camera lies before the sample: it sees a place of the scene turned about the container's middle, and shifted.
@@ -74,7 +79,7 @@ struct View {
   }
 };
 
-void paint_container(Canvas& canvas, const Scene& scene, const View& view, double s, float background, float container) {
+void paint_container(optics::Canvas& canvas, const Scene& scene, const View& view, double s, float background, float container) {
   double edge[4];
   for (int side = 0; side < 4; ++side) edge[side] = scene.low.wall[side].position + s * (scene.high.wall[side].position - scene.low.wall[side].position);
   for (int r = 0; r < canvas.height; ++r) {
@@ -87,33 +92,9 @@ void paint_container(Canvas& canvas, const Scene& scene, const View& view, doubl
   }
 }
 
-/// Calls paint(point of the canvas, offset from the centre) for every point in the disk. Grains that press on each other are
-/// parted by a straight line: a point in both belongs to the one whose rim is further away.
-template <class Paint> void each_point(Canvas& canvas, Vec2 centre, double radius, Paint paint) {
-  const auto clamped = [](double v, int n) { return static_cast<int>(std::clamp(v, 0.0, static_cast<double>(n))); };
-  const int r0 = clamped(std::ceil((canvas.first.y - centre.y - radius) / canvas.step), canvas.height);
-  const int r1 = clamped(std::floor((canvas.first.y - centre.y + radius) / canvas.step) + 1, canvas.height);
-  for (int r = r0; r < r1; ++r) {
-    const double dy = canvas.place(0, r).y - centre.y;
-    const double half = std::sqrt(std::max(0.0, radius * radius - dy * dy));
-    const int c0 = clamped(std::ceil((centre.x - half - canvas.first.x) / canvas.step), canvas.width);
-    const int c1 = clamped(std::floor((centre.x + half - canvas.first.x) / canvas.step) + 1, canvas.width);
-    for (int c = c0; c < c1; ++c) {
-      const auto at = static_cast<std::size_t>(r) * static_cast<std::size_t>(canvas.width) + static_cast<std::size_t>(c);
-      const Vec2 offset = canvas.place(c, r) - centre;
-      const auto power = static_cast<float>(dot(offset, offset) - radius * radius);
-      if (power >= canvas.depth[at]) continue;
-      canvas.depth[at] = power;
-      paint(at, offset);
-    }
-  }
-}
-
 Vec2 place_of(const Scene& scene, const Parameters& p, std::size_t i, double s) {
   return p.motion ? scene.grains.position[i] + s * scene.travel[i] : scene.grains.position[i];
 }
-
-optics::Lens lens_of(const Optics& optics) { return optics::make_lens(optics.blur, static_cast<int>(optics.supersampling), 5); }
 
 void darken_corners(std::vector<float>& picture, const Optics& optics) {
   if (optics.vignetting <= 0) return;
@@ -128,21 +109,20 @@ void darken_corners(std::vector<float>& picture, const Optics& optics) {
 }  // namespace
 
 std::vector<float> expose(const Scene& scene, const Parameters& p, double s) {
-  const optics::Lens lens = lens_of(p.optics);
-  Canvas canvas = canvas_for(scene, p.optics, lens.margin);
+  check_points(p.optics);
+  Drawing drawing(scene, p.optics);
   const auto& around = p.surroundings;
-  paint_container(canvas, scene, {middle_of(scene), {}}, p.motion ? s : 0, static_cast<float>(exitance_near(p, around.background_emissivity)(0)),
+  paint_container(drawing.canvas, scene, {middle_of(scene), {}}, p.motion ? s : 0, static_cast<float>(exitance_near(p, around.background_emissivity)(0)),
                   static_cast<float>(exitance_near(p, around.container_emissivity)(0)));
   std::vector<Exitance> exitance;
   for (std::size_t m = 0; m < scene.materials.size(); ++m) exitance.push_back(exitance_near(p, m < around.emissivity.size() ? around.emissivity[m] : 0.9));
   for (std::size_t i = 0; i < scene.grains.size(); ++i) {
     const auto m = static_cast<std::size_t>(scene.grains.material[i]);
     const double warming = -scene.materials[m].thermoelastic_factor * s;
-    each_point(canvas, place_of(scene, p, i, s), scene.grains.radius[i], [&](std::size_t at, Vec2 offset) {
-      canvas.light[at] = static_cast<float>(exitance[m](warming * static_cast<double>(scene.stress[i].at(offset))));
-    });
+    drawing.disk(place_of(scene, p, i, s), scene.grains.radius[i],
+                 [&](float& light, Vec2 offset) { light = static_cast<float>(exitance[m](warming * static_cast<double>(scene.stress[i].at(offset)))); });
   }
-  auto picture = optics::through_lens(lens, canvas.light, static_cast<int>(p.optics.width), static_cast<int>(p.optics.height));
+  auto picture = optics::through_lens(drawing.lens, drawing.canvas.light, static_cast<int>(p.optics.width), static_cast<int>(p.optics.height));
   darken_corners(picture, p.optics);
   return picture;
 }
@@ -157,16 +137,16 @@ FloatImage optical_picture(const Scene& scene, const Parameters& p, const std::v
     return std::llround(many);
   };
   const Optics optics{as_far(p.optics.width), as_far(p.optics.height), photograph.pixel, photograph.blur, 0, 4};
-  const optics::Lens lens = lens_of(optics);
-  Canvas canvas = canvas_for(scene, optics, lens.margin);
+  check_points(optics);
+  Drawing drawing(scene, optics);
   const View view{middle_of(scene), photograph.shift, std::cos(photograph.rotation), std::sin(photograph.rotation)};
-  paint_container(canvas, scene, view, 0, 0.5f, 0.35f);
+  paint_container(drawing.canvas, scene, view, 0, 0.5f, 0.35f);
   for (std::size_t i = 0; i < scene.grains.size(); ++i) {
     const auto grey = static_cast<float>(brightness[static_cast<std::size_t>(scene.grains.material[i])]);
-    each_point(canvas, view.seen(scene.grains.position[i]), scene.grains.radius[i], [&](std::size_t at, Vec2) { canvas.light[at] = grey; });
+    drawing.disk(view.seen(scene.grains.position[i]), scene.grains.radius[i], [&](float& light, Vec2) { light = grey; });
   }
   const int width = static_cast<int>(optics.width), height = static_cast<int>(optics.height);
-  FloatImage picture{width, height, optics::through_lens(lens, canvas.light, width, height)};
+  FloatImage picture{width, height, optics::through_lens(drawing.lens, drawing.canvas.light, width, height)};
   RandomStream random(seed, Purpose::photograph);
   for (float& level : picture.value) {
     const double seen = photograph.exposure * static_cast<double>(level) + photograph.noise * random.normal();

@@ -69,6 +69,17 @@ double load_fraction(const Timing& timing, double t) {
   return 0.5 * (1 - smeared(w) * std::cos(w * t)) + 0.5 * timing.second_harmonic * (1 - smeared(2 * w) * std::cos(2 * w * t));
 }
 
+/// Numbers of the frames that were not dropped; the first and the last always are there.
+std::vector<std::int64_t> frames_taken(const Timing& timing, std::uint64_t seed) {
+  std::vector<std::int64_t> taken;
+  RandomStream random(seed, Purpose::dropped_frames);
+  for (std::int64_t k = 0; k < timing.frames; ++k) {
+    const bool dropped = random.uniform() < timing.dropped;
+    if (!dropped || k == 0 || k == timing.frames - 1) taken.push_back(k);
+  }
+  return taken;
+}
+
 /// Frames that `record` makes, one by one.
 class RecordedFilm : public FilmSource {
  public:
@@ -88,6 +99,8 @@ class RecordedFilm : public FilmSource {
 };
 
 }  // namespace
+
+double Surroundings::warmer(double time) const { return drift * time + 0.5 * drift_growth * time * time - warm_up * std::expm1(-time / warm_up_time); }
 
 std::unique_ptr<FilmSource> film(const Scene& scene, const Parameters& p, std::uint64_t seed) {
   const std::vector<std::int64_t> taken = frames_taken(p.timing, seed);

@@ -49,7 +49,7 @@ std::vector<Turn> turns_of(const std::vector<double>& f) {
 }
 
 [[noreturn]] void refuse(const Curve& curve, std::size_t at, const std::string& what) {
-  throw InputError(curve.file, curve.line[at], curve.name.empty() ? what : curve.name + ": " + what);
+  throw InputError(curve.file, curve.line.empty() ? 0 : curve.line[at], curve.name.empty() ? what : curve.name + ": " + what);
 }
 
 /// A force that falls back in between is a slip, or rows in a wrong order, and no cycle of its own.
@@ -172,13 +172,10 @@ std::vector<Cycle> cycles_of(const Curve& curve, const StiffnessOptions& options
 }
 
 PullOff pull_off(const Curve& curve) {
-  const std::string of = curve.name.empty() ? "" : curve.name + ": ";
-  if (curve.y.size() < 3)
-    throw InputError(curve.file, curve.line.empty() ? 0 : curve.line.front(), of + "a pull-off record needs at least three points; give the whole record");
+  if (curve.y.size() < 3) refuse(curve, 0, "a pull-off record needs at least three points; give the whole record");
   const auto at = std::max_element(curve.y.begin(), curve.y.end());
   const std::ptrdiff_t peak = at - curve.y.begin();
-  if (!(*at > 0))
-    throw InputError(curve.file, curve.line[static_cast<std::size_t>(peak)], of + "the force is never a tension; write tension as positive force");
+  if (!(*at > 0)) refuse(curve, static_cast<std::size_t>(peak), "the force is never a tension; write tension as positive force");
   PullOff result{peak_with_noise(curve, peak), false};
   result.separated = std::any_of(at, curve.y.end(), [&](double force) { return force <= 0.5 * *at; });
   return result;

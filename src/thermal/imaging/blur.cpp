@@ -5,19 +5,10 @@
 #include <cstddef>
 
 #include "core/median.hpp"
+#include "thermal/optics/lens.hpp"
 
 namespace arenite::imaging {
 namespace {
-
-std::vector<float> gaussian(double sigma) {
-  const int reach = std::max(1, static_cast<int>(std::ceil(3.5 * sigma)));
-  std::vector<double> weight;
-  double sum = 0;
-  for (int i = -reach; i <= reach; ++i) sum += weight.emplace_back(std::exp(-0.5 * i * i / (sigma * sigma)));
-  std::vector<float> kernel;
-  for (const double w : weight) kernel.push_back(static_cast<float>(w / sum));
-  return kernel;
-}
 
 /// to[x] += sum over k of kernel[k] from[x + k].
 void add_weighted(const std::vector<float>& kernel, const float* from, float* to, int n) {
@@ -35,7 +26,7 @@ void open_around(double x, double y, int width, int height, std::vector<char>& o
 
 FloatImage blurred(const FloatImage& image, double sigma) {
   if (!(sigma > 0)) return image;
-  const std::vector<float> kernel = gaussian(sigma);
+  const std::vector<float> kernel = optics::make_lens(sigma, 1, 3.5).taps;
   const int reach = static_cast<int>(kernel.size() / 2), w = image.width, h = image.height;
   FloatImage rows{w, h, std::vector<float>(image.size())}, result = rows;
   std::vector<float> row(static_cast<std::size_t>(w + 2 * reach));  // continued by its ends

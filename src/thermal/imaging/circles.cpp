@@ -1,13 +1,15 @@
 #include "thermal/imaging/circles.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "core/error.hpp"
 #include "core/mapped.hpp"
 #include "core/median.hpp"
-#include "thermal/imaging/grain_search.hpp"
+#include "thermal/imaging/search_rounds.hpp"
 
 namespace arenite::imaging {
 namespace {
@@ -59,6 +61,43 @@ void count_overlaps(FoundCircles& found) {
       const double error = std::hypot(std::hypot(g.position_error[a], g.position_error[b]), std::hypot(g.radius_error[a], g.radius_error[b]));
       if (overlap > 3 * error && overlap > 0.02 * std::min(g.radius[a], g.radius[b])) ++found.report.overlapping;
     }
+}
+
+constexpr std::size_t most_levels = 2;
+constexpr double most_share = 0.6;  // of the pixels on both sides of a level that disks must account for
+
+/// Pixels that are farther from a level than half of what the farthest are.
+double pixels_away_from(double level, const FloatImage& image) {
+  std::vector<double> away = mapped(image.value, [&](float v) { return std::abs(static_cast<double>(v) - level); });
+  const auto far = away.begin() + static_cast<std::ptrdiff_t>(away.size() * 9 / 10);
+  std::nth_element(away.begin(), far, away.end());
+  return static_cast<double>(std::count_if(away.begin(), away.end(), [half = *far / 2](double v) { return v > half; }));
+}
+
+/// Whether disks are brighter or darker than what is around them is decided, if it is asked,
+/// by which of the two accounts for more of the picture after the first round; where the picture has a
+/// level between two others (levels_between) and disks on both sides of it account for most of the rest, these are taken.
+DiskSearch search_disks(const FloatImage& image, const CircleOptions& options) {
+  std::array<std::optional<std::vector<Circle>>, 2> seen;
+  const auto rims = [&](bool bright) -> const std::vector<Circle>& {  // searched once for all that begin with them
+    auto& own = seen[bright ? 1 : 0];
+    if (!own) own = search_rims(image, SearchRounds::range(image, options, options.radii, bright, 0.15));
+    return *own;
+  };
+  std::vector<double> levels;
+  if (options.contrast == GrainContrast::found) levels = levels_between(image);
+  levels.resize(std::min(levels.size(), most_levels));
+  for (const double level : levels) {  // disks on both sides of it, if they account for most of what is not of that level
+    std::vector<Circle> first = rims(true);
+    first.insert(first.end(), rims(false).begin(), rims(false).end());
+    SearchRounds both(image, true, options, level);
+    both.begin(std::move(first));
+    if (both.area() >= most_share * pixels_away_from(level, image)) return both.finish();
+  }
+  SearchRounds bright(image, true, options), dark(image, false, options);
+  if (options.contrast != GrainContrast::dark) bright.begin(rims(true));
+  if (options.contrast != GrainContrast::bright) dark.begin(rims(false));
+  return bright.gain() >= dark.gain() ? bright.finish() : dark.finish();
 }
 
 }  // namespace

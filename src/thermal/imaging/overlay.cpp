@@ -135,15 +135,10 @@ void refine(const PictureGrains& circles, const FloatImage& picture, Overlay& fo
 
 Overlay lay_over(const PictureGrains& circles, const Similarity& first, const FloatImage& picture, const OverlayOptions& options) {
   if (circles.size() < 3) throw refusal("there are {} grains to lay over the picture; three are needed", circles.size());
-  Overlay found{first, 0, 0, 0, 0};
+  Overlay found{first, 0, 0, 0};
   search(circles, picture, options, found);
   for (int round = 0; round < rounds; ++round) refine(circles, picture, found);
-  const PictureGrains at = apply(found.transform, circles);
-  const Vec2 middle = middle_of(at);
-  double spread = 0;
-  for (const Vec2 centre : at.centre) spread += std::pow(norm(centre - middle), 2);
-  found.shift_error = found.rms / std::sqrt(static_cast<double>(at.size()));
-  found.rotation_error = found.rms / std::sqrt(spread);
+  found.shift_error = found.rms / std::sqrt(static_cast<double>(circles.size()));
   return found;
 }
 

@@ -1,10 +1,7 @@
 #include "thermal/imaging/registration.hpp"
 
-#include <algorithm>
 #include <cmath>
 
-#include "core/mapped.hpp"
-#include "core/median.hpp"
 #include "core/problems.hpp"
 #include "thermal/imaging/registration_search.hpp"
 
@@ -16,7 +13,7 @@ Vec2 turned(Vec2 p, double scale, double rotation, bool mirrored) {
   return {c * x - s * p.y, s * x + c * p.y};
 }
 
-constexpr double outlier = 4;  // standard deviations
+constexpr double least_matched = 0.5;  // share of the smaller set that must find its partner
 
 void check(const PictureGrains& grains, const char* which) {
   if (grains.size() < 3) throw refusal("the {} picture shows {} grains; three are needed to lay one picture on another", which, grains.size());
@@ -24,36 +21,19 @@ void check(const PictureGrains& grains, const char* which) {
     if (!is_finite(grains.centre[k]) || !(grains.radius[k] > 0)) throw refusal("grain {} of the {} picture has no place or no positive radius", k, which);
 }
 
-double distance(const PictureGrains& from, const PictureGrains& to, const Similarity& t, const std::pair<std::int32_t, std::int32_t>& pair) {
-  return norm(t(from.centre[pair.first]) - to.centre[pair.second]);
-}
-
-/// Leaves out pairs that lie far off against the median, which is another grain or one that was found badly.
-void leave_out(const PictureGrains& from, const PictureGrains& to, const Similarity& t, RegistrationSearch::Pairs& pairs) {
-  const std::vector<double> away = mapped(pairs, [&](const auto& pair) { return distance(from, to, t, pair); });
-  const double most = outlier * std::max(median(away) / median_of_plane_distance, 1e-9 * mean_radius(to));
-  std::size_t kept = 0;
-  for (std::size_t k = 0; k < pairs.size(); ++k)
-    if (away[k] <= most) pairs[kept++] = pairs[k];
-  if (kept >= 3) pairs.resize(kept);
-}
-
-/// Residuals, and the errors of the transform that follow from them.
-void tell_errors(const PictureGrains& from, const PictureGrains& to, Registration& r) {
-  Vec2 middle;
+/// Of the transform, from the distances that it leaves.
+void tell_errors(const PictureGrains& from, const RegistrationSearch& search, Registration& r) {
   const double n = static_cast<double>(r.pairs.size());
   double squares = 0, spread = 0;
+  Vec2 middle;
   for (const auto& pair : r.pairs) {
-    r.residual.push_back(distance(from, to, r.transform, pair));
-    squares += r.residual.back() * r.residual.back();
+    squares += std::pow(search.distance(r.transform, pair), 2);
     middle += (1 / n) * from.centre[pair.first];
   }
   for (const auto& pair : r.pairs) spread += dot(from.centre[pair.first] - middle, from.centre[pair.first] - middle);
   r.rms = std::sqrt(squares / (2 * n));
-  const double error = std::sqrt(squares / std::max(1.0, 2 * n - 4));
-  r.scale_error = error / std::sqrt(spread);
+  r.scale_error = std::sqrt(squares / std::max(1.0, 2 * n - 4)) / std::sqrt(spread);
   r.rotation_error = r.scale_error / r.transform.scale;
-  r.shift_error = error / std::sqrt(n);
 }
 
 }  // namespace
@@ -99,23 +79,19 @@ Registration register_circles(const PictureGrains& from, const PictureGrains& to
   check(from, "first");
   check(to, "second");
   if (options.scale && !(*options.scale > 0)) throw InputError("the scale between two pictures must be positive");
-  RegistrationSearch search(from, to, options);
+  const RegistrationSearch search(from, to, options);
   Registration r;
   r.pairs = search.best(r.transform);
   const double smaller = static_cast<double>(std::min(from.size(), to.size()));
   r.matched = static_cast<double>(r.pairs.size()) / smaller;
-  if (r.pairs.size() < 3 || r.matched < options.least_matched)
+  if (r.pairs.size() < 3 || r.matched < least_matched)
     throw refusal(
         "the grains of the two pictures do not fit on each other: at best {} of {:.0f} find a partner; check that both show the same sample, allow a mirrored "
         "picture, or give the scale",
         r.pairs.size(), smaller);
-  for (int pass = 0; pass < 4; ++pass) {
-    r.pairs = search.matches(r.transform, search.all());
-    leave_out(from, to, r.transform, r.pairs);
-    r.transform = search.fit(r.pairs, r.transform.mirrored);
-  }
+  for (int pass = 0; pass < 4; ++pass) r.pairs = search.refine(r.transform);
   r.matched = static_cast<double>(r.pairs.size()) / smaller;
-  tell_errors(from, to, r);
+  tell_errors(from, search, r);
   return r;
 }
 

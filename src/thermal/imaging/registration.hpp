@@ -36,17 +36,15 @@ struct RegistrationOptions {
   double scale_within = 0.1;         ///< share by which a scale that is given may be off
   Mirror mirror = Mirror::no;
   double radius_within = 0.25;  ///< share by which radii of one grain may differ in both pictures; 0: radii are not compared
-  double least_matched = 0.5;   ///< share of the smaller set that must find its partner
 };
 
 /// How one set of circles lies on another.
 struct Registration {
-  Similarity transform;                                         ///< from `from` to `to`
-  std::vector<std::pair<std::int32_t, std::int32_t>> pairs;     ///< index in `from`, index in `to`, by the first
-  std::vector<double> residual;                                 ///< distance left between the two of each pair, pixels of `to`
-  double rms = 0;                                               ///< of the residuals, along one axis, pixels of `to`
-  double scale_error = 0, rotation_error = 0, shift_error = 0;  ///< standard errors: -, rad, pixels of `to` (at the middle of the grains)
-  double matched = 0;                                           ///< pairs over the size of the smaller set
+  Similarity transform;                                      ///< from `from` to `to`
+  std::vector<std::pair<std::int32_t, std::int32_t>> pairs;  ///< index in `from`, index in `to`, by the first
+  double rms = 0;                                            ///< of what is left between the two of each pair, along one axis, pixels of `to`
+  double scale_error = 0, rotation_error = 0;                ///< standard errors: -, rad
+  double matched = 0;                                        ///< pairs over the size of the smaller set
 };
 
 /// Finds the similarity that lays grains found in one picture (optical) on those found in another (thermal) without a
@@ -64,10 +62,10 @@ struct OverlayOptions {
 
 /// How circles lie on a picture that shows the same grains.
 struct Overlay {
-  Similarity transform;                        ///< from the circles' picture to this one
-  double correlation = 0;                      ///< of the picture with the area that the circles cover; below 0 where grains are darker
-  double rms = 0;                              ///< between circles that were fitted one by one and their places, along one axis, pixels
-  double shift_error = 0, rotation_error = 0;  ///< standard errors: pixels at the middle of the grains, rad
+  Similarity transform;    ///< from the circles' picture to this one
+  double correlation = 0;  ///< of the picture with the area that the circles cover; below 0 where grains are darker
+  double rms = 0;          ///< between circles that were fitted one by one and their places, along one axis, pixels
+  double shift_error = 0;  ///< standard error: pixels at the middle of the grains
 };
 
 /// Lays circles found in one picture on another in which single grains need not be told apart: the place at which what they

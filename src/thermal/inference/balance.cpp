@@ -2,19 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "core/mapped.hpp"
 #include "core/median.hpp"
 
 namespace arenite::inference {
 namespace {
-
-Vec2 weight_of(const Packing& packing, std::size_t g, Vec2 gravity) {
-  const auto material = static_cast<std::size_t>(std::max(0, packing.grains.material[g]));
-  if (packing.materials.empty() || dot(gravity, gravity) == 0) return {};
-  const double r = packing.grains.radius[g];
-  return packing.materials[material].density * std::numbers::pi * r * r * packing.domain.thickness * gravity;
-}
 
 /// Springs in series; 1 where the materials do not say.
 double stiffness(const Packing& packing, std::size_t c) {
@@ -67,15 +60,11 @@ void judge_presence(const Packing& packing, double widest_gap, InferredForces& f
   forces.fit.proposed = forces.contacts.size(), forces.fit.present = found.expected, forces.fit.present_error = found.error;
 }
 
-/// |sum of forces on a grain, weight included|, N.
-std::vector<double> imbalances(const Packing& packing, const Touches& touches, const std::vector<double>& force, Vec2 gravity) {
-  std::vector<double> out(touches.size());
-  for (std::size_t g = 0; g < touches.size(); ++g) {
-    Vec2 sum = weight_of(packing, g, gravity);
-    for (const Touch& t : touches[g]) sum += t.force_of(force);
-    out[g] = norm(sum);
-  }
-  return out;
+/// |sum of forces on a grain|, N.
+double imbalance(const std::vector<Touch>& touches, const std::vector<double>& force) {
+  Vec2 sum;
+  for (const Touch& t : touches) sum += t.force_of(force);
+  return norm(sum);
 }
 
 }  // namespace
@@ -120,7 +109,7 @@ void add_turn(const Unknowns& unknowns, const std::vector<Touch>& touches, std::
   row[partner] -= change.x, row[partner + 1] -= change.y;
 }
 
-void ForceEquations::add_balance(const Touches& touches, const std::vector<double>& force, Vec2 gravity, double error) {
+void ForceEquations::add_balance(const Touches& touches, const std::vector<double>& force, double error) {
   const std::vector<double> weight(3, 1 / (error * error));
   for (std::size_t g = 0; g < touches.size(); ++g) {
     if (touches[g].empty()) continue;
@@ -136,8 +125,7 @@ void ForceEquations::add_balance(const Touches& touches, const std::vector<doubl
       add_turn(unknowns, touches[g], k, turned.x, &rows[0]);
       add_turn(unknowns, touches[g], k, turned.y, &rows[n]);
     }
-    const Vec2 w = weight_of(packing, g, gravity);
-    add(columns, rows, {-w.x, -w.y, 0}, weight);
+    add(columns, rows, {0, 0, 0}, weight);
   }
 }
 
@@ -183,7 +171,7 @@ InferredForces ForceEquations::finish(const ForceOptions& options, const Touches
   }
   for (std::size_t m = 0; m < unknowns.scales; ++m) out.fit.factor_scale_error.push_back(std::sqrt(variance[static_cast<std::size_t>(unknowns.scale(m))]));
   judge_presence(packing, options.widest_gap, out);
-  out.imbalance = imbalances(packing, touches, force, options.gravity);
+  out.imbalance = mapped(touches, [&](const auto& own) { return imbalance(own, force); });
   return out;
 }
 

@@ -63,7 +63,6 @@ struct ForceOptions {
                                 ///< what makes them likeliest (MacKay's evidence)
   Inequality inequality = Inequality::none;
   double friction = 0.5;  ///< mu of the cone
-  Vec2 gravity;           ///< m/s^2; zero for a difference of states, where weights cancel
   double widest_gap = 0;  ///< between grains or to walls that are proposed as contacts, m; 0: as the proposals show
   int iterations = 3;     ///< of forces and centres together
 };

@@ -100,9 +100,9 @@ class ForceEquations : public NormalEquations {
  public:
   ForceEquations(const Packing& of, const Unknowns& with) : NormalEquations(with.count()), packing(of), unknowns(with) {}
 
-  /// Forces and couple of every grain vanish to `error` (N); weights of grains count where gravity is not zero. `force` is
-  /// the present estimate, of which turning normals change the direction, N.
-  void add_balance(const Touches& touches, const std::vector<double>& force, Vec2 gravity, double error);
+  /// Forces and couple of every grain vanish to `error` (N). `force` is the present estimate, of which turning normals change
+  /// the direction, N.
+  void add_balance(const Touches& touches, const std::vector<double>& force, double error);
   void add_walls(const std::vector<WallLoad>& walls);
   /// Elastic energy of the contacts: sum of compliance (f/(prior unit))^2.
   void add_energy(double prior);

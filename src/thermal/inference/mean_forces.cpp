@@ -36,7 +36,7 @@ int null_space(const ForceProblem& problem, const Touches& touches, const std::v
   std::vector<WallLoad> walls = problem.walls;
   for (WallLoad& wall : walls) wall.error = 1;
   add_means(equations, touches, same, same);
-  equations.add_balance(touches, none, {}, 1);
+  equations.add_balance(touches, none, 1);
   equations.add_walls(walls);
   for (int u = 0; u < unknowns.count(); ++u) equations.add_diagonal(u, 0, 0);
   return equations.small_eigenvalues(1e-9);
@@ -72,7 +72,7 @@ InferredForces infer_from_means(const ForceProblem& problem, const std::vector<d
   const auto equations_with = [&](double prior, const std::vector<double>& errors) {
     ForceEquations equations(packing, unknowns);
     add_means(equations, touches, sigma_hyd, errors);
-    equations.add_balance(touches, none, options.gravity, options.balance_error * unknowns.force);
+    equations.add_balance(touches, none, options.balance_error * unknowns.force);
     equations.add_walls(problem.walls);
     equations.add_energy(prior);
     return equations;

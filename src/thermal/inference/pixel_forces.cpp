@@ -145,7 +145,7 @@ InferredForces infer_from_pixels(const ForceProblem& problem, const Thermoelasti
     unknowns.scales = iteration > 1 ? scale.size() : 0;
     ForceEquations equations(packing, unknowns);
     const auto rows = add_pixels(equations, placed, pixels, spread, model_error, options.contact_margin * picture.pixel);
-    equations.add_balance(placed.touches, placed.force, options.gravity, options.balance_error * unknowns.force);
+    equations.add_balance(placed.touches, placed.force, options.balance_error * unknowns.force);
     equations.add_walls(problem.walls);
     equations.add_energy(options.prior > 0 ? options.prior : 10);
     add_positions(equations, placed, position_error);

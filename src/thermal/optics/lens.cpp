@@ -1,8 +1,5 @@
 #include "thermal/optics/lens.hpp"
 
-#include <cmath>
-#include <cstddef>
-
 namespace arenite::optics {
 
 Lens make_lens(double blur, int fine, double reach) {
@@ -19,6 +16,13 @@ Lens make_lens(double blur, int fine, double reach) {
   for (const double t : taps) lens.taps.push_back(static_cast<float>(t / sum));
   return lens;
 }
+
+Canvas::Canvas(const Lens& lens, int pixels_across, int pixels_down, Vec2 middle, Vec2 from_point_to_point)
+    : width(pixels_across * lens.fine + 2 * lens.margin),
+      height(pixels_down * lens.fine + 2 * lens.margin),
+      first{middle.x - 0.5 * (width - 1) * from_point_to_point.x, middle.y - 0.5 * (height - 1) * from_point_to_point.y},
+      step(from_point_to_point),
+      light(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
 
 std::vector<float> through_lens(const Lens& lens, const std::vector<float>& scene, int width, int height) {
   const std::ptrdiff_t across = static_cast<std::ptrdiff_t>(width) * lens.fine + 2 * lens.margin;

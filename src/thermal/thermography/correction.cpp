@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "core/median.hpp"
 #include "core/problems.hpp"
+#include "thermal/thermography/grain_motion.hpp"
 
 namespace arenite::thermography {
 namespace {
@@ -58,22 +58,6 @@ void check(const std::vector<LevelPoint>& points) {
   for (const LevelPoint& p : points)
     if (!std::isfinite(p.level) || !(p.temperature > 0) || !std::isfinite(p.temperature))
       throw refusal("a calibration curve has the point ({}, {} K), which cannot be; correct it", p.level, p.temperature);
-}
-
-constexpr double beyond = 1.5;  // pixels: how far a lens spreads a rim
-
-/// The material of every pixel; -1 between the grains.
-std::vector<std::int32_t> material_map(const LockinMaps& maps, const PictureGrains& grains) {
-  std::vector<std::int32_t> material(maps.size(), -1);
-  std::vector<float> away(maps.size(), std::numeric_limits<float>::infinity());
-  for (std::size_t g = 0; g < grains.size(); ++g)
-    each_pixel_near(grains.centre[g], grains.radius[g] + beyond, maps.width, maps.height, [&](int x, int y, std::size_t at) {
-      const auto distance = static_cast<float>(std::hypot(x - grains.centre[g].x, y - grains.centre[g].y) - grains.radius[g]);
-      if (distance > beyond || distance >= away[at]) return;
-      away[at] = distance;
-      material[at] = grains.material[g];
-    });
-  return material;
 }
 
 }  // namespace
@@ -153,7 +137,7 @@ void CorrectedFilm::read(std::int64_t first, std::size_t count, FrameBlock& bloc
   apply(correction_, part_, block.value);
 }
 
-LevelCurve curve_through(std::vector<LevelPoint> points, const LevelRange& range) {
+LevelCurve curve_through(std::vector<LevelPoint> points, const radiometry::Band& band, const radiometry::Surface& surface, const LevelRange& range) {
   check(points);
   std::sort(points.begin(), points.end(), [](const LevelPoint& a, const LevelPoint& b) { return a.level < b.level; });
   for (std::size_t i = 1; i < points.size(); ++i)
@@ -163,16 +147,9 @@ LevelCurve curve_through(std::vector<LevelPoint> points, const LevelRange& range
   return tabulate(range, [&](double level) {
     while (k + 1 < points.size() && level > points[k].level) ++k;
     const LevelPoint &a = points[k - 1], &b = points[k];
-    return a.temperature + (level - a.level) * (b.temperature - a.temperature) / (b.level - a.level);
+    const double t = a.temperature + (level - a.level) * (b.temperature - a.temperature) / (b.level - a.level);
+    return surface.emissivity == 1 ? t : radiometry::temperature_of_seen(band, surface, radiometry::photon_exitance(band, t));
   });
-}
-
-LevelCurve curve_through(std::vector<LevelPoint> points, const radiometry::Band& band, const radiometry::Surface& surface, const LevelRange& range) {
-  LevelCurve curve = curve_through(std::move(points), range);
-  if (surface.emissivity == 1) return curve;
-  for (float& t : curve.temperature)
-    t = static_cast<float>(radiometry::temperature_of_seen(band, surface, radiometry::photon_exitance(band, static_cast<double>(t))));
-  return curve;
 }
 
 LevelCurve curve_by_references(const radiometry::Band& band, const LevelPoint& cold, const LevelPoint& warm, const radiometry::Surface& surface,
@@ -196,10 +173,12 @@ LevelCurve curve_by_radiometry(const radiometry::Band& band, const LevelPoint& k
 void see_surfaces(LockinMaps& maps, const PictureGrains& grains, const GrainSurfaces& surfaces) {
   const auto as_assumed = [&](double e) { return e == surfaces.assumed.emissivity; };
   if (std::all_of(surfaces.emissivity.begin(), surfaces.emissivity.end(), as_assumed)) return;
-  const auto material = material_map(maps, grains);
+  constexpr double spread = 1.5;  // pixels: how far a lens spreads a rim
+  const auto grain = owners(grains, maps.width, maps.height, spread);
   for (std::size_t i = 0; i < maps.size(); ++i) {
-    if (material[i] < 0 || !std::isfinite(maps.mean[i])) continue;
-    const double emissivity = surfaces.emissivity[static_cast<std::size_t>(material[i])];
+    const auto material = grain[i] < 0 ? -1 : grains.material[static_cast<std::size_t>(grain[i])];
+    if (material < 0 || !std::isfinite(maps.mean[i])) continue;
+    const double emissivity = surfaces.emissivity[static_cast<std::size_t>(material)];
     const auto true_one =
         radiometry::taken_for_another(surfaces.band, surfaces.assumed, {emissivity, surfaces.assumed.ambient}, static_cast<double>(maps.mean[i]));
     maps.mean[i] = static_cast<float>(true_one.temperature);

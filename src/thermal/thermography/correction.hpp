@@ -28,22 +28,16 @@ struct Doubtful {
 };
 Doubtful doubtful(const FrameStatistics& statistics, int bits);
 
-/// How far a pixel may stand out, in robust standard deviations (1.4826 times the median of absolute deviations).
-struct BadPixelLimits {
-  double level = 8;  ///< beyond all but two of its eight neighbours, in what these and the whole picture scatter
-  double gain = 8;   ///< answer to two references, against that of all pixels
-  double noise = 8;  ///< logarithm of the noise, against that of all pixels
-};
-
 /// Why a pixel is not believed: one or more of these.
 enum BadPixel : std::uint8_t { bad_level = 1, bad_gain = 2, bad_noise = 4 };
 
-/// Marks bad pixels of any film by level and noise: dead and hot ones, blinking and frozen ones. Up to three
+/// Marks bad pixels of any film: dead and hot ones, which stand out of all but two of their eight neighbours more than these and the whole picture
+/// scatter, blinking and frozen ones, whose noise (its logarithm) stands out of that of all pixels; by eight robust standard deviations. Up to three
 /// that touch are found. An edge in the picture is no fault, since a pixel at it has neighbours of its own side. Noise is judged from eight frames on.
-std::vector<std::uint8_t> find_bad_pixels(const FrameStatistics& film, const BadPixelLimits& limits = {});
+std::vector<std::uint8_t> find_bad_pixels(const FrameStatistics& film);
 
 /// Marks those, and pixels whose answer to two references stands out.
-std::vector<std::uint8_t> find_bad_pixels(const FrameStatistics& cold, const FrameStatistics& warm, const BadPixelLimits& limits = {});
+std::vector<std::uint8_t> find_bad_pixels(const FrameStatistics& cold, const FrameStatistics& warm);
 
 /// Digital level to temperature, as numbers at equal steps of the level between which it is straight; beyond the ends
 /// the end pieces go on.
@@ -113,10 +107,9 @@ struct LevelRange {
 
 /// Straight between the points of a black body, whatever their order; beyond them the last pieces go on. Throws InputError for fewer
 /// than two points, two of one level, or temperatures that do not rise with the level.
-LevelCurve curve_through(std::vector<LevelPoint> points, const LevelRange& range = {});
-
-/// The same for a surface that is not black: what a level says of the photons stays, and a part of them is mirrored.
-LevelCurve curve_through(std::vector<LevelPoint> points, const radiometry::Band& band, const radiometry::Surface& surface, const LevelRange& range = {});
+/// For a surface that is not black what a level says of the photons stays, and a part of them is mirrored.
+LevelCurve curve_through(std::vector<LevelPoint> points, const radiometry::Band& band = {}, const radiometry::Surface& surface = {},
+                         const LevelRange& range = {});
 
 /// Radiometry between two black-body references: the level is a straight line of the photons in the band, and a surface that is
 /// not black shows eps N(T) + (1 - eps) N(T_amb).

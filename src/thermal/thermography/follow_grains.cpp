@@ -15,13 +15,6 @@ namespace {
 
 constexpr int fine = 4;  ///< points a pixel, along each axis
 
-struct Canvas {
-  int width, height, margin;
-  std::vector<float> light;
-  double place(int point) const { return (point - margin + 0.5) / fine - 0.5; }
-  int first(double pixel) const { return static_cast<int>(std::ceil((pixel + 0.5) * fine - 0.5)) + margin; }
-};
-
 /// Half-plane that a neighbour leaves to a disk: inside where dot(normal, place) < reach, from its centre.
 struct Chord {
   Vec2 normal;
@@ -30,20 +23,12 @@ struct Chord {
 
 double cover(double out) { return std::clamp(0.5 - out * fine, 0.0, 1.0); }
 
-void paint(Canvas& canvas, Vec2 centre, double r, double step, const std::vector<Chord>& chords) {
-  const double reach = r + 1.0 / fine;
-  const int r0 = std::max(0, canvas.first(centre.y - reach)), r1 = std::min(canvas.height, canvas.first(centre.y + reach));
-  for (int row = r0; row < r1; ++row) {
-    const double dy = canvas.place(row) - centre.y, half = std::sqrt(std::max(0.0, reach * reach - dy * dy));
-    const int c0 = std::max(0, canvas.first(centre.x - half)), c1 = std::min(canvas.width, canvas.first(centre.x + half));
-    float* line = canvas.light.data() + static_cast<std::ptrdiff_t>(row) * canvas.width;
-    for (int column = c0; column < c1; ++column) {
-      const Vec2 away{canvas.place(column) - centre.x, dy};
-      double share = cover(norm(away) - r);
-      for (const Chord& c : chords) share *= cover(dot(away, c.normal) - c.reach);
-      line[column] += static_cast<float>(share * step);
-    }
-  }
+void paint(optics::Canvas& canvas, Vec2 centre, double r, double step, const std::vector<Chord>& chords) {
+  canvas.each_point(centre, r + 1.0 / fine, [&](std::size_t at, Vec2 away) {
+    double share = cover(norm(away) - r);
+    for (const Chord& c : chords) share *= cover(dot(away, c.normal) - c.reach);
+    canvas.light[at] += static_cast<float>(share * step);
+  });
 }
 
 std::vector<Chord> chords_of(const PictureGrains& g, std::size_t i) {
@@ -107,8 +92,7 @@ class GrainScene {
   /// Disks of these levels where the grains are in picture k. Those that overlap are parted by the chord of their rims.
   std::vector<float> draw(std::size_t k, const std::vector<double>& level, double background, double blur) const {
     const optics::Lens lens = optics::make_lens(blur, fine, 4);
-    Canvas canvas{pictures_.width * fine + 2 * lens.margin, pictures_.height * fine + 2 * lens.margin, lens.margin, {}};
-    canvas.light.assign(static_cast<std::size_t>(canvas.width) * static_cast<std::size_t>(canvas.height), 0.0f);
+    optics::Canvas canvas(lens, pictures_.width, pictures_.height, {0.5 * (pictures_.width - 1), 0.5 * (pictures_.height - 1)}, {1.0 / fine, 1.0 / fine});
     PictureGrains there = grains_;
     for (std::size_t i = 0; i < there.size(); ++i) there.centre[i] += pictures_.moved(motion_, i, k);
     for (std::size_t i = 0; i < there.size(); ++i) paint(canvas, there.centre[i], there.radius[i], level[i] - background, chords_of(there, i));
@@ -153,18 +137,6 @@ PhasePictures without_scene(const PhasePictures& pictures, const GrainScene& sce
   return rest;
 }
 
-void put(LockinMaps& maps, std::size_t p, const Followed& f, double factor, double spread) {
-  const auto [mean, cosine, sine, cosine2, sine2] = f.harmonics;
-  maps.mean[p] = static_cast<float>(mean);
-  maps.amplitude[p] = static_cast<float>(factor * std::hypot(cosine, sine));
-  maps.phase[p] = static_cast<float>(std::atan2(sine, cosine));
-  if (!maps.second_harmonic.empty()) maps.second_harmonic[p] = static_cast<float>(factor * std::hypot(cosine2, sine2));
-  const double noise = std::sqrt(f.variance);
-  maps.residual[p] = static_cast<float>(noise);
-  maps.standard_error[p] = static_cast<float>(spread * noise);
-  maps.noise_floor[p] = static_cast<float>(std::sqrt(std::numbers::pi / 2) * spread * noise);
-}
-
 /// Amplitudes in phase with the load and a quarter of a cycle off. Where rims sweep over a pixel it shows their motion and no warming.
 void project(LockinMaps& maps, const std::vector<std::int32_t>& owner) {
   for (std::size_t p = 0; p < maps.size(); ++p) {
@@ -177,22 +149,6 @@ void project(LockinMaps& maps, const std::vector<std::int32_t>& owner) {
   }
 }
 
-/// The grain whose rim is furthest out of a pixel: neighbours may overlap in a picture, but each pixel follows one grain.
-std::vector<std::int32_t> owners(const PictureGrains& grains, int width, int height) {
-  std::vector<std::int32_t> owner(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), -1);
-  std::vector<double> depth(owner.size(), 0);
-  for (std::size_t i = 0; i < grains.size(); ++i) {
-    const Vec2 centre = grains.centre[i];
-    each_pixel_near(centre, grains.radius[i], width, height, [&](int column, int row, std::size_t p) {
-      const double inside = grains.radius[i] - std::hypot(column - centre.x, row - centre.y);
-      if (inside < 0 || (owner[p] >= 0 && inside <= depth[p])) return;
-      owner[p] = static_cast<std::int32_t>(i);
-      depth[p] = inside;
-    });
-  }
-  return owner;
-}
-
 std::vector<double> joined(const std::vector<std::vector<double>>& parts) {
   std::vector<double> all;
   for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
@@ -201,14 +157,29 @@ std::vector<double> joined(const std::vector<std::vector<double>>& parts) {
 
 }  // namespace
 
+std::vector<std::int32_t> owners(const PictureGrains& grains, int width, int height, double beyond) {
+  std::vector<std::int32_t> owner(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), -1);
+  std::vector<double> outside(owner.size(), 0);
+  for (std::size_t i = 0; i < grains.size(); ++i) {
+    const Vec2 centre = grains.centre[i];
+    each_pixel_near(centre, grains.radius[i] + beyond, width, height, [&](int column, int row, std::size_t p) {
+      const double out = std::hypot(column - centre.x, row - centre.y) - grains.radius[i];
+      if (out > beyond || (owner[p] >= 0 && out >= outside[p])) return;
+      owner[p] = static_cast<std::int32_t>(i);
+      outside[p] = out;
+    });
+  }
+  return owner;
+}
+
 LockinMaps follow_grains(const PhasePictures& pictures, const LockinMaps& maps, const PictureGrains& grains, const GrainMotion& motion,
                          const PictureGrains& shown, std::optional<double> given_phase, int threads, double blur) {
   LockinMaps result = maps;
-  const double factor = 2 / to_peak_to_peak(maps.convention), spread = factor * std::sqrt(2 * maps.noise_ratio / static_cast<double>(maps.frames));
+  const double spread = std::sqrt(2 * maps.noise_ratio / static_cast<double>(maps.frames));
   const ThreadPool pool(threads);
   const GrainScene scene(pictures, grains, motion, pool);
   const PhasePictures rest = without_scene(pictures, scene, blur, pool);
-  const std::vector<std::int32_t> owner = owners(shown, maps.width, maps.height);
+  const std::vector<std::int32_t> owner = owners(shown, maps.width, maps.height, 0);
   std::vector<std::vector<double>> cosine(grains.size()), sine(grains.size());
   pool.for_each(grains.size(), [&](std::size_t i) {
     const PixelHarmonics fit(rest, motion, i);
@@ -219,7 +190,7 @@ LockinMaps follow_grains(const PhasePictures& pictures, const LockinMaps& maps, 
       if (out > r || owner[p] != static_cast<std::int32_t>(i)) return;
       Followed f = fit.follow(rest, Vec2{column, row} + grains.centre[i] - centre);
       f.harmonics[0] += scene.level(i);
-      put(result, p, f, factor, spread);
+      put(result, p, f.harmonics, std::sqrt(f.variance), spread);
       if (out > 0.7 * r) return;
       cosine[i].push_back(f.harmonics[1]);
       sine[i].push_back(f.harmonics[2]);

@@ -28,6 +28,7 @@ template <class T> void add_frame(const T* pixel, bool first, PixelSums& sums, F
 }
 
 constexpr double to_deviation = 1.4826;  // of a normal law, per median of absolute deviations
+constexpr double limit = 8;              // in these deviations: how far a good pixel may stand out
 
 struct Robust {
   double middle = 0, deviation = 0;
@@ -74,7 +75,7 @@ Standing standing(double x, Neighbours n) {
   return s;
 }
 
-void mark_levels(const FrameStatistics& film, double limit, std::vector<std::uint8_t>& bad) {
+void mark_levels(const FrameStatistics& film, std::vector<std::uint8_t>& bad) {
   std::vector<Standing> all;
   std::vector<double> deviations;
   for (int r = 0; r < film.height; ++r)
@@ -88,7 +89,7 @@ void mark_levels(const FrameStatistics& film, double limit, std::vector<std::uin
 }
 
 /// Marks what lies further than the limit from the middle of all, or is no number.
-void mark_outliers(const std::vector<double>& x, double limit, BadPixel why, std::vector<std::uint8_t>& bad) {
+void mark_outliers(const std::vector<double>& x, BadPixel why, std::vector<std::uint8_t>& bad) {
   std::vector<double> finite = x;
   std::erase_if(finite, [](double v) { return !std::isfinite(v); });
   const Robust r = robust(std::move(finite));
@@ -96,12 +97,12 @@ void mark_outliers(const std::vector<double>& x, double limit, BadPixel why, std
     if (!std::isfinite(x[i]) || (r.deviation > 0 && std::abs(x[i] - r.middle) > limit * r.deviation)) bad[i] |= why;
 }
 
-void mark_noise(const FrameStatistics& film, double limit, std::vector<std::uint8_t>& bad) {
+void mark_noise(const FrameStatistics& film, std::vector<std::uint8_t>& bad) {
   constexpr std::size_t least_frames = 8;
   if (film.frames < least_frames || std::all_of(film.noise.begin(), film.noise.end(), [](float n) { return n == 0; })) return;
   std::vector<double> logarithm;
   for (const float n : film.noise) logarithm.push_back(std::log(static_cast<double>(n)));  // of a frozen pixel: minus infinity
-  mark_outliers(logarithm, limit, bad_noise, bad);
+  mark_outliers(logarithm, bad_noise, bad);
 }
 
 }  // namespace
@@ -112,9 +113,7 @@ FrameStatistics frame_statistics(FilmSource& film, std::size_t most_frames) {
   FrameStatistics s{info.width, info.height, most_frames == 0 ? all : std::min(all, most_frames), {}, {}, {}, {}};
   for (auto* array : {&s.mean, &s.noise, &s.least, &s.most}) array->resize(n);
   PixelSums sums{std::vector<double>(n), std::vector<double>(n), std::vector<float>(n)};
-  constexpr std::size_t most_pixels = std::size_t{1} << 21;
-  const std::size_t at_once = std::max<std::size_t>(1, most_pixels / std::max<std::size_t>(1, n));
-  read_frames(film, 0, s.frames, at_once, [&](const auto* pixels, std::size_t first, std::size_t some) {
+  read_frames(film, 0, s.frames, [&](const auto* pixels, std::size_t first, std::size_t some) {
     for (std::size_t k = 0; k < some; ++k) add_frame(pixels + k * n, first + k == 0, sums, s);
     return true;
   });
@@ -137,22 +136,22 @@ Doubtful doubtful(const FrameStatistics& s, int bits) {
   return found;
 }
 
-std::vector<std::uint8_t> find_bad_pixels(const FrameStatistics& film, const BadPixelLimits& limits) {
+std::vector<std::uint8_t> find_bad_pixels(const FrameStatistics& film) {
   std::vector<std::uint8_t> bad(film.mean.size(), 0);
-  mark_levels(film, limits.level, bad);
-  mark_noise(film, limits.noise, bad);
+  mark_levels(film, bad);
+  mark_noise(film, bad);
   return bad;
 }
 
-std::vector<std::uint8_t> find_bad_pixels(const FrameStatistics& cold, const FrameStatistics& warm, const BadPixelLimits& limits) {
-  std::vector<std::uint8_t> bad = find_bad_pixels(cold, limits);
-  const std::vector<std::uint8_t> others = find_bad_pixels(warm, limits);
+std::vector<std::uint8_t> find_bad_pixels(const FrameStatistics& cold, const FrameStatistics& warm) {
+  std::vector<std::uint8_t> bad = find_bad_pixels(cold);
+  const std::vector<std::uint8_t> others = find_bad_pixels(warm);
   std::vector<double> answer;
   for (std::size_t i = 0; i < bad.size(); ++i) {
     bad[i] |= others[i];
     answer.push_back(static_cast<double>(warm.mean[i]) - static_cast<double>(cold.mean[i]));
   }
-  mark_outliers(answer, limits.gain, bad_gain, bad);
+  mark_outliers(answer, bad_gain, bad);
   return bad;
 }
 

@@ -27,17 +27,17 @@ void check(const PictureGrains& grains, const GrainMeanOptions& o) {
 /// Length of the slope of a disk's mean when its centre is shifted, a pixel.
 double slope(const LockinMaps& maps, Vec2 centre, double radius) {
   constexpr double step = 0.5;
-  const auto mean = [&](Vec2 shift) { return disk_mean(maps.in_phase, maps.standard_error, maps.width, maps.height, centre + shift, radius).mean; };
+  const auto mean = [&](Vec2 shift) { return disk_mean(maps, maps.in_phase, centre + shift, radius).mean; };
   return std::hypot(mean({step, 0}) - mean({-step, 0}), mean({0, step}) - mean({0, -step})) / (2 * step);
 }
 
 }  // namespace
 
-DiskMean disk_mean(const std::vector<float>& map, const std::vector<float>& error, int width, int height, Vec2 centre, double radius) {
+DiskMean disk_mean(const LockinMaps& maps, const std::vector<float>& map, Vec2 centre, double radius) {
   DiskMean result;
   double sum = 0, squares = 0;
-  each_pixel_near(centre, radius + 0.5, width, height, [&](int column, int row, std::size_t p) {
-    const auto value = static_cast<double>(map[p]), e = static_cast<double>(error[p]);
+  each_pixel_near(centre, radius + 0.5, maps.width, maps.height, [&](int column, int row, std::size_t p) {
+    const auto value = static_cast<double>(map[p]), e = static_cast<double>(maps.standard_error[p]);
     if (!std::isfinite(value) || !std::isfinite(e)) return;
     const double covered = geometry::disk_window_area(centre, radius, {column - 0.5, column + 0.5, row - 0.5, row + 0.5});
     sum += covered * value;
@@ -60,7 +60,7 @@ PeakToPeak grain_means(const LockinMaps& maps, const PictureGrains& grains, cons
   PeakToPeak found;
   for (std::size_t i = 0; i < grains.size(); ++i) {
     const double radius = grains.radius[i] * std::sqrt(options.share), factor = options.factor[static_cast<std::size_t>(grains.material[i])];
-    const DiskMean mean = disk_mean(maps.in_phase, maps.standard_error, maps.width, maps.height, grains.centre[i], radius);
+    const DiskMean mean = disk_mean(maps, maps.in_phase, grains.centre[i], radius);
     double error = mean.error;
     if (const double shift = grains.position_error.empty() ? 0 : grains.position_error[i]; shift > 0 && mean.area > 0)
       error = std::hypot(error, shift * slope(maps, grains.centre[i], radius));

@@ -34,6 +34,8 @@ struct Rim {
   std::vector<OtherRim> others;  ///< blurred rims of neighbours that reach into these pixels
 };
 
+/// Pixels inside and outside the rim that show where a grain is.
+constexpr double rim_reach = 2.5;
 /// Width of a rim that lens and pixels blur: the share inside falls off as erfc(distance/blur)/2.
 constexpr double blur = 0.8;
 /// Closer to another grain than this a pixel is left out; its rim is told apart up to the reach.
@@ -44,10 +46,10 @@ double slope_of_share(double out) { return -std::exp(-out * out / (blur * blur))
 
 double length(Vec2 v) { return std::hypot(v.x, v.y); }
 
-void add(const PictureGrains& g, std::size_t i, const std::vector<std::size_t>& neighbours, double rim, Vec2 place, Rim& own) {
+void add(const PictureGrains& g, std::size_t i, const std::vector<std::size_t>& neighbours, Vec2 place, Rim& own) {
   const Vec2 from_centre = place - g.centre[i];
   const double out = length(from_centre) - g.radius[i];
-  if (std::abs(out) > rim) return;
+  if (std::abs(out) > rim_reach) return;
   std::vector<OtherRim> others;
   for (const std::size_t j : neighbours) {
     const Vec2 from_other = place - g.centre[j];
@@ -56,17 +58,17 @@ void add(const PictureGrains& g, std::size_t i, const std::vector<std::size_t>& 
     if (away <= reach_of_others) others.push_back({own.pixels.size(), j, share_inside(away), slope_of_share(away) / r * from_other});
   }
   own.others.insert(own.others.end(), others.begin(), others.end());
-  own.pixels.push_back({place, from_centre / g.radius[i], share_inside(out), 1 - std::pow(out / (rim + 0.5), 2)});
+  own.pixels.push_back({place, from_centre / g.radius[i], share_inside(out), 1 - std::pow(out / (rim_reach + 0.5), 2)});
 }
 
-std::vector<Rim> rims_of(const PictureGrains& g, int width, int height, double rim) {
+std::vector<Rim> rims_of(const PictureGrains& g, int width, int height) {
   std::vector<Rim> rims(g.size());
   for (std::size_t i = 0; i < g.size(); ++i) {
-    const double reach = g.radius[i] + rim;
+    const double reach = g.radius[i] + rim_reach;
     std::vector<std::size_t> neighbours;
     for (std::size_t j = 0; j < g.size(); ++j)
       if (j != i && norm(g.centre[j] - g.centre[i]) < reach + g.radius[j] + reach_of_others) neighbours.push_back(j);
-    each_pixel_near(g.centre[i], reach, width, height, [&](double column, double row, std::size_t) { add(g, i, neighbours, rim, {column, row}, rims[i]); });
+    each_pixel_near(g.centre[i], reach, width, height, [&](double column, double row, std::size_t) { add(g, i, neighbours, {column, row}, rims[i]); });
   }
   return rims;
 }
@@ -186,7 +188,8 @@ Matrix affine_step(const PictureGrains& grains, const Together& all) {
 }
 
 /// Adds the steps, none longer than a pixel; returns the longest.
-double move(const Matrix& step, double largest, GrainMotion& motion) {
+double move(const Matrix& step, GrainMotion& motion) {
+  constexpr double largest = 8;  // pixels; a larger amplitude is not believed
   double longest = 0;
   for (std::size_t i = 0; i < motion.size(); ++i)
     for (std::size_t k = 0; k < 2; ++k) {
@@ -220,21 +223,21 @@ std::vector<std::uint8_t> lost_grains(const GrainMotion& motion) {
   return mapped<std::uint8_t>(motion.error, [&](double error) { return std::isfinite(error) && error > 6 * usual; });
 }
 
-GrainMotion grain_motion(const PhasePictures& pictures, const PictureGrains& grains, const GrainMotionOptions& options) {
-  constexpr int affine_turns = 3;
+GrainMotion grain_motion(const PhasePictures& pictures, const PictureGrains& grains, int threads) {
+  constexpr int affine_turns = 3, most_turns = 12;
   const std::size_t n = grains.size();
   GrainMotion motion{std::vector<Vec2>(n), std::vector<Vec2>(n), std::vector<double>(n, std::numeric_limits<double>::infinity())};
   if (n == 0) return motion;
-  const std::vector<Rim> rims = rims_of(grains, pictures.width, pictures.height, options.rim);
+  const std::vector<Rim> rims = rims_of(grains, pictures.width, pictures.height);
   std::vector<double> contrast(n, 0);
-  const ThreadPool pool(options.threads);
-  for (int turn = 0; turn < options.iterations; ++turn) {
+  const ThreadPool pool(threads);
+  for (int turn = 0; turn < most_turns; ++turn) {
     std::vector<Left> left(n);
     pool.for_each(n, [&](std::size_t i) { left[i] = motion_left(pictures, rims[i], i, motion, contrast); });
     for (std::size_t i = 0; i < n; ++i) contrast[i] = left[i].contrast;
     const Together all = assemble(left);
     const Matrix step = turn < affine_turns ? affine_step(grains, all) : solve_sparse(all.normal, all.side);
-    const double longest = move(step, options.largest, motion);
+    const double longest = move(step, motion);
     if (turn < affine_turns) continue;
     for (std::size_t i = 0; i < n; ++i) motion.error[i] = error_of(left[i], step);
     if (longest < 2e-3) break;

@@ -8,24 +8,21 @@
 
 namespace arenite::thermography {
 
-struct GrainMotionOptions {
-  double rim = 2.5;     ///< pixels inside and outside the rim that show where a grain is
-  double largest = 8;   ///< pixels; a larger amplitude is not believed
-  int iterations = 12;  ///< at most
-  int threads = 1;
-};
-
 /// How every grain moves at the load frequency. A grain that moves by u(t) changes the level of a resting pixel by
 /// -u . grad(picture), most of all at its rim, where grains differ in emissivity from what is behind them. A few pixels on
 /// both sides of the rim, but none in other grains, are followed through the pictures of all phases with the motion
 /// found so far; what still oscillates in them is fitted by -du . grad(picture) and a smooth thermoelastic part inside the
 /// grain, until nothing is left to add. All grains first move together by an affine map, so that none loses itself.
 /// `grains` are at their mean places; grains that show no contrast get that affine motion, with an error of infinity.
-GrainMotion grain_motion(const PhasePictures& pictures, const PictureGrains& grains, const GrainMotionOptions& options = {});
+GrainMotion grain_motion(const PhasePictures& pictures, const PictureGrains& grains, int threads = 1);
 
 /// Grains that were not followed: what their motion leaves on their rims is so much that its error is beyond six times the
 /// median of all grains, as that of a loose grain which goes another way than its neighbours. 1 for each of these.
 std::vector<std::uint8_t> lost_grains(const GrainMotion& motion);
+
+/// Of every pixel the grain whose rim is furthest out of it, or nearest, for those no further than `beyond` from it; -1 for all others. Neighbours may
+/// overlap in a picture, but each pixel belongs to one grain.
+std::vector<std::int32_t> owners(const PictureGrains& grains, int width, int height, double beyond);
 
 /// Lock-in maps whose pixels inside a grain follow it: the pictures are resampled where the grain is at every phase, and
 /// mean, amplitude and second harmonic fitted anew. Rims are too sharp for pixels to be resampled beside them: a drawing of even
@@ -57,9 +54,8 @@ struct DiskMean {
   double area = 0;   ///< pixels
 };
 
-/// Mean of `map` (width x height, rows from the top) over a disk, centre and radius in pixels; `error` is the map of the
-/// pixels' standard errors.
-DiskMean disk_mean(const std::vector<float>& map, const std::vector<float>& error, int width, int height, Vec2 centre, double radius);
+/// Of a map beside those of the lock-in, whose standard errors are the pixels', over a disk: centre and radius in pixels.
+DiskMean disk_mean(const LockinMaps& maps, const std::vector<float>& map, Vec2 centre, double radius);
 
 /// Standard deviation of a Gaussian lens, pixels, with which a drawing of even disks comes nearest to the rims of one of the
 /// pictures: the film's own word on its blur. `grains` are at their mean places. No number without grains.

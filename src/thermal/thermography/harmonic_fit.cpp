@@ -24,21 +24,17 @@ using statistics::Matrix;
 void sinusoids_beside(const HarmonicFit& fit, double t, double* phi) {
   const std::size_t own = fit.harmonic(1);
   const std::complex<double> load(phi[own], phi[own + 1]), turn = std::polar(1.0, 2 * std::numbers::pi * fit.spacing * t);
-  std::complex<double> power = 1;
-  for (int far = 1, left = static_cast<int>(fit.beside.size()); left > 0; ++far) {
-    power *= turn;
-    for (std::size_t k = 0; k < fit.beside.size(); ++k) {
-      if (std::abs(fit.beside[k]) != far) continue;
-      const std::complex<double> phasor = load * (fit.beside[k] > 0 ? power : std::conj(power));
-      phi[fit.side(k)] = phasor.real();
-      phi[fit.side(k) + 1] = phasor.imag();
-      --left;
-    }
+  for (std::size_t k = 0; k < fit.beside.size(); ++k) {
+    std::complex<double> power = 1;
+    for (int far = std::abs(fit.beside[k]); far > 0; --far) power *= turn;
+    const std::complex<double> phasor = load * (fit.beside[k] > 0 ? power : std::conj(power));
+    phi[fit.side(k)] = phasor.real();
+    phi[fit.side(k) + 1] = phasor.imag();
   }
 }
 
-/// The functions that are fitted, at time t; those of the beat are at `beat`, or nowhere.
-void functions_at(const HarmonicFit& fit, double t, double* phi, double* beat) {
+/// The functions that are fitted, at time t.
+void functions_at(const HarmonicFit& fit, double t, double* phi) {
   const double x = (t - fit.middle) / fit.half, angle = 2 * std::numbers::pi * fit.frequency * t;
   legendre(x, fit.drift, phi);
   for (std::size_t h = 1; h <= fit.harmonics; ++h) {
@@ -46,14 +42,13 @@ void functions_at(const HarmonicFit& fit, double t, double* phi, double* beat) {
     phi[fit.harmonic(h) + 1] = std::sin(static_cast<double>(h) * angle);
   }
   if (!fit.beside.empty()) sinusoids_beside(fit, t, phi);
-  if (!beat) return;
-  beat[0] = x * phi[fit.harmonic(1)];
-  beat[1] = x * phi[fit.harmonic(1) + 1];
+  if (fit.beat)
+    for (const std::size_t k : {0, 1}) phi[fit.size() - 2 + k] = x * phi[fit.harmonic(1) + k];
 }
 
 /// Rows: what the film is projected on in this segment, columns: 1 and the weights of the pass.
-Matrix projection(const HarmonicFit& fit, double centre, std::size_t size, std::size_t weights, bool with_beat) {
-  Matrix r(size, weights);
+Matrix projection(const HarmonicFit& fit, double centre, std::size_t weights) {
+  Matrix r(fit.size(), weights);
   const double x = (centre - fit.middle) / fit.half;
   legendre(x, fit.drift, r.column(0));
   const auto turn = [&](std::size_t row, std::size_t h, double frequency, double amount) {
@@ -66,7 +61,7 @@ Matrix projection(const HarmonicFit& fit, double centre, std::size_t size, std::
   };
   for (std::size_t h = 1; h <= fit.harmonics; ++h) turn(fit.harmonic(h), h, static_cast<double>(h) * fit.frequency, 1);
   for (std::size_t k = 0; k < fit.beside.size(); ++k) turn(fit.side(k), 1, fit.frequency + fit.beside[k] * fit.spacing, 1);
-  if (with_beat) turn(size - 2, 1, fit.frequency, x);
+  if (fit.beat) turn(fit.size() - 2, 1, fit.frequency, x);
   return r;
 }
 
@@ -91,19 +86,20 @@ HarmonicFit harmonic_fit(const SegmentSums& s, double frequency, int drift_order
   fit.frequency = frequency;
   fit.spacing = spacing;
   fit.beside = std::move(beside);
+  fit.beat = with_beat;
   fit.drift = static_cast<std::size_t>(drift_order) + 1;
   fit.harmonics = s.functions / 2;
   fit.middle = (s.time.front() + s.time.back()) / 2;
   fit.half = (s.time.back() - s.time.front()) / 2;
-  const std::size_t size = fit.drift + s.functions + 2 * fit.beside.size() + (with_beat ? 2 : 0), planes = s.planes();
+  const std::size_t size = fit.size(), planes = s.planes();
   Matrix mixed(size, size), tests(size, size), projections(size, s.segments() * planes);
   fit.normal = Matrix(size, size);
   for (std::size_t k = 0; k < s.segments(); ++k) {
     const Matrix g = pass_weights(s, k);
     Matrix phi(size, g.columns());
-    for (std::size_t n = 0; n < g.columns(); ++n) functions_at(fit, s.time[s.first[k] + n], phi.column(n), with_beat ? phi.column(n) + size - 2 : nullptr);
+    for (std::size_t n = 0; n < g.columns(); ++n) functions_at(fit, s.time[s.first[k] + n], phi.column(n));
     fit.normal += times_transposed(phi, phi);
-    const Matrix squared = times_transposed(g, g), r = projection(fit, s.centre[k], size, g.rows(), with_beat), turned = r * squared;
+    const Matrix squared = times_transposed(g, g), r = projection(fit, s.centre[k], g.rows()), turned = r * squared;
     mixed += r * times_transposed(g, phi);
     tests += times_transposed(turned, r);
     std::copy_n(r.column(0), r.size(), projections.column(k * planes));

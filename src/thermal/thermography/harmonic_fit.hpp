@@ -71,8 +71,9 @@ struct HarmonicFit {
   statistics::Matrix normal;       ///< sums of products of the fitted functions
   double spacing = 0;              ///< Hz
   std::vector<int> beside;         ///< frequencies beside it, so many spacings above or below
+  bool beat = false;               ///< x cos(w t) and x sin(w t) are the last
 
-  std::size_t size() const { return coefficient.columns(); }
+  std::size_t size() const { return side(beside.size()) + (beat ? 2 : 0); }
   /// Column of cos of harmonic h; sin is next to it.
   std::size_t harmonic(std::size_t h) const { return drift + 2 * (harmonics - h); }
   /// Column of cos of frequency k beside; sin is next to it.

@@ -71,19 +71,12 @@ void fill(const SegmentSums& s, const HarmonicFit& fit, const ThreadPool& pool, 
       const auto number = [&](std::size_t m) { return pixels.value[m * PixelFit::run + i]; };
       double mean = static_cast<double>(s.base[p]), drift = 0;
       for (std::size_t j = 0; j < fit.drift; ++j) mean += value[j] * number(j), drift += slope[j] * number(j);
-      const double c = number(fit.harmonic(1)), sn = number(fit.harmonic(1) + 1), noise = std::sqrt(pixels.variance[i]);
-      maps.mean[p] = static_cast<float>(mean);
+      Harmonics fitted{mean, number(a), number(a + 1)};
+      if (second) fitted[3] = number(fit.harmonic(2)), fitted[4] = number(fit.harmonic(2) + 1);
+      put(maps, p, fitted, std::sqrt(pixels.variance[i]), spread);
       maps.drift[p] = static_cast<float>(drift / fit.half);
-      phasor[0][p] = factor * c;
-      phasor[1][p] = factor * sn;
-      maps.amplitude[p] = static_cast<float>(factor * std::sqrt(c * c + sn * sn));
-      maps.phase[p] = static_cast<float>(std::atan2(sn, c));
-      maps.standard_error[p] = static_cast<float>(factor * spread * noise);
-      maps.noise_floor[p] = static_cast<float>(std::sqrt(std::numbers::pi / 2) * factor * spread * noise);
-      maps.residual[p] = static_cast<float>(noise);
-      if (!second) continue;
-      const double c2 = number(fit.harmonic(2)), s2 = number(fit.harmonic(2) + 1);
-      maps.second_harmonic[p] = static_cast<float>(factor * std::sqrt(c2 * c2 + s2 * s2));
+      phasor[0][p] = factor * fitted[1];
+      phasor[1][p] = factor * fitted[2];
     }
   });
 }
@@ -150,6 +143,18 @@ double left_by_line(const std::vector<double>& time, const std::vector<double>& 
 
 }  // namespace
 
+void put(LockinMaps& maps, std::size_t p, const Harmonics& fitted, double noise, double spread) {
+  const auto [mean, cosine, sine, cosine2, sine2] = fitted;
+  const double factor = 2 / to_peak_to_peak(maps.convention), error = factor * spread * noise;
+  maps.mean[p] = static_cast<float>(mean);
+  maps.amplitude[p] = static_cast<float>(factor * std::sqrt(cosine * cosine + sine * sine));
+  maps.phase[p] = static_cast<float>(std::atan2(sine, cosine));
+  if (!maps.second_harmonic.empty()) maps.second_harmonic[p] = static_cast<float>(factor * std::sqrt(cosine2 * cosine2 + sine2 * sine2));
+  maps.residual[p] = static_cast<float>(noise);
+  maps.standard_error[p] = static_cast<float>(error);
+  maps.noise_floor[p] = static_cast<float>(std::sqrt(std::numbers::pi / 2) * error);
+}
+
 double reference_phase(const std::vector<double>& cosine, const std::vector<double>& sine) {
   double real = 0, imaginary = 0, c = 0, s = 0;
   for (std::size_t p = 0; p < cosine.size(); ++p) {
@@ -166,14 +171,12 @@ double reference_phase(const std::vector<double>& cosine, const std::vector<doub
 
 double diffusion_length(double diffusivity, double frequency) { return std::sqrt(diffusivity / (std::numbers::pi * frequency)); }
 
-double amplitude_lost_to_diffusion(double diffusion_length, double pixel) {
-  const double wave = std::numbers::pi * diffusion_length / pixel;
-  return 1 - 1 / std::hypot(1.0, wave * wave / 2);
-}
-
 Adiabatic::Adiabatic(double diffusivity, double frequency, double side) : length(diffusion_length(diffusivity, frequency)), pixel(side) {}
 
-double Adiabatic::lost() const { return amplitude_lost_to_diffusion(length, pixel); }
+double Adiabatic::lost() const {
+  const double wave = std::numbers::pi * length / pixel;
+  return 1 - 1 / std::hypot(1.0, wave * wave / 2);
+}
 
 std::string Adiabatic::sentence() const {
   return fmt::format(

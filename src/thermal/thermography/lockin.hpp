@@ -1,4 +1,6 @@
 #pragma once
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -29,6 +31,12 @@ struct LockinOptions {
 /// Empty maps if `progress` stopped it.
 LockinMaps lock_in(FilmSource& film, const LockinOptions& options);
 
+/// 1, cosine and sine of the phase 2 pi f t, and of twice the phase; or what a fit has of them.
+using Harmonics = std::array<double, 5>;
+
+/// Writes into the maps what is fitted to a pixel, of which the fit leaves `noise`; `spread` is the standard error of its cosine and sine over that.
+void put(LockinMaps& maps, std::size_t pixel, const Harmonics& fitted, double noise, double spread);
+
 /// As the plain transform does it: mean image subtracted, Fourier sum at the bin next to the frequency, frames evenly
 /// spaced. Off a bin, and with drift, amplitudes are wrong by up to 1 - 2/pi; kept to reproduce results found this way.
 LockinMaps nearest_bin_transform(FilmSource& film, const LockinOptions& options);
@@ -45,17 +53,14 @@ double reference_phase(const std::vector<double>& cosine, const std::vector<doub
 /// pixel and a grain. `diffusivity` in m^2/s, `frequency` in Hz.
 double diffusion_length(double diffusivity, double frequency);
 
-/// Share of its amplitude that the finest detail of a picture loses to heat that diffuses within a cycle: stripes of two
-/// pixels' length have 1/|1 + i D k^2/(2 pi f)| of theirs. Same unit for both lengths.
-double amplitude_lost_to_diffusion(double diffusion_length, double pixel);
-
 /// Whether heat stays where it came to be within a cycle of the load.
 struct Adiabatic {
   double length = 0, pixel = 0;  ///< that heat diffuses, and the side of a pixel, m; no pixel: unknown
 
   /// `diffusivity` of heat in the grains, m^2/s; `frequency` of the load, Hz.
   Adiabatic(double diffusivity, double frequency, double side = 0);
-  double lost() const;  ///< share of the finest detail's amplitude
+  /// Share of its amplitude that the finest detail of a picture loses to it: stripes of two pixels' length have 1/|1 + i D k^2/(2 pi f)| of theirs.
+  double lost() const;
   /// At a fifth of a pixel the finest detail loses 2 % of its amplitude and lags by 11 degrees.
   bool holds() const { return length <= pixel / 5; }
   std::string sentence() const;  ///< what to say where it does not hold

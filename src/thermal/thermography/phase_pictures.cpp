@@ -148,7 +148,6 @@ PhasePictures phase_pictures(FilmSource& film, const LockinMaps& maps, const Loc
   result.spline.resize(result.size() * pixels);
   std::vector<float> drift(bins.order * pixels);
   const ThreadPool pool(options.threads);
-  const std::size_t at_once = std::max<std::size_t>(1, (std::size_t{8} << 20) / (pixels * (film.info().floating ? 4 : 2)));
   const auto take = [&](const auto* frames, std::size_t n, std::size_t some) {
     pool.for_ranges(pixels, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = 0; k < some; ++k) {
@@ -158,7 +157,7 @@ PhasePictures phase_pictures(FilmSource& film, const LockinMaps& maps, const Loc
     });
     return !options.progress || options.progress(static_cast<double>(n + some) / static_cast<double>(time.size()));
   };
-  if (!read_frames(film, 0, time.size(), at_once, take)) return {};
+  if (!read_frames(film, 0, time.size(), take)) return {};
   solve_drift(bins, result.spline.data(), pixels, drift.data(), pool);
   pool.for_each(result.size(), [&](std::size_t b) { finish(maps, bins, drift.data(), b, result.spline.data() + b * pixels); });
   return result;
@@ -166,11 +165,10 @@ PhasePictures phase_pictures(FilmSource& film, const LockinMaps& maps, const Loc
 
 std::vector<float> picture_of(const PhasePictures& pictures, std::size_t k) {
   std::vector<float> values;
-  values.reserve(pictures.pixels());
-  for (int row = 0; row < pictures.height; ++row)
-    for (int column = 0; column < pictures.width; ++column)
-      values.push_back(
-          static_cast<float>(Resampled(pictures.width, pictures.height, {static_cast<double>(column), static_cast<double>(row)}).of(pictures.picture(k))));
+  Vec2 place, slope;
+  for (place.y = 0; place.y < pictures.height; ++place.y)
+    for (place.x = 0; place.x < pictures.width; ++place.x)
+      values.push_back(static_cast<float>(Resampled(pictures.width, pictures.height, place).of(pictures.picture(k), slope)));
   return values;
 }
 

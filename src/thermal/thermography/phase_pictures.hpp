@@ -20,13 +20,7 @@ class Resampled {
  public:
   Resampled(int width, int height, Vec2 place) : width_(width), x_(place.x, width), y_(place.y, height) {}
 
-  double of(const float* picture) const {
-    double sum = 0;
-    for (int j = 0; j < 4; ++j) sum += y_.weight[j] * line(picture, j, x_.weight);
-    return sum;
-  }
-
-  /// With the slope, a pixel.
+  /// The value and the slope, a pixel.
   double of(const float* picture, Vec2& slope) const {
     double sum = 0;
     slope = {};
@@ -73,9 +67,6 @@ class Resampled {
   int width_;
   Axis x_, y_;
 };
-
-/// 1, cosine and sine of the phase 2 pi f t, and of twice the phase.
-using Harmonics = std::array<double, 5>;
 
 /// Mean pictures of a cyclically loaded sample at phases of its load, as under a stroboscope: frames whose phase falls
 /// into the same part of the cycle are averaged, less drift of the lock-in's order, which frames of a like phase show. What

@@ -10,9 +10,6 @@
 namespace arenite::thermography {
 namespace {
 
-/// Frames that are read from a file at once: a few megabytes, which the caches hold until they are summed.
-constexpr std::size_t block_bytes = std::size_t{8} << 20;
-
 std::size_t segment_count(std::size_t frames, double cycles, int drift_order) {
   const auto by_cycles = static_cast<std::size_t>(std::clamp(cycles / 16, 16.0, 64.0));
   // In few cycles drift and load are all but alike, and only fine segments tell them apart as well as single frames do.
@@ -78,9 +75,7 @@ struct Pass {
   template <class T> void refer(const T* frame, std::size_t k, std::size_t begin, std::size_t end) {
     const SegmentView view = s.view();
     for (std::size_t p = begin; p < end; ++p) reference[p] = static_cast<float>(frame[p]);
-    if (k == 0)
-      std::copy(reference.begin() + static_cast<std::ptrdiff_t>(begin), reference.begin() + static_cast<std::ptrdiff_t>(end),
-                s.base.begin() + static_cast<std::ptrdiff_t>(begin));
+    if (k == 0) std::copy_n(reference.data() + begin, end - begin, s.base.data() + begin);
     for (std::size_t from = begin; from < end; from += chunk) {
       float* plane = s.sums.get() + view.at(from, k, 0);
       std::fill_n(plane, s.planes() * chunk, 0.f);
@@ -89,22 +84,16 @@ struct Pass {
   }
 };
 
-/// Hands out the frames of the memory, or of what is read some at a time, cut at the ends of segments.
+/// Segment by segment.
 bool pass_over(SegmentSums& s, const ThreadPool& pool, FilmSource& film, const Progress& progress) {
   Pass pass{s, pool, std::vector<float>(s.pixels)};
-  const std::size_t at_once = std::max<std::size_t>(16, block_bytes / (s.pixels * (film.info().floating ? 4 : 2)) / 16 * 16);
-  const std::uint16_t* levels = film.levels_in_memory();
-  const float* values = film.values_in_memory();
   for (std::size_t k = 0; k < s.segments(); ++k) {
     const std::size_t first = s.first[k], count = s.first[k + 1] - first;
     const auto add = [&](const auto* frames, std::size_t n, std::size_t some) {
       pass.add(frames, first + n, some, k);
       return !progress || progress(static_cast<double>(first + n + some) / static_cast<double>(s.time.size()));
     };
-    const bool goes_on = levels   ? add(levels + first * s.pixels, 0, count)
-                         : values ? add(values + first * s.pixels, 0, count)
-                                  : read_frames(film, first, count, at_once, add);
-    if (!goes_on) return false;
+    if (!read_frames(film, first, count, add)) return false;
   }
   return true;
 }

@@ -24,13 +24,12 @@ Matrix some_pixels(FilmSource& film, const Progress& progress) {
   const std::size_t most = std::clamp<std::size_t>((std::size_t{1} << 25) / std::max<std::size_t>(frames, 1), 64, 1024);  // 256 MB
   const std::size_t every = (pixels + most - 1) / most, count = (pixels + every - 1) / every;
   Matrix series(count, frames);
-  const std::size_t at_once = std::clamp<std::size_t>((std::size_t{1} << 22) / pixels, 1, 256);
   const auto take = [&](const auto* values, std::size_t n, std::size_t some) {
     for (std::size_t f = 0; f < some; ++f)
       for (std::size_t i = 0; i < count; ++i) series(i, n + f) = static_cast<double>(values[f * pixels + i * every]);
     return !progress || progress(static_cast<double>(n + some) / static_cast<double>(frames));
   };
-  if (!read_frames(film, 0, frames, at_once, take)) return {};
+  if (!read_frames(film, 0, frames, take)) return {};
   std::vector<double> noise(count);
   for (std::size_t n = 1; n < frames; ++n)
     for (std::size_t i = 0; i < count; ++i) noise[i] += std::pow(series(i, n) - series(i, n - 1), 2) / (2 * static_cast<double>(frames - 1));
@@ -86,8 +85,7 @@ class StepSums {
 
   /// False if stopped.
   bool pass(FilmSource& film, const StepSide& side, const ThreadPool& pool, const std::function<bool(std::size_t)>& progress) {
-    const std::size_t at_once = std::clamp<std::size_t>((std::size_t{1} << 22) / pixels_, 1, 256);
-    return read_frames(film, side.first, side.count, at_once, [&](const auto* frames, std::size_t n, std::size_t some) {
+    return read_frames(film, side.first, side.count, [&](const auto* frames, std::size_t n, std::size_t some) {
       add(frames, n, some, side, pool);
       return progress(some);
     });

@@ -41,8 +41,7 @@ struct Kernels {
   void (*power)(const SegmentView&, const double* frames, double* out, std::size_t begin, std::size_t end);
 };
 
-extern const Kernels* const avx2_kernels;  ///< null where the compiler cannot make them
-extern const Kernels* const avx512_kernels;
+extern const Kernels avx2_kernels, avx512_kernels;
 
 /// The kernels for this machine; "portable", "avx2" or "avx512" asks for one by name, nullptr if it cannot run here.
 /// "avx2" and "avx512" give the same bits, "portable" rounds products and sums apart.

@@ -1,29 +1,46 @@
 // The passes of kernels.hpp for lanes of some width: included by the sources of this folder, which are compiled with flags of
 // their own, and therefore without names that a linker could take from one of them for another.
 #pragma once
-#include <cmath>
 #include <cstdint>
+#ifdef __AVX2__
+#include <immintrin.h>
+#endif
 
 #include "thermal/thermography/kernels/kernels.hpp"
 
 namespace arenite::thermography {
 namespace {
 
-/// One number at a time: what is left over at the end of a row of lanes, and machines without lanes.
-template <class T> struct One {
-  static constexpr std::size_t lanes = 1;
-  T v;
-  static One load(const float* p) { return {static_cast<T>(*p)}; }
-  static One load(const std::uint16_t* p) { return {static_cast<T>(*p)}; }
-  static One all(T c) { return {c}; }
-  void store(T* p) const { *p = v; }
-  friend One operator+(One a, One b) { return {a.v + b.v}; }
-  friend One operator-(One a, One b) { return {a.v - b.v}; }
-#if defined(__FMA__)
-  friend One fma(One a, One b, One c) { return {std::fma(a.v, b.v, c.v)}; }
-#else
-  friend One fma(One a, One b, One c) { return {a.v * b.v + c.v}; }
+/// n numbers computed side by side; a single one is what is left over at the end of a row of lanes.
+template <class T, std::size_t n> struct Lanes {
+  typedef T Numbers __attribute__((vector_size(n * sizeof(T))));
+  typedef T Anywhere __attribute__((vector_size(n * sizeof(T)), aligned(alignof(T)), may_alias));  // as they lie in an array
+  static constexpr std::size_t lanes = n;
+  Numbers v;
+
+  static Lanes load(const float* p) {
+#if defined(__AVX512F__)  // read and widened by one instruction; GCC 12 makes five of what is said below
+    if constexpr (sizeof(Numbers) == 64 && sizeof(T) == 8) return {_mm512_cvtps_pd(_mm256_loadu_ps(p))};
+#elif defined(__AVX2__)
+    if constexpr (sizeof(Numbers) == 32 && sizeof(T) == 8) return {_mm256_cvtps_pd(_mm_loadu_ps(p))};
 #endif
+    return {__builtin_convertvector(*reinterpret_cast<const typename Lanes<float, n>::Anywhere*>(p), Numbers)};
+  }
+  static Lanes load(const std::uint16_t* p) {
+#if defined(__AVX512F__)
+    if constexpr (sizeof(Numbers) == 64) return {_mm512_cvtepi32_ps(_mm512_cvtepu16_epi32(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(p))))};
+#elif defined(__AVX2__)
+    if constexpr (sizeof(Numbers) == 32) return {_mm256_cvtepi32_ps(_mm256_cvtepu16_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(p))))};
+#endif
+    const auto& level = *reinterpret_cast<const typename Lanes<std::uint16_t, n>::Anywhere*>(p);
+    return {__builtin_convertvector(__builtin_convertvector(level, typename Lanes<std::int32_t, n>::Numbers), Numbers)};
+  }
+  static Lanes all(T c) { return {c - Numbers{}}; }  // c - 0 is c, signed zeros too
+  void store(T* p) const { *reinterpret_cast<Anywhere*>(p) = v; }
+  friend Lanes operator+(Lanes a, Lanes b) { return {a.v + b.v}; }
+  friend Lanes operator-(Lanes a, Lanes b) { return {a.v - b.v}; }
+  /// Rounded once where the source is compiled so (cmake/kernels.cmake).
+  friend Lanes fma(Lanes a, Lanes b, Lanes c) { return {a.v * b.v + c.v}; }
 };
 
 /// Frames whose share goes into sums that stay in registers; as many streams as a machine fetches ahead.
@@ -70,7 +87,7 @@ void add_frames(const WeighedFrames<T>& f, float* sums, std::size_t stride, std:
       const auto of = [&](std::size_t p) { return sums + p / chunk * stride + p % chunk; };
       std::size_t p = from;
       for (; p + step <= to; p += step) add_group<Floats, 2, functions>(f, first, count, of(p), p);
-      for (; p < to; ++p) add_group<One<float>, 1, functions>(f, first, count, of(p), p);
+      for (; p < to; ++p) add_group<Lanes<float, 1>, 1, functions>(f, first, count, of(p), p);
     }
   }
 }
@@ -99,7 +116,7 @@ template <class Doubles, int rows>
 void combine_rows(const SegmentView& s, const double* coefficient, double* out, std::size_t apart, std::size_t begin, std::size_t end) {
   std::size_t p = begin;
   for (; p + Doubles::lanes <= end; p += Doubles::lanes) combine_at<Doubles, rows>(s, p, coefficient, out + (p - begin), apart);
-  for (; p < end; ++p) combine_at<One<double>, rows>(s, p, coefficient, out + (p - begin), apart);
+  for (; p < end; ++p) combine_at<Lanes<double, 1>, rows>(s, p, coefficient, out + (p - begin), apart);
 }
 
 template <class Doubles>
@@ -127,11 +144,13 @@ template <class V> inline void power_at(const SegmentView& s, std::size_t p, con
 template <class Doubles> void power(const SegmentView& s, const double* frames, double* out, std::size_t begin, std::size_t end) {
   std::size_t p = begin;
   for (; p + Doubles::lanes <= end; p += Doubles::lanes) power_at<Doubles>(s, p, frames, out + (p - begin));
-  for (; p < end; ++p) power_at<One<double>>(s, p, frames, out + (p - begin));
+  for (; p < end; ++p) power_at<Lanes<double, 1>>(s, p, frames, out + (p - begin));
 }
 
-/// The passes in lanes of these types, each of which loads, stores, adds and multiplies as One does.
-template <class Floats, class Doubles> constexpr Kernels table_of(const char* name) {
+/// The passes for `floats` single or half as many double numbers at once.
+template <std::size_t floats> constexpr Kernels kernels_of(const char* name) {
+  using Floats = Lanes<float, floats>;
+  using Doubles = Lanes<double, floats / 2>;
   return {name, add<Floats, std::uint16_t>, add<Floats, float>, combine<Doubles>, power<Doubles>};
 }
 

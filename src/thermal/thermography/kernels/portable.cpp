@@ -4,9 +4,9 @@
 namespace arenite::thermography {
 namespace {
 
-constexpr Kernels portable = table_of<One<float>, One<double>>("portable");
+constexpr Kernels portable = kernels_of<4>("portable");
 
-KernelChoice<Kernels> choice() { return {portable, avx2_kernels, avx512_kernels}; }
+KernelChoice<Kernels> choice() { return {portable, &avx2_kernels, &avx512_kernels}; }
 
 }  // namespace
 
