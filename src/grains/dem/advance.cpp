@@ -6,7 +6,6 @@
 #include "grains/dem/bodies/bodies.hpp"
 #include "grains/dem/bonds.hpp"
 #include "grains/dem/boundaries/boundaries.hpp"
-#include "grains/dem/cohesion.hpp"
 #include "grains/dem/integrators/integrators.hpp"
 #include "grains/dem/kernels/kernel.hpp"
 #include "grains/dem/neighbours.hpp"

@@ -1,4 +1,4 @@
-#include "grains/dem/bounds.hpp"
+#include "grains/dem/setup.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -42,7 +42,7 @@ double sliding_slope(const Sample& s, double spring) {
 
 /// The same of a contact at a reference overlap. Not every law's spring of friction softens with the overlap as the normal one does.
 double sliding_slope(const Sample& s, double overlap, double stiffness) {
-  const double shear = s.contact.takes_moduli() ? s.coefficients.largest_shear() : 0;
+  const double shear = s.coefficients.largest_shear();
   return sliding_slope(s, s.laws.normal.visit([&](const auto& law) { return sliding_stiffness(s.laws, law, overlap, stiffness, 1.0, shear); }));
 }
 
@@ -51,9 +51,7 @@ double sliding_damping(const Sample& s, double viscosity) {
   return s.laws.friction.visit([&](const auto& law) { return law.damping(viscosity); });
 }
 
-Coefficients coefficients_of_equals(const Sample& s, const DiskRecord& d) {
-  return s.coefficients.pair(d.material, d.material, d.mass, d.mass, d.radius, d.radius, false);
-}
+Coefficients coefficients_of_equals(const Sample& s, const DiskRecord& d) { return s.coefficients.pair(d, d, false); }
 
 /// Rolling resistance of two equal grains, over r^2.
 struct Rolling {
@@ -179,14 +177,14 @@ double shortest_contact_time(const Sample& s) {
   for (std::size_t k = 0; k < s.count; ++k) {
     const auto& d = s.record[k];
     if (is_part(s, k)) continue;
-    const double pair = 0.5 * d.mass / (pull + tangent_stiffness(s, overlap, stiffness_of(s, d)));
-    const double wall = d.mass / tangent_stiffness(s, overlap, s.coefficients.wall_stiffness(d.material, d.radius));
+    const double pair = 0.5 * d.mass / (pull + tangent_stiffness(s, overlap, s.coefficients.pair_stiffness(d, d)));
+    const double wall = d.mass / tangent_stiffness(s, overlap, s.coefficients.wall_stiffness(d));
     shortest = std::min(shortest, std::numbers::pi * std::sqrt(std::min(pair, wall)));
   }
   for (const Body& b : s.body) {
     const auto& d = s.record[s.part_disk[b.first]];
-    const double pair = 0.5 / tangent_stiffness(s, overlap, stiffness_of(s, d));
-    const double wall = 1 / tangent_stiffness(s, overlap, s.coefficients.wall_stiffness(d.material, d.radius));
+    const double pair = 0.5 / tangent_stiffness(s, overlap, s.coefficients.pair_stiffness(d, d));
+    const double wall = 1 / tangent_stiffness(s, overlap, s.coefficients.wall_stiffness(d));
     shortest = std::min(shortest, std::numbers::pi * std::sqrt(lightest_mass(s, b) * std::min(pair, wall)));
   }
   return shortest;

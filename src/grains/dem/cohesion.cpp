@@ -1,4 +1,4 @@
-#include "grains/dem/cohesion.hpp"
+#include "grains/dem/forces.hpp"
 
 #include <fmt/format.h>
 
@@ -7,8 +7,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
-#include "grains/dem/forces.hpp"
-#include "grains/dem/integrators/motion.hpp"
+#include "grains/dem/integrators/integrators.hpp"
 
 namespace arenite::dem {
 namespace {

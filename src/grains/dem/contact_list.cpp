@@ -132,7 +132,7 @@ void list_walls(Sample& s) {
   for (std::size_t k = 0; k < s.count; ++k) {
     const DiskRecord& d = s.record[k];
     const HeldGrain* held = find_held(s, d.grain);
-    const auto add = [&](std::int32_t j) { add_slot(s.list, static_cast<std::int32_t>(k), j, -1, wall_coefficients(s, d)); };
+    const auto add = [&](std::int32_t j) { add_slot(s.list, static_cast<std::int32_t>(k), j, -1, s.coefficients.wall(d)); };
     for (int side = 0; side < sides; ++side) {
       const bool may_touch = s.domain.wall[side].present && !(held && held->side == side);
       if (may_touch && s.domain.depth(side, d.place) < d.radius + s.skin) add(wall_partner(side));
@@ -149,7 +149,7 @@ void list_point_feet(Sample& s) {
   s.point_foot = find_point_feet(s);
   for (const Foot& foot : s.point_foot) {
     const std::int32_t first = s.part_disk[s.body[foot.body].first];
-    add_slot(list, first, foot.touches, -1, wall_coefficients(s, s.record[first]));
+    add_slot(list, first, foot.touches, -1, s.coefficients.wall(s.record[first]));
   }
   s.record.resize(s.count + s.ghost.size() + s.point_foot.size());
   refresh_feet(s);

@@ -1,5 +1,7 @@
 #pragma once
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <map>
 #include <utility>
@@ -14,13 +16,6 @@ namespace arenite::dem {
 struct Cells {
   std::int32_t x = 0, y = 0;
 };
-
-/// Force of a contact on i, N, and its torques on i and j, N m; all 0 where apart.
-struct alignas(32) SlotForce {
-  Vec2 on_i;
-  double torque_i = 0, torque_j = 0;
-};
-inline bool acts(const SlotForce& f) { return f.on_i != Vec2{}; }
 
 /// Velocity, m/s, and turning, rad/s.
 struct Motion {
@@ -85,17 +80,22 @@ struct BondSlot {
   double angle_i = 0, angle_j = 0;          ///< that the grains have where it is not bent and has this normal, rad
   Beam beam;
   double strength = 1;                                                ///< over that of the law
-  double tensile = 0, cohesion = 0;                                   ///< that of this bond, Pa
+  double tensile = 0, cohesion = 0;                                   ///< that of this bond, Pa; never within its strength once it has ended
   double normal_damping = 0, shear_damping = 0, bending_damping = 0;  ///< N s/m, N s/m, N m s
 };
 
 /// The slots' numbers side by side, for the loop over them.
 struct BondNumbers {
   std::vector<std::int32_t> i, j;
-  std::array<std::vector<double>, bond_columns> column;
+  std::array<std::vector<double>, bond_columns> column;  ///< in the order of BondRow
   std::vector<std::uint8_t> look;
   std::vector<std::int32_t> across;  ///< slots that mean another image of j than j itself
   bool damped = false;
+  BondRow<double*> columns() {
+    std::array<double*, bond_columns> begin{};
+    std::ranges::transform(column, begin.begin(), [](auto& numbers) { return numbers.data(); });
+    return std::bit_cast<BondRow<double*>>(begin);
+  }
 };
 
 /// Where the force of bond slot b stands in the list.

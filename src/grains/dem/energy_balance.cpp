@@ -5,10 +5,8 @@
 #include "grains/dem/bodies/bodies.hpp"
 #include "grains/dem/bonds.hpp"
 #include "grains/dem/boundaries/boundaries.hpp"
-#include "grains/dem/cohesion.hpp"
 #include "grains/dem/forces.hpp"
 #include "grains/dem/integrators/integrators.hpp"
-#include "grains/dem/integrators/motion.hpp"
 #include "grains/dem/sample.hpp"
 #include "grains/dem/walls.hpp"
 

@@ -10,11 +10,8 @@
 #include "grains/dem/bodies/bodies.hpp"
 #include "grains/dem/bonds.hpp"
 #include "grains/dem/boundaries/boundaries.hpp"
-#include "grains/dem/bounds.hpp"
-#include "grains/dem/cohesion.hpp"
 #include "grains/dem/forces.hpp"
 #include "grains/dem/kernels/kernel.hpp"
-#include "grains/dem/measure.hpp"
 #include "grains/dem/neighbours.hpp"
 #include "grains/dem/setup.hpp"
 #include "grains/dem/walls.hpp"
@@ -29,8 +26,6 @@ const Kernel& find_kernel(const std::string& asked) {
     throw InputError(fmt::format("kernel \"{}\" needs a processor that this machine lacks; \"auto\" takes the best it has", asked));
   throw InputError(fmt::format("kernel \"{}\" is none of auto, portable, avx2, avx512", asked));
 }
-
-std::string kernel_name(const std::string& asked) { return find_kernel(asked).name; }
 
 namespace {
 
@@ -104,11 +99,11 @@ void Engine::set_mass_scaling(MassScaling masses) {
   Sample& s = machine_->sample;
   if (masses == s.mass_scaling) return;
   synchronise(s);
-  const double before = energies_of(s).kinetic;
-  give_masses(s, masses);
-  make_heavy_enough(s);
-  allow_step(s, masses == MassScaling::uniform ? "scaled masses" : "its own masses");
-  if (s.integration.track_energy) s.tally.dissipated_drag += before - energies_of(s).kinetic;
+  book_change(s, &Energies::dissipated_drag, &Energies::kinetic, [&] {
+    give_masses(s, masses);
+    make_heavy_enough(s);
+    allow_step(s, masses == MassScaling::uniform ? "scaled masses" : "its own masses");
+  });
 }
 
 void Engine::set_shear_rate(double rate) {
@@ -134,11 +129,10 @@ void Engine::set_friction(std::optional<double> mu) {
 void Engine::set_glue(bool on) {
   Sample& s = machine_->sample;
   if (on == s.glue) return;
-  // What bonds gain or lose by decree is booked with their breakage.
-  const double before = adhesive_energy(s);
-  s.glue = on;
-  bond_touching_pairs(s);
-  if (s.integration.track_energy) s.tally.dissipated_breakage += before - adhesive_energy(s);
+  book_change(s, &Energies::dissipated_breakage, adhesive_energy, [&] {
+    s.glue = on;
+    bond_touching_pairs(s);
+  });
   s.balance.open = false;
 }
 
@@ -182,9 +176,7 @@ void Engine::set_drives(const WallDrives& asked) {
   if (std::ranges::equal(drives, s.wall, {}, {}, &WallBody::drive)) return;
   check_still_cell(s, drives, false);
   synchronise(s);
-  const double before = servo_energy(s);
-  apply_drives(s, drives);
-  if (s.integration.track_energy) s.tally.dissipated_drag += before - servo_energy(s);
+  book_change(s, &Energies::dissipated_drag, servo_energy, [&] { apply_drives(s, drives); });
 }
 
 double Engine::time() const { return time_of(machine_->sample); }

@@ -1,4 +1,4 @@
-#include "grains/dem/measure.hpp"
+#include "grains/dem/setup.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,9 +8,8 @@
 #include "grains/dem/bodies/bodies.hpp"
 #include "grains/dem/bonds.hpp"
 #include "grains/dem/boundaries/boundaries.hpp"
-#include "grains/dem/cohesion.hpp"
 #include "grains/dem/forces.hpp"
-#include "grains/dem/integrators/motion.hpp"
+#include "grains/dem/integrators/integrators.hpp"
 #include "grains/dem/walls.hpp"
 
 namespace arenite::dem {

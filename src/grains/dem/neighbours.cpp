@@ -206,9 +206,7 @@ bool is_glued(const Sample& s, std::int32_t a, std::int32_t b) {
   return bonds_break(s) ? std::binary_search(s.live_bonds.begin(), s.live_bonds.end(), pair_key(a, b)) : is_marked_as_glued(s, a, b);
 }
 
-Coefficients pair_coefficients(const Sample& s, const DiskRecord& a, const DiskRecord& b) {
-  return s.coefficients.pair(a.material, b.material, a.mass, b.mass, a.radius, b.radius, is_glued(s, a.grain, b.grain));
-}
+Coefficients pair_coefficients(const Sample& s, const DiskRecord& a, const DiskRecord& b) { return s.coefficients.pair(a, b, is_glued(s, a.grain, b.grain)); }
 
 void bond_touching_pairs(Sample& s) {
   s.live_bonds.clear();

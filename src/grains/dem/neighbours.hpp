@@ -43,9 +43,8 @@ bool is_marked_as_glued(const Sample& sample, std::int32_t a, std::int32_t b);
 /// Grains a and b (caller's indices) attract each other.
 bool is_glued(const Sample& sample, std::int32_t a, std::int32_t b);
 
-/// What the laws need of two disks, and of a disk and a wall.
+/// What the laws need of two disks.
 Coefficients pair_coefficients(const Sample& sample, const DiskRecord& a, const DiskRecord& b);
-inline Coefficients wall_coefficients(const Sample& s, const DiskRecord& d) { return s.coefficients.wall(d.material, d.mass, d.radius); }
 
 /// Decides anew which listed pairs attract, after glue was switched on or off. Where bonds break for good, the glued pairs that touch now (to a
 /// millionth of their radii) are the bonds there are.

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "grains/dem/bodies/bodies.hpp"
-#include "grains/dem/measure.hpp"
 #include "grains/dem/setup.hpp"
 
 namespace arenite::dem {
@@ -30,21 +29,20 @@ const Programme* Programmes::of_side(int side) const {
 
 void change_shear_rate(Sample& s, double rate) {
   if (rate == s.shear_rate) return;
-  const bool tracked = s.integration.track_energy;
-  const double before = tracked ? energies_of(s).kinetic : 0, middle = 0.5 * (s.domain.wall[bottom].position + s.domain.wall[top].position);
-  for (std::size_t k = 0; k < s.count; ++k) {
-    const double faster = (rate - s.shear_rate) * (s.record[k].place.y - middle);
-    s.velocity.along[0][k] += faster;
-    s.record[k].velocity.x += faster;
-  }
-  for (Body& b : s.body) {
-    const double faster = (rate - s.shear_rate) * (b.place.y - middle);
-    b.own.velocity.x += faster;
-    b.seen.velocity.x += faster;
-  }
-  s.shear_rate = rate;
-  place_parts(s);
-  if (tracked) s.tally.work_walls += energies_of(s).kinetic - before;
+  const double middle = 0.5 * (s.domain.wall[bottom].position + s.domain.wall[top].position);
+  const auto faster_at = [&](double y) { return (rate - s.shear_rate) * (y - middle); };
+  book_change(s, &Energies::work_walls, &Energies::kinetic, [&] {
+    for (std::size_t k = 0; k < s.count; ++k) {
+      s.velocity.along[0][k] += faster_at(s.record[k].place.y);
+      s.record[k].velocity.x += faster_at(s.record[k].place.y);
+    }
+    for (Body& b : s.body) {
+      b.own.velocity.x += faster_at(b.place.y);
+      b.seen.velocity.x += faster_at(b.place.y);
+    }
+    s.shear_rate = rate;
+    place_parts(s);
+  });
 }
 
 namespace {

@@ -16,16 +16,6 @@
 
 namespace arenite::dem {
 
-/// What the pair loop reads of a disk or sphere; a disk's is one cache line. Velocities are those that the forces see.
-template <int D> struct alignas(64) GrainRecord {
-  Vec<D> place, velocity;
-  Turning<D> omega{};
-  double radius = 0, mass = 0;
-  std::int32_t material = 0;
-  std::int32_t grain = 0;  ///< the caller's index
-};
-static_assert(sizeof(DiskRecord) == 64);
-
 /// The periodic image of a disk, kept as a record behind the disks'.
 struct Ghost {
   std::int32_t source = 0;
@@ -225,8 +215,6 @@ inline const HeldGrain* find_held(const Sample& s, std::int32_t grain) {
   return at != s.held.end() && at->grain == grain ? &*at : nullptr;
 }
 
-inline double inertia(const DiskRecord& d) { return 0.5 * d.mass * d.radius * d.radius; }
-
 /// The body that a disk of `start` belongs to; -1 for none. The caller's index of its grain.
 inline std::int32_t body_of(const Sample& s, std::int32_t disk) { return s.part.empty() ? -1 : s.part[disk].body; }
 inline std::int32_t grain_of(const Sample& s, std::int32_t disk) { return s.part.empty() ? disk : s.part[disk].grain; }
@@ -247,8 +235,5 @@ inline std::size_t grain_count(const Sample& s) { return s.part.empty() ? s.coun
 
 /// Centres of touching disks, or of disks in the list, are never farther apart, m.
 inline double reach_of(const Sample& s) { return 2.0 * s.largest_radius + s.skin + s.cohesion.reach; }
-
-/// Of two disks like this one, N/m.
-inline double stiffness_of(const Sample& s, const DiskRecord& d) { return s.coefficients.pair_stiffness(d.material, d.material, d.radius, d.radius); }
 
 }  // namespace arenite::dem

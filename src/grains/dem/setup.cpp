@@ -9,8 +9,6 @@
 #include "core/problems.hpp"
 #include "grains/dem/bodies/bodies.hpp"
 #include "grains/dem/boundaries/boundaries.hpp"
-#include "grains/dem/bounds.hpp"
-#include "grains/dem/cohesion.hpp"
 #include "grains/dem/forces.hpp"
 #include "grains/dem/integrators/integrators.hpp"
 #include "grains/dem/kernels/kernel.hpp"

@@ -54,18 +54,6 @@ struct StrainCycles {
   bool operator==(const StrainCycles&) const = default;
 };
 
-/// How a boundary moves in a stage; one that is not named is there, at rest.
-struct BoundaryMotion {
-  std::string name;
-  Vec2 velocity;               ///< m/s
-  double spin = 0;             ///< rad/s, counter-clockwise
-  std::optional<Vec2> centre;  ///< of the spin as the stage begins, m; unset: the mean of the points
-  bool absent = false;
-  std::optional<double> mass = {};  ///< kg; with it the boundary moves under its weight, the grains and the force, from the velocity on that it has
-  Vec2 force = {};                  ///< N
-  bool operator==(const BoundaryMotion&) const = default;
-};
-
 /// One stage of loading.
 struct Stage {
   std::string name;
@@ -96,32 +84,11 @@ struct Stage {
   bool operator==(const Stage&) const = default;
 };
 
-/// One step of a stage's loading: what every side aims at when the increment is over.
-struct Increment {
-  BySide<SideDrive> side;
-  BySide<double> slide{};
-  std::string label;
-};
-
-/// What the sides of a stage aim at with a share (0 to 1) of the way from the start's forces (N) done; pressures act in full from the start.
-Increment on_the_ramp(const Stage& stage, const BySide<double>& force_at_start, double share, std::string label = {});
-
 /// How many increments a stage has, or half cycles of strain.
 std::int64_t increment_count(const Stage& stage);
 
-/// One of them, counted from 0. Forces go from what acts at the start (N; compression positive) to their values in equal steps, pressures act in full
-/// at once; cycles follow, each half cycle a ramp of its own.
-Increment increment_at(const Stage& stage, const BySide<double>& force_at_start, std::int64_t k);
-
-/// Where in the cycles the end of an increment, or of a half cycle of strain, lies.
-struct CyclePlace {
-  std::int64_t cycle = 0;  ///< from 1; 0 before the cycles
-  bool ends_half = false, at_maximum = false;
-};
-CyclePlace cycle_place(const Stage& stage, std::int64_t k);
-
-/// Whether the state at a place is stored.
-bool is_stored(const Stage& stage, const CyclePlace& place);
+/// Steps that a duration takes.
+std::int64_t steps_of(double duration, double time_step);
 
 /// One half cycle of strain, counted from 0.
 struct StrainHalf {
@@ -130,10 +97,29 @@ struct StrainHalf {
 };
 StrainHalf strain_half(const StrainCycles& cycles, std::int64_t half, double time_step);
 
-/// What drives the walls of this domain in an increment: velocities along +x or +y, pressures as forces.
-WallDrives drives_for(const Increment& increment, const Domain& domain);
+/// How the sample was when the stage began.
+struct StageStart {
+  BySide<double> force{};        ///< N
+  std::array<double, 2> size{};  ///< width and height, m
+};
 
-/// How the boundaries of this domain move in a stage. InputError for a name that none has.
-std::vector<BoundaryDrive> boundary_drives_for(const Stage& stage, const Domain& domain);
+/// One leg of a stage's loading: an increment, a half cycle of strain, or, in a stage that lasts a time, the way to the next state that is stored.
+struct Leg {
+  BySide<SideDrive> side;             ///< what the sides aim at; pressures act in full at once, forces in equal steps from what acts at the start
+  std::optional<double> shear_rate;   ///< 1/s, of a half cycle of shear
+  std::optional<std::int64_t> until;  ///< steps of the increment at which it is over; unset: when the sample is at rest
+  std::string label;
+  std::int64_t cycle = 0;  ///< from 1; 0 before the cycles
+  bool ends_half = false, at_maximum = false;
+  bool stored = true;    ///< the state at its end
+  bool is_whole = true;  ///< an increment or half cycle ends with it
+  bool is_last = false;
+};
+
+/// Increment `k` of a stage, counted from 0; `frame` of its states comes next.
+Leg leg_at(const Stage& stage, const StageStart& start, std::int64_t k, std::int64_t frame, double time_step);
+
+/// What drives the walls of this domain in a leg: velocities along +x or +y, pressures as forces.
+WallDrives drives_for(const Stage& stage, const Leg& leg, const Domain& domain);
 
 }  // namespace arenite::dem

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "grains/dem/integrators/motion.hpp"
+#include "grains/dem/integrators/integrators.hpp"
 
 namespace arenite::dem {
 namespace {
@@ -28,7 +28,7 @@ double servo_damping(const Sample& s, std::size_t side) {
 void tune_servo(Sample& s) {
   double mass = 0, stiffness = 0;
   each_mover(s, [&](std::size_t k) { mass += mover_at(s, k).mass; });
-  for (std::size_t k = 0; k < s.count; ++k) stiffness += stiffness_of(s, s.record[k]) / static_cast<double>(s.count);
+  for (std::size_t k = 0; k < s.count; ++k) stiffness += s.coefficients.pair_stiffness(s.record[k], s.record[k]) / static_cast<double>(s.count);
   const double layers = std::sqrt(static_cast<double>(std::max<std::size_t>(grain_count(s), 1)));
   const double aspect = s.domain.width() / s.domain.height();
   for (int side = 0; side < sides; ++side) {

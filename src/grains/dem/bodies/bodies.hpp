@@ -1,7 +1,7 @@
 #pragma once
 #include "core/problems.hpp"
 #include "core/threads.hpp"
-#include "grains/dem/integrators/motion.hpp"
+#include "grains/dem/integrators/integrators.hpp"
 #include "grains/dem/kernels/kernel.hpp"
 #include "grains/dem/sample.hpp"
 

@@ -18,7 +18,10 @@ std::string integrators_of_bodies(std::string_view quotes) {
   return text;
 }
 
-DiskSweep::DiskSweep(Sample& s) : sample_(s), before_(cell_frame(s.domain)) {
+namespace {
+
+SweepTask sweep_task(Sample& s, double kick, double ahead) {
+  SweepTask task{};
   task.record = s.record.data();
   task.force = s.list.force.data();
   task.group = s.list.group.data();
@@ -36,15 +39,22 @@ DiskSweep::DiskSweep(Sample& s) : sample_(s), before_(cell_frame(s.domain)) {
   task.gravity = s.gravity;
   task.before = cell_motion(s.domain);
   task.dt = s.dt;
+  task.kick = kick;
+  task.ahead = ahead;
   task.drag = s.drag;
   task.turning = s.integration.rotations ? 1.0 : 0.0;
+  return task;
 }
 
-bool DiskSweep::run(Kernel::Sweep loop, const ThreadPool& pool) {
-  Sample& s = sample_;
-  const CellFrame<2> after = cell_frame(s.domain), listed = cell_frame(s.listed_domain);
+}  // namespace
+
+bool sweep_disks(Sample& s, const ThreadPool& pool, Kernel::Sweep loop, MoveWalls move_walls, double kick, double ahead) {
+  const CellFrame<2> before = cell_frame(s.domain), listed = cell_frame(s.listed_domain);
+  SweepTask task = sweep_task(s, kick, ahead);
+  move_walls(s, kick, ahead);
+  const CellFrame<2> after = cell_frame(s.domain);
   for (std::size_t axis = 0; axis < after.size(); ++axis)
-    task.cell[axis] = {after[axis].since(before_[axis]), after[axis].since(listed[axis]), after[axis].growth(before_[axis])};
+    task.cell[axis] = {after[axis].since(before[axis]), after[axis].since(listed[axis]), after[axis].growth(before[axis])};
   task.after = cell_motion(s.domain);
   move_boundaries(s, s.dt);
   s.sheared += s.dt * s.shear_rate;
@@ -57,7 +67,7 @@ bool DiskSweep::run(Kernel::Sweep loop, const ThreadPool& pool) {
     pool.for_ranges(s.count, [&](std::size_t begin, std::size_t end) {
       if (!loop(task, begin, end)) near = false;
     });
-  if (s.domain.periodic[0]) s.domain.tilt *= after[0].length / before_[0].length;
+  if (s.domain.periodic[0]) s.domain.tilt *= after[0].length / before[0].length;
   s.domain.tilt += s.dt * s.shear_rate * s.domain.height();
   for (WallBody& body : s.wall) body.slid += s.dt * body.drive.slide;
   hold_grains(s);

@@ -8,9 +8,24 @@
 
 namespace arenite::dem {
 
-template <int D> struct GrainRecord;
+/// What the loops read of a disk or sphere; a disk's is one cache line. Velocities are those that the forces see.
+template <int D> struct alignas(64) GrainRecord {
+  Vec<D> place{}, velocity{};
+  Turning<D> omega{};
+  double radius = 0, mass = 0;
+  std::int32_t material = 0;
+  std::int32_t grain = 0;  ///< the caller's index
+};
 using DiskRecord = GrainRecord<2>;
-struct SlotForce;
+static_assert(sizeof(DiskRecord) == 64);
+inline double inertia(const DiskRecord& d) { return 0.5 * d.mass * d.radius * d.radius; }
+
+/// Force of a contact on i, N, and its torques on i and j, N m; all 0 where apart.
+struct alignas(32) SlotForce {
+  Vec2 on_i;
+  double torque_i = 0, torque_j = 0;
+};
+inline bool acts(const SlotForce& f) { return f.on_i != Vec2{}; }
 
 /// What the pair loop reads and fills; the arrays are those of ContactList.
 struct PairTask {
@@ -24,40 +39,22 @@ struct PairTask {
   double arm_share;  ///< of the overlap that each arm lacks: 1/2 (contact point) or 0 (full radius)
 };
 
-/// What the loop over the bonds reads of each, one array a number: the branch and its direction when the list was built, the arms, the angles that the
-/// grains have where nothing is strained, the Beam, its dashpots and strengths, and the place and velocity of the image of j beside j.
-enum BondColumn : std::size_t {
-  beam_length,
-  beam_arm_i,
-  beam_arm_j,
-  beam_nx,
-  beam_ny,
-  beam_angle_i,
-  beam_angle_j,
-  beam_normal,
-  beam_shear,
-  beam_bending,
-  beam_normal_damping,
-  beam_shear_damping,
-  beam_bending_damping,
-  beam_per_area,
-  beam_per_section,
-  beam_tensile,
-  beam_cohesion,
-  beam_friction,
-  beam_image_x,
-  beam_image_y,
-  beam_image_vx,
-  beam_image_vy,
-  bond_columns
+/// What the loop over the bonds knows of each, or where the arrays of these numbers are: the branch and its direction when the list was built, the arms,
+/// the angles that the grains have where nothing is strained, the Beam, its dashpots and strengths, and the place and velocity of the image of j beside j.
+template <class Number> struct BondRow {
+  Number length, arm_i, arm_j, normal_x, normal_y, angle_i, angle_j;
+  Number normal, shear, bending, normal_damping, shear_damping, bending_damping;
+  Number per_area, per_section, tensile, cohesion, friction;
+  Number image_x{}, image_y{}, image_vx{}, image_vy{};
 };
+inline constexpr std::size_t bond_columns = sizeof(BondRow<double>) / sizeof(double);
 
 /// What the loop over the bonds reads and fills; the arrays are those of BondNumbers.
 struct BondTask {
   const DiskRecord* record;
   const double* angle;
   const std::int32_t *i, *j;
-  std::array<const double*, bond_columns> column;
+  BondRow<const double*> column;
   SlotForce* force;
   std::uint8_t* look;  ///< where a bond may break, or has turned far since the list was built: then it is not for the loop to say
   bool damped;

@@ -7,11 +7,9 @@
 namespace arenite::dem {
 
 /// Grains that neither stick nor are wet.
-struct NoCohesion {
+struct NoCohesion : WithoutParameters {
   static constexpr Word word{"none", "grains neither stick nor are wet"};
   static constexpr bool acts = false, breaks = false;
-  void declare(ParameterVisitor&) {}
-  bool operator==(const NoCohesion&) const = default;
   double joins_within() const { return 0; }
   PullCurve curve(double /*radius_i*/, double /*radius_j*/, double /*thickness*/) const { return {}; }
 };

@@ -32,11 +32,9 @@ struct BeamLoad {
 };
 
 /// Grains without cement.
-struct NoBonds {
+struct NoBonds : WithoutParameters {
   static constexpr Word word{"none", "no cement between grains"};
   static constexpr bool bonds = false;
-  void declare(ParameterVisitor&) {}
-  bool operator==(const NoBonds&) const = default;
 
   double gap = 0, damping = 0, scatter = 0;
   std::int64_t seed = 0;
