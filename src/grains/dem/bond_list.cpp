@@ -73,10 +73,8 @@ BondSlot slot_of(const Sample& s, std::size_t place, const std::vector<std::int3
     b.beam = law.beam(bond.length, std::min(a.radius, c.radius), s.domain.thickness);
     tune_dashpots(s, b, law.damping);
     b.strength = strength_of(bond, law.scatter, law.seed);
-    if constexpr (law.bonds) {
-      b.tensile = b.strength * law.tensile_strength;
-      b.cohesion = b.strength * law.cohesion;
-    }
+    b.tensile = b.strength * law.tensile_strength;
+    b.cohesion = b.strength * law.cohesion;
   });
   return b;
 }
@@ -95,13 +93,7 @@ void line_up(Sample& s) {
     numbers.j.push_back(b.j);
     if (b.shift.x != 0 || b.shift.y != 0) numbers.across.push_back(static_cast<std::int32_t>(n));
     numbers.damped |= b.normal_damping > 0;
-    const BondRow<double> row{b.length,          b.arm_i,          b.arm_j,
-                              b.normal.x,        b.normal.y,       b.angle_i,
-                              b.angle_j,         b.beam.normal,    b.beam.shear,
-                              b.beam.bending,    b.normal_damping, b.shear_damping,
-                              b.bending_damping, b.beam.per_area,  b.beam.per_section,
-                              b.tensile,         b.cohesion,       b.strength * b.beam.friction};
-    const auto values = std::bit_cast<std::array<double, bond_columns>>(row);
+    const auto values = std::bit_cast<std::array<double, bond_columns>>(static_cast<const BondRow<double>&>(b));
     for (std::size_t q = 0; q < bond_columns; ++q) numbers.column[q].push_back(values[q]);
   }
 }

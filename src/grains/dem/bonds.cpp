@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "grains/dem/integrators/integrators.hpp"
-#include "grains/dem/kernels/kernel.hpp"
 #include "grains/dem/setup.hpp"
 
 namespace arenite::dem {
@@ -49,10 +48,10 @@ void move_images(Sample& s) {
   const BondRow<double*> column = s.bond_numbers.columns();
   for (const std::int32_t slot : s.bond_numbers.across) {
     const Vec2 place = image_place(s, s.bond_slots[slot].shift), velocity = image_velocity(s, s.bond_slots[slot].shift);
-    column.image_x[slot] = place.x;
-    column.image_y[slot] = place.y;
-    column.image_vx[slot] = velocity.x;
-    column.image_vy[slot] = velocity.y;
+    column.image.x[slot] = place.x;
+    column.image.y[slot] = place.y;
+    column.image_velocity.x[slot] = velocity.x;
+    column.image_velocity.y[slot] = velocity.y;
   }
 }
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "grains/dem/parameters.hpp"
-#include "grains/dem/programme.hpp"
+#include "grains/dem/stage.hpp"
 #include "model/packing.hpp"
 #include "model/result.hpp"
 

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <numbers>
 
 #include "grains/dem/bodies/bodies.hpp"
 #include "grains/dem/bonds.hpp"
@@ -8,14 +7,6 @@
 #include "grains/dem/walls.hpp"
 
 namespace arenite::dem {
-
-double own_mass(const Sample& s, std::size_t k) {
-  const Grains& g = s.start.grains;
-  const auto grain = static_cast<std::size_t>(s.record[k].grain);
-  if (const std::int32_t body = body_of(s, s.record[k].grain); body >= 0) return own_mass_of(s, s.body[body]);
-  const double r = g.radius[grain];
-  return s.start.materials[g.material[grain]].density * std::numbers::pi * r * r * s.domain.thickness;
-}
 
 namespace {
 
@@ -37,7 +28,7 @@ void give_masses(Sample& s, MassScaling masses) {
   s.mass_scaling = masses;
   double fastest = 0;
   for (std::size_t k = 0; k < s.count; ++k) {
-    s.record[k].mass = own_mass(s, k);
+    s.record[k].mass = own_mass(s, s.record[k].grain);
     fastest = std::max(fastest, s.coefficients.pair_stiffness(s.record[k], s.record[k]) / s.record[k].mass);
   }
   if (masses == MassScaling::uniform)

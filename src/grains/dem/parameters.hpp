@@ -55,18 +55,13 @@ struct ContactParameters {
   std::vector<std::pair<std::int32_t, std::int32_t>> glued_pairs;
   bool operator==(const ContactParameters&) const = default;
 
-  bool adheres() const {
-    return adhesion.visit([](const auto& law) { return law.attracts; });
-  }
+  bool adheres() const { return !std::holds_alternative<NoAdhesion>(adhesion); }
+  bool is_cohesive() const { return !std::holds_alternative<NoCohesion>(cohesion); }
+  bool has_bonds() const { return !std::holds_alternative<NoBonds>(bonds); }
+  bool rolls_freely() const { return std::holds_alternative<NoRolling>(rolling); }
   /// The normal law is one of materials' E and nu.
   bool takes_moduli() const {
     return normal.visit([]<class N>(const N&) { return ElasticContact<N>; });
-  }
-  bool is_cohesive() const {
-    return cohesion.visit([](const auto& law) { return law.acts; });
-  }
-  bool has_bonds() const {
-    return bonds.visit([](const auto& law) { return law.bonds; });
   }
 };
 

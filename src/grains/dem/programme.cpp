@@ -1,4 +1,4 @@
-#include "grains/dem/programme.hpp"
+#include "grains/dem/stage.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,16 +15,6 @@ double Programme::at(double time) const {
   if (after == table.end()) return table.back().y;
   const Vec2 &a = *(after - 1), &b = *after;
   return a.y + (time - a.x) / (b.x - a.x) * (b.y - a.y);
-}
-
-const Programme* Programmes::find(int of) const {
-  const auto at = std::ranges::find(list, of, &Programme::of);
-  return at == list.end() ? nullptr : &*at;
-}
-
-const Programme* Programmes::of_side(int side) const {
-  const auto at = std::find_if(list.begin(), list.end(), [&](const Programme& p) { return p.drives_side() && p.side() == side; });
-  return at == list.end() ? nullptr : &*at;
 }
 
 void change_shear_rate(Sample& s, double rate) {
@@ -78,16 +68,16 @@ void follow_velocities(Sample& s) {
 
 void follow_loads(Sample& s) {
   const double time = time_of(s) - s.programmes.begin;
+  double g = s.programmes.gravity_size, turned = s.programmes.gravity_angle;
+  bool weight_changes = false;
   for (const Programme& p : s.programmes.list) {
     if (p.drives_side() && p.drive() != 0) s.wall[p.side()].drive.value = load_of(s, p, time);
-    if (!p.is_of_force()) continue;
-    Vec2& force = s.boundary[index_of(s.domain.boundaries, p.name)].force;
-    force[p.boundary_axis()] = p.at(time);
+    if (p.is_of_force()) s.boundary[index_of(s.domain.boundaries, p.name)].force[p.boundary_axis()] = p.at(time);
+    if (p.of == Programme::gravity_size) g = p.at(time);
+    if (p.of == Programme::gravity_angle) turned = p.at(time);
+    weight_changes |= p.of == Programme::gravity_size || p.of == Programme::gravity_angle;
   }
-  const Programme *size = s.programmes.find(Programme::gravity_size), *angle = s.programmes.find(Programme::gravity_angle);
-  if (!size && !angle) return;
-  const double g = size ? size->at(time) : s.programmes.gravity_size, turned = angle ? angle->at(time) : s.programmes.gravity_angle;
-  s.gravity = g * Vec2{std::sin(turned), -std::cos(turned)};
+  if (weight_changes) s.gravity = g * Vec2{std::sin(turned), -std::cos(turned)};
 }
 
 WallDrives under_programmes(const Sample& s, WallDrives drives) {

@@ -4,7 +4,6 @@
 #include "core/error.hpp"
 #include "grains/dem/bonds.hpp"
 #include "grains/dem/boundaries/boundaries.hpp"
-#include "grains/dem/forces.hpp"
 #include "grains/dem/neighbours.hpp"
 #include "grains/dem/setup.hpp"
 
@@ -86,9 +85,9 @@ template <class Archive> class Members {
 
   /// The slots' contents; their number follows from the list.
   void take(ContactList& list) {
-    (*this)(list.strength, list.memory);
-    for (auto* more : {&list.normal_memory, &list.rolling_memory, &list.pull})
-      if (!more->empty()) take(*more);
+    take(list.strength);
+    for (auto* memory : list.memories())
+      if (memory == &list.memory || !memory->empty()) take(*memory);
     (*this)(list.force, list.bond);
   }
 

@@ -52,9 +52,6 @@ double shortest_contact_time(const Sample& sample);
 /// grains like itself, whichever is more, so that a loose sample may be compacted.
 StepBounds step_bounds(const Sample& sample);
 
-/// Mass of the disk in record k by density, radius and thickness, kg.
-double own_mass(const Sample& sample, std::size_t k);
-
 /// Gives the disks their own masses, or even ones. Even: every grain is as heavy as makes its contacts as fast as those of the grain whose contacts
 /// are fastest, k/m alike. The step stays stable, waves run through grains of unlike sizes as fast as it allows, and equilibria do not change,
 /// for they do not know masses (but for weight: no gravity then). Dashpots follow the masses, so restitution is kept. Speeds stay.
@@ -88,6 +85,19 @@ template <class Energy, class Change> void book_change(Sample& s, double Energie
   const double gain = now() - before;
   s.tally.*term += term == &Energies::work_walls ? gain : -gain;
 }
+
+/// What drives the walls where programmes do, and elsewhere as given: a force as it is now; a velocity stays, since it is set step by step.
+WallDrives under_programmes(const Sample& sample, WallDrives drives);
+
+/// Shears a periodic cell at another rate from now on; grains are given the velocities of the change.
+void change_shear_rate(Sample& sample, double rate);
+
+/// Before a step: velocities of sides and boundaries and the rate of shear are those of its middle, so that the ways made are the areas below the
+/// tables; boundaries whose place is given go there.
+void follow_velocities(Sample& sample);
+
+/// After the motion of a step: forces, pressures and gravity are those of its end.
+void follow_loads(Sample& sample);
 
 /// What an engine is made of.
 struct Engine::Machine {

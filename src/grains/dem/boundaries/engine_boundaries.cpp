@@ -6,9 +6,7 @@
 #include "core/error.hpp"
 #include "grains/dem/bodies/bodies.hpp"
 #include "grains/dem/boundaries/boundaries.hpp"
-#include "grains/dem/engine.hpp"
 #include "grains/dem/forces.hpp"
-#include "grains/dem/integrators/integrators.hpp"
 #include "grains/dem/neighbours.hpp"
 #include "grains/dem/setup.hpp"
 #include "grains/dem/walls.hpp"
@@ -26,15 +24,11 @@ void list_anew(Sample& s, const ThreadPool& pool) {
 
 namespace {
 
-std::size_t grains_beyond(const Sample& s, int side) {
-  std::size_t count = 0;
-  for (std::size_t k = 0; k < s.count; ++k) count += s.domain.depth(side, s.record[k].place) < 0;
-  return count;
-}
-
 void check_opening(const Sample& s, int side, bool open) {
   if (open && s.domain.is_periodic(side)) throw InputError(fmt::format("the {} side is periodic and has no wall that could be open", side_names[side]));
-  if (const std::size_t beyond = grains_beyond(s, side); !open && beyond > 0)
+  std::size_t beyond = 0;
+  for (std::size_t k = 0; k < s.count; ++k) beyond += s.domain.depth(side, s.record[k].place) < 0;
+  if (!open && beyond > 0)
     throw InputError(fmt::format("the {} wall cannot come back, for {} grains lie beyond it; leave that side open", side_names[side], beyond));
 }
 
@@ -161,7 +155,7 @@ Amount Engine::below(double height) const {
   each_mover(s, [&](std::size_t k) {
     if (!(mover_at(s, k).place.y < height)) return;
     ++amount.grains;
-    amount.mass += k < s.count ? own_mass(s, k) : own_mass_of(s, s.body[k - s.count]);
+    amount.mass += k < s.count ? own_mass(s, s.record[k].grain) : own_mass(s, s.body[k - s.count].first);
   });
   return amount;
 }

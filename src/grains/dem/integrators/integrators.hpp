@@ -99,8 +99,8 @@ Vec2 velocity_beside(const Sample& sample, std::size_t i, std::size_t j, Vec2 im
 /// Place of a mover, m.
 Vec2 place_of(const Sample& sample, std::size_t k);
 
-/// Velocity and position of a wall (or edge of a periodic cell), m/s and m along +x or +y.
+/// Velocity of a wall (or edge of a periodic cell), m/s along +x or +y; the domain with the places and velocities of its walls and boundaries.
 double wall_rate(const Sample& sample, std::size_t side);
-double wall_place(const Sample& sample, std::size_t side);
+Domain domain_now(const Sample& sample);
 
 }  // namespace arenite::dem

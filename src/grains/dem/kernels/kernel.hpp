@@ -39,13 +39,16 @@ struct PairTask {
   double arm_share;  ///< of the overlap that each arm lacks: 1/2 (contact point) or 0 (full radius)
 };
 
-/// What the loop over the bonds knows of each, or where the arrays of these numbers are: the branch and its direction when the list was built, the arms,
-/// the angles that the grains have where nothing is strained, the Beam, its dashpots and strengths, and the place and velocity of the image of j beside j.
+/// What is known of a bond that holds, or where the arrays of these numbers are, which the loop over the bonds reads.
 template <class Number> struct BondRow {
-  Number length, arm_i, arm_j, normal_x, normal_y, angle_i, angle_j;
-  Number normal, shear, bending, normal_damping, shear_damping, bending_damping;
-  Number per_area, per_section, tensile, cohesion, friction;
-  Number image_x{}, image_y{}, image_vx{}, image_vy{};
+  Number length{}, arm_i{}, arm_j{};  ///< when it was made, m; the arms to its middle between the two surfaces
+  Vec<2, Number> normal{};            ///< from j to i when the list was built
+  Number angle_i{}, angle_j{};        ///< that the grains have where it is not bent and has this normal, rad
+  BeamOf<Number> beam{};
+  Number strength{};                                            ///< over that of the law
+  Number tensile{}, cohesion{};                                 ///< that of this bond, Pa; never within its strength once it has ended
+  Number normal_damping{}, shear_damping{}, bending_damping{};  ///< N s/m, N s/m, N m s
+  Vec<2, Number> image{}, image_velocity{};                     ///< of j beside j itself, m and m/s; only of the arrays
 };
 inline constexpr std::size_t bond_columns = sizeof(BondRow<double>) / sizeof(double);
 
@@ -78,12 +81,7 @@ template <int D> struct CellMotion {
 struct Stretch {
   double from = 0, scale = 1, to = 0;
   template <class V> V apply(V x) const { return V(to) + (x - V(from)) * V(scale); }
-};
-
-/// How a periodic cell changes along an axis.
-struct CellChange {
-  Stretch moved, listed;  ///< in the step, and since the list was built
-  double growth = 0;      ///< in the step, relative
+  double growth() const { return scale - 1; }
 };
 
 /// What a step of an integrator reads and changes; the arrays are those of Sample and ContactList.
@@ -95,19 +93,19 @@ struct SweepTask {
   double *omega, *angle, *alpha;
   std::array<std::array<double*, 3>, 3> higher;
   std::array<const double*, 2> listed;
-  Vec2 gravity;                 ///< m/s^2
-  CellMotion<2> before, after;  ///< of the cell, at the start and the end of the step
-  std::array<CellChange, 2> cell;
-  double dt, kick, ahead;       ///< s, see integrators/verlet.cpp
-  double drag;                  ///< 1/s
-  double turning;               ///< 1 where grains rotate, else 0
-  double listed_shear, middle;  ///< shear of the cell since the list was built, about the height `middle`, m
-  double limit;                 ///< square of the way that a disk may be from its place in the list, m^2
+  Vec2 gravity;                                ///< m/s^2
+  CellMotion<2> before, after;                 ///< of the cell, at the start and the end of the step
+  std::array<Stretch, 2> moved, listed_moved;  ///< of the cell, in the step and since the list was built
+  double dt, kick, ahead;                      ///< s, see integrators/verlet.cpp
+  double drag;                                 ///< 1/s
+  double turning;                              ///< 1 where grains rotate, else 0
+  double listed_shear, middle;                 ///< shear of the cell since the list was built, about the height `middle`, m
+  double limit;                                ///< square of the way that a disk may be from its place in the list, m^2
 };
 
 /// From where a disk was when the list was built, as the cell has taken it along since, to its place.
 template <class V> Vec<2, V> way_since_listed(const SweepTask& t, Vec<2, V> place, Vec<2, V> listed) {
-  const auto then = by_axis<2>([&](int axis) { return t.cell[axis].listed.apply(listed[axis]); });
+  const auto then = by_axis<2>([&](int axis) { return t.listed_moved[axis].apply(listed[axis]); });
   Vec<2, V> way = place - then;
   way.x = way.x - V(t.listed_shear) * (then.y - V(t.middle));
   return way;
