@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <thread>
@@ -24,6 +25,16 @@ class ThreadPool {
   template <class Work> void for_ranges(std::size_t n, Work&& work) const {
     if (members_.empty()) return work(std::size_t{0}, n);
     run([](void* what, std::size_t begin, std::size_t end) { (*static_cast<std::remove_reference_t<Work>*>(what))(begin, end); }, &work, n);
+  }
+
+  /// Calls see(k, result) for k = 0 .. n-1 and returns the results, one of each block of so many, which do not depend on who makes them.
+  template <class Result, class See> std::vector<Result> by_blocks(std::size_t n, std::size_t size, const See& see) const {
+    std::vector<Result> results((n + size - 1) / size);
+    for_ranges(results.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t block = begin; block < end; ++block)
+        for (std::size_t k = block * size; k < std::min(n, (block + 1) * size); ++k) see(k, results[block]);
+    });
+    return results;
   }
 
   /// Calls work(k) for k = 0 .. n-1, each once, by whichever member: for things that take long.

@@ -129,10 +129,10 @@ ShortestCollision shortest_collision(const Packing& packing, const dem::ContactP
   ShortestCollision shortest;
   for (std::size_t k = 0; k < packing.grains.size(); ++k) {
     const std::int32_t material = packing.grains.material[k];
-    const double mass = texture::mass_of(packing, k), radius = packing.grains.radius[k];
-    const double pair = collision_time(0.5 * mass, tangent(contact, table.pair_stiffness(material, material, radius, radius)));
-    const double wall = collision_time(mass, tangent(contact, table.wall_stiffness(material, radius)));
-    if (const double time = std::min(pair, wall); shortest.time == 0 || time < shortest.time) shortest = {time, radius, material, wall < pair};
+    const dem::DiskRecord disk{.radius = packing.grains.radius[k], .mass = texture::mass_of(packing, k), .material = material};
+    const double pair = collision_time(0.5 * disk.mass, tangent(contact, table.pair_stiffness(disk, disk)));
+    const double wall = collision_time(disk.mass, tangent(contact, table.wall_stiffness(disk)));
+    if (const double time = std::min(pair, wall); shortest.time == 0 || time < shortest.time) shortest = {time, disk.radius, material, wall < pair};
   }
   return shortest;
 }

@@ -100,7 +100,8 @@ Bulk bulk_of(const Packing& packing, const dem::ContactParameters& contact) {
   for (std::size_t a = 0; a < packing.materials.size(); ++a)
     for (std::size_t b = 0; b <= a; ++b)
       if (there(a) && there(b)) {
-        const double k = table.pair_stiffness(static_cast<int>(a), static_cast<int>(b), bulk.diameter / 2, bulk.diameter / 2);
+        const auto mean_grain = [&](std::size_t material) { return dem::DiskRecord{.radius = bulk.diameter / 2, .material = static_cast<int>(material)}; };
+        const double k = table.pair_stiffness(mean_grain(a), mean_grain(b));
         bulk.stiffness = bulk.stiffness == 0 ? k : std::min(bulk.stiffness, k);
       }
   return bulk;

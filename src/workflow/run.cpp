@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "grains/dem/kernels/kernel.hpp"
 #include "grains/dem/run_stage.hpp"
 #include "grains/fields/flow_numbers.hpp"
 #include "io/disk/file.hpp"
@@ -42,7 +43,7 @@ io::Checkpoint to_checkpoint(const dem::Engine& engine, const dem::StageRun& run
   io::Checkpoint checkpoint;
   checkpoint.key = key;
   checkpoint.blobs["engine"] = engine.save();
-  for (int side = 0; side < sides; ++side) checkpoint.numbers[force_at_start(side)] = run.force_at_start[side];
+  for (int side = 0; side < sides; ++side) checkpoint.numbers[force_at_start(side)] = run.start.force[side];
   for (const auto& [name, count] : counts) checkpoint.integers[name] = run.*count;
   checkpoint.partial = run.result;
   return checkpoint;
@@ -50,7 +51,7 @@ io::Checkpoint to_checkpoint(const dem::Engine& engine, const dem::StageRun& run
 
 void restore_from(const io::Checkpoint& checkpoint, dem::Engine& engine, dem::StageRun& run) {
   engine.restore(checkpoint.blobs.at("engine"));
-  for (int side = 0; side < sides; ++side) run.force_at_start[side] = checkpoint.numbers.at(force_at_start(side));
+  for (int side = 0; side < sides; ++side) run.start.force[side] = checkpoint.numbers.at(force_at_start(side));
   for (const auto& [name, count] : counts) run.*count = checkpoint.integers.at(name);
   run.result = checkpoint.partial;
 }
@@ -227,7 +228,7 @@ class Run {
 RunOutcome run(const recipe::Recipe& recipe, const RunOptions& options) {
   const bool was_there = fs::exists(options.out);
   try {
-    dem::kernel_name(recipe.integration.kernel);
+    dem::find_kernel(recipe.integration.kernel);
     return Run(recipe, options).outcome();
   } catch (const InputError& error) {
     std::error_code ignored;

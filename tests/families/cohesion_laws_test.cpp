@@ -23,7 +23,7 @@ template <class See> void each_curve(const See& see) {
   for (const auto& choice : members(Cohesion{}))
     std::visit(
         [&](const auto& law) {
-          if (!law.acts) return;
+          if (std::is_same_v<std::decay_t<decltype(law)>, NoCohesion>) return;
           for (const Pair& pair : pairs) {
             SCOPED_TRACE(law.word.word);
             see(law, pair, law.curve(pair.i, pair.j, thickness));

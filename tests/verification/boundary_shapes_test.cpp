@@ -179,7 +179,7 @@ std::size_t met(const Packing& p) {
 Engine turning(const Packing& p, const dem::IntegrationParameters& how) {
   Engine engine(p, rubbing(0.4, 0.4), how);
   engine.set_gravity({0, -gravity});
-  engine.set_boundaries({{{1, -0.5}, 12, p.domain.boundaries[0].centre, true}});
+  engine.set_boundaries({{p.domain.boundaries[0].name, {1, -0.5}, 12, p.domain.boundaries[0].centre}});
   return engine;
 }
 
@@ -199,7 +199,7 @@ Packing pressed_by_teeth() {
   }
   Engine engine(p, rubbing(0, 0.3), {});
   engine.set_drives({moved(2), moved(-2), {}, moved(-2)});
-  engine.set_boundaries({{{0, 2}, 0, p.domain.boundaries[0].centre, true}});
+  engine.set_boundaries({{p.domain.boundaries[0].name, {0, 2}, 0, p.domain.boundaries[0].centre}});
   while (engine.packing().contacts.size() < 90) engine.advance(50);
   return engine.packing();
 }
@@ -211,7 +211,7 @@ TEST(BoundaryShapes, EnergyIsClosedToAMillionthOfTheWorkAtAStepOfTcOver500) {
   how.track_energy = true;
   Engine engine(p, rubbing(0.4, 0.4), how);
   engine.set_drives({moved(0.8), moved(-0.8), {}, moved(-0.8)});
-  engine.set_boundaries({{{0.1, 0.8}, 1, p.domain.boundaries[0].centre, true}});
+  engine.set_boundaries({{p.domain.boundaries[0].name, {0.1, 0.8}, 1, p.domain.boundaries[0].centre}});
   const Energies before = engine.energies();
   EXPECT_GE(met(p), 4U);
   engine.advance(15'000);

@@ -6,9 +6,6 @@
 #include "grains/dem/bodies/bodies.hpp"
 #include "grains/dem/bonds.hpp"
 #include "grains/dem/boundaries/boundaries.hpp"
-#include "grains/dem/cohesion.hpp"
-#include "grains/dem/integrators/integrators.hpp"
-#include "grains/dem/kernels/kernel.hpp"
 #include "grains/dem/neighbours.hpp"
 #include "grains/dem/setup.hpp"
 #include "grains/dem/walls.hpp"
@@ -52,22 +49,19 @@ template <class N, class A, class F> void evaluate_walls(Sample& s, const N& nor
   ContactList& list = s.list;
   const double floor = lowest_force(s);
   for (std::size_t p = list.pairs + begin; p < list.pairs + end; ++p) {
-    SlotForce& force = list.force[p];
     const Kinematics c = slot_kinematics(s, p);
-    if (!(c.overlap > 0)) {
-      force = {};
-      list.memory[p] = 0;
-      if constexpr (N::remembers) list.normal_memory[p] = 0;
-      continue;
+    SlotForce force;
+    ContactMemory<double> memory;
+    if (c.overlap > 0) {
+      memory = {N::remembers ? list.normal_memory[p] : 0.0, list.memory[p]};
+      const ContactState<double> state{c.overlap,         c.approach,       c.sliding,       c.curvature, list.stiffness[p], list.damping[p],
+                                       list.viscosity[p], list.strength[p], s.wall_friction, floor,       list.shear[p]};
+      const ContactForce<double> f = contact_force(s.laws, normal, adhesion, friction, state, memory);
+      force = {f.normal * c.normal + f.tangential * perpendicular(c.normal), -c.arm_i * f.tangential, 0};
     }
-    const ContactState<double> state{c.overlap,         c.approach,       c.sliding,       c.curvature, list.stiffness[p], list.damping[p],
-                                     list.viscosity[p], list.strength[p], s.wall_friction, floor,       list.shear[p]};
-    ContactMemory<double> memory{0, list.memory[p]};
-    if constexpr (N::remembers) memory.normal = list.normal_memory[p];
-    const ContactForce<double> f = contact_force(s.laws, normal, adhesion, friction, state, memory);
+    list.force[p] = force;
     list.memory[p] = memory.slip;
     if constexpr (N::remembers) list.normal_memory[p] = memory.normal;
-    force = {f.normal * c.normal + f.tangential * perpendicular(c.normal), -c.arm_i * f.tangential, 0};
   }
 }
 
@@ -107,31 +101,21 @@ void sum_wall_forces(Sample& s) {
 /// Vector from j (or the plane of the wall) to i.
 Vec2 branch_of(const Sample& s, std::size_t slot) {
   const std::int32_t j = s.list.j[slot];
-  if (j < 0) return between_centres(s, slot, slot_kinematics(s, slot).branch);
-  return between_centres(s, slot, s.record[s.list.i[slot]].place - s.record[j].place);
+  return between_centres(s, slot, j < 0 ? slot_kinematics(s, slot).branch : s.record[s.list.i[slot]].place - s.record[j].place);
 }
 
 /// Sum over all contacts and bonds of force times branch; by blocks of slots, so that it does not depend on the number of threads.
 Tensor2 sum_of_moments(const Sample& s, const ThreadPool& pool) {
   constexpr std::size_t slots_of_block = 512;
   const ContactList& list = s.list;
-  std::vector<Tensor2> blocks((list.size() + slots_of_block - 1) / slots_of_block);
-  pool.for_ranges(blocks.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t block = begin; block < end; ++block)
-      for (std::size_t p = block * slots_of_block; p < std::min(list.size(), (block + 1) * slots_of_block); ++p)
-        if (acts(list.force[p])) blocks[block] += outer(list.force[p].on_i, branch_of(s, p));
+  const auto blocks = pool.by_blocks<Tensor2>(list.size(), slots_of_block, [&](std::size_t p, Tensor2& sum) {
+    if (acts(list.force[p])) sum += outer(list.force[p].on_i, branch_of(s, p));
   });
   Tensor2 sum;
   for (const Tensor2& block : blocks) sum += block;
   for (std::size_t b = 0; b < s.bond_slots.size(); ++b)
     if (const SlotForce& f = list.force[bond_force_place(list, b)]; acts(f)) sum += outer(f.on_i, beam_motion(s, s.bond_slots[b]).branch);
   return sum;
-}
-
-bool has_driven_edge(const Sample& s) {
-  for (int side = 0; side < sides; ++side)
-    if (!s.domain.wall[side].present && s.wall[side].drive.kind == WallDrive::Kind::force) return true;
-  return false;
 }
 
 }  // namespace
@@ -170,7 +154,8 @@ void Engine::advance(std::int64_t steps) {
   const Integrator& integrator = integrator_of(s);
   if (integrator.start) integrator.start(s);
   const bool tracked = s.integration.track_energy, programmed = !s.programmes.list.empty();
-  const bool edges = tracked || has_driven_edge(s);
+  bool edges = tracked;
+  for (int side = 0; side < sides; ++side) edges |= !s.domain.wall[side].present && s.wall[side].drive.kind == WallDrive::Kind::force;
   if (tracked && !s.balance.open) open_balance(s);
   for (std::int64_t n = 0; n < steps; ++n) {
     if (programmed) follow_velocities(s);

@@ -73,10 +73,8 @@ BondSlot slot_of(const Sample& s, std::size_t place, const std::vector<std::int3
     b.beam = law.beam(bond.length, std::min(a.radius, c.radius), s.domain.thickness);
     tune_dashpots(s, b, law.damping);
     b.strength = strength_of(bond, law.scatter, law.seed);
-    if constexpr (law.bonds) {
-      b.tensile = b.strength * law.tensile_strength;
-      b.cohesion = b.strength * law.cohesion;
-    }
+    b.tensile = b.strength * law.tensile_strength;
+    b.cohesion = b.strength * law.cohesion;
   });
   return b;
 }
@@ -89,32 +87,14 @@ void line_up(Sample& s) {
   BondNumbers& numbers = s.bond_numbers;
   numbers = {};
   numbers.look.resize(s.bond_slots.size());
-  for (auto& column : numbers.column) column.assign(s.bond_slots.size(), 0.0);
   for (std::size_t n = 0; n < s.bond_slots.size(); ++n) {
     const BondSlot& b = s.bond_slots[n];
     numbers.i.push_back(b.i);
     numbers.j.push_back(b.j);
     if (b.shift.x != 0 || b.shift.y != 0) numbers.across.push_back(static_cast<std::int32_t>(n));
     numbers.damped |= b.normal_damping > 0;
-    const std::pair<BondColumn, double> values[] = {{beam_length, b.length},
-                                                    {beam_arm_i, b.arm_i},
-                                                    {beam_arm_j, b.arm_j},
-                                                    {beam_nx, b.normal.x},
-                                                    {beam_ny, b.normal.y},
-                                                    {beam_angle_i, b.angle_i},
-                                                    {beam_angle_j, b.angle_j},
-                                                    {beam_normal, b.beam.normal},
-                                                    {beam_shear, b.beam.shear},
-                                                    {beam_bending, b.beam.bending},
-                                                    {beam_normal_damping, b.normal_damping},
-                                                    {beam_shear_damping, b.shear_damping},
-                                                    {beam_bending_damping, b.bending_damping},
-                                                    {beam_per_area, b.beam.per_area},
-                                                    {beam_per_section, b.beam.per_section},
-                                                    {beam_tensile, b.state == BondSlot::State::holds ? b.tensile : never_holds},
-                                                    {beam_cohesion, b.cohesion},
-                                                    {beam_friction, b.strength * b.beam.friction}};
-    for (const auto& [column, value] : values) numbers.column[column][n] = value;
+    const auto values = std::bit_cast<std::array<double, bond_columns>>(static_cast<const BondRow<double>&>(b));
+    for (std::size_t q = 0; q < bond_columns; ++q) numbers.column[q].push_back(values[q]);
   }
 }
 
@@ -164,7 +144,7 @@ void list_bonds(Sample& s) {
 
 void end_bond(Sample& s, std::size_t slot) {
   s.bond_slots[slot].state = BondSlot::State::broken;
-  s.bond_numbers.column[beam_tensile][slot] = never_holds;
+  s.bond_slots[slot].tensile = s.bond_numbers.columns().tensile[slot] = never_holds;
 }
 
 void renew_bond_dashpots(Sample& s) {
@@ -191,7 +171,7 @@ double shortest_bond_time(const Sample& s) {
   for (const BondSlot& b : s.bond_slots) {
     const Mobility m = mobility(s, b);
     const DiskRecord &a = s.record[b.i], &c = s.record[b.j];
-    const double contact = s.coefficients.pair_stiffness(a.material, c.material, a.radius, c.radius);
+    const double contact = s.coefficients.pair_stiffness(a, c);
     fastest = std::max({fastest, (b.beam.normal + contact) * m.normal, b.beam.shear * m.shear, b.beam.bending * m.bending});
   }
   return fastest > 0 ? std::numbers::pi / std::sqrt(fastest) : std::numeric_limits<double>::infinity();

@@ -3,8 +3,7 @@
 #include <atomic>
 #include <cmath>
 
-#include "grains/dem/integrators/motion.hpp"
-#include "grains/dem/kernels/kernel.hpp"
+#include "grains/dem/integrators/integrators.hpp"
 #include "grains/dem/setup.hpp"
 
 namespace arenite::dem {
@@ -46,13 +45,13 @@ void book_breaks(Sample& s) {
 
 /// The periodic images that bonds mean, where they are now.
 void move_images(Sample& s) {
-  BondNumbers& numbers = s.bond_numbers;
-  for (const std::int32_t slot : numbers.across) {
+  const BondRow<double*> column = s.bond_numbers.columns();
+  for (const std::int32_t slot : s.bond_numbers.across) {
     const Vec2 place = image_place(s, s.bond_slots[slot].shift), velocity = image_velocity(s, s.bond_slots[slot].shift);
-    numbers.column[beam_image_x][slot] = place.x;
-    numbers.column[beam_image_y][slot] = place.y;
-    numbers.column[beam_image_vx][slot] = velocity.x;
-    numbers.column[beam_image_vy][slot] = velocity.y;
+    column.image.x[slot] = place.x;
+    column.image.y[slot] = place.y;
+    column.image_velocity.x[slot] = velocity.x;
+    column.image_velocity.y[slot] = velocity.y;
   }
 }
 
@@ -75,10 +74,9 @@ template <class Law> bool look_at(Sample& s, const Law& law, std::size_t n) {
 
 BondTask bond_task(Sample& s) {
   BondNumbers& numbers = s.bond_numbers;
-  BondTask task{s.record.data(),     s.angle.data(), numbers.i.data(), numbers.j.data(), {}, &s.list.force[bond_force_place(s.list, 0)],
-                numbers.look.data(), numbers.damped};
-  for (std::size_t q = 0; q < bond_columns; ++q) task.column[q] = numbers.column[q].data();
-  return task;
+  const auto column = std::bit_cast<BondRow<const double*>>(numbers.columns());
+  return {s.record.data(),     s.angle.data(), numbers.i.data(), numbers.j.data(), column, &s.list.force[bond_force_place(s.list, 0)],
+          numbers.look.data(), numbers.damped};
 }
 
 }  // namespace

@@ -31,15 +31,21 @@ double in_series(double a, double b) { return 1.0 / (1.0 / (2.0 * a) + 1.0 / (2.
 struct Yielding {
   double normal = 0, shear = 0;
 };
-
+Yielding operator+(Yielding a, Yielding b) { return {a.normal + b.normal, a.shear + b.shear}; }
 Yielding yielding_of(const Material& m) {
   const double e = m.youngs_modulus.value_or(0), nu = m.poisson.value_or(0);
   return {(1 - nu * nu) / e, 2 * (2 - nu) * (1 + nu) / e};
 }
 
-Yielding operator+(Yielding a, Yielding b) { return {a.normal + b.normal, a.shear + b.shear}; }
-double spring_of(Yielding y) { return 4.0 / 3.0 / y.normal; }
-double shear_of(Yielding y) { return 4.0 * y.normal / y.shear; }
+double stiffness_of_pair(StiffnessRule rule, double a, double b, bool alike) {
+  if (rule == StiffnessRule::series) return in_series(a, b);
+  return alike ? a : a * b / (a + b);
+}
+
+double stiffness_of_wall(WallStiffness rule, double grain, double stiffest) {
+  if (rule == WallStiffness::series) return in_series(grain, stiffest);
+  return rule == WallStiffness::grain ? grain : stiffest;
+}
 
 }  // namespace
 
@@ -50,66 +56,35 @@ double damping_ratio(double restitution, bool may_pull) {
 }
 
 CoefficientTable::CoefficientTable(const Materials& materials, const Grains& grains, const ContactParameters& contact)
-    : count_(materials.size()),
-      damping_ratio_(damping_ratio(contact.restitution, contact.attractive_dashpot)),
+    : damping_ratio_(damping_ratio(contact.restitution, contact.attractive_dashpot)),
       of_moduli_(contact.takes_moduli()),
       contact_(contact) {
-  if (of_moduli_) take_moduli(materials);
-  else take_stiffnesses(materials, grains);
-}
-
-void CoefficientTable::take_stiffnesses(const Materials& materials, const Grains& grains) {
+  const auto spring_of = [](Yielding y) { return Spring{4.0 / 3.0 / y.normal, 4.0 * y.normal / y.shear}; };
   double stiffest = 0;
   for (const int m : grains.material) stiffest = std::max(stiffest, materials[m].stiffness);
-  for (std::size_t a = 0; a < count_; ++a) {
-    const double ka = materials[a].stiffness;
-    for (std::size_t b = 0; b < count_; ++b) {
-      const double kb = materials[b].stiffness;
-      const bool series = contact_.stiffness_rule == StiffnessRule::series;
-      pair_.push_back(series ? in_series(ka, kb) : a == b ? ka : ka * kb / (ka + kb));
-    }
-    switch (contact_.wall_stiffness) {
-      case WallStiffness::stiffest: wall_.push_back(stiffest); break;
-      case WallStiffness::grain: wall_.push_back(ka); break;
-      case WallStiffness::series: wall_.push_back(in_series(ka, stiffest)); break;
-    }
-  }
-}
-
-void CoefficientTable::take_moduli(const Materials& materials) {
   for (const Material& a : materials) {
-    const Yielding of_grain = yielding_of(a);
-    for (const Material& b : materials) {
-      pair_.push_back(spring_of(of_grain + yielding_of(b)));
-      pair_shear_.push_back(shear_of(of_grain + yielding_of(b)));
-    }
-    wall_.push_back(spring_of(of_grain));
-    wall_shear_.push_back(shear_of(of_grain));
-    largest_shear_ = std::max(largest_shear_, wall_shear_.back());  // that of a pair lies between those of its sides
+    for (const Material& b : materials)
+      pair_.push_back(of_moduli_ ? spring_of(yielding_of(a) + yielding_of(b))
+                                 : Spring{stiffness_of_pair(contact.stiffness_rule, a.stiffness, b.stiffness, &a == &b)});
+    wall_.push_back(of_moduli_ ? spring_of(yielding_of(a)) : Spring{stiffness_of_wall(contact.wall_stiffness, a.stiffness, stiffest)});
   }
 }
 
-double CoefficientTable::damping(double stiffness, double reduced_mass) const {
-  return contact_.normal_damping.value_or(damping_ratio_ * std::sqrt(reduced_mass * stiffness));
+double CoefficientTable::largest_shear() const {
+  return std::ranges::max(wall_, {}, &Spring::shear).shear;  // that of a pair lies between those of its sides
 }
 
-Coefficients CoefficientTable::pair(int material_i, int material_j, double mass_i, double mass_j, double radius_i, double radius_j, bool glued) const {
-  Coefficients c;
-  c.stiffness = pair_stiffness(material_i, material_j, radius_i, radius_j);
-  if (of_moduli_) c.shear = pair_shear_[index(material_i, material_j)];
-  c.damping = damping(c.stiffness, mass_i * mass_j / (mass_i + mass_j));
-  c.viscosity = contact_.sliding_viscosity.value_or(c.damping);
-  if (glued) c.strength = contact_.surface_energy * std::sqrt(elasticity::effective_radius(contact_.effective_radius, radius_i, radius_j));
+Coefficients CoefficientTable::with_dashpots(double stiffness, double shear, double reduced_mass) const {
+  const double damping = contact_.normal_damping.value_or(damping_ratio_ * std::sqrt(reduced_mass * stiffness));
+  return {stiffness, damping, contact_.sliding_viscosity.value_or(damping), 0, shear};
+}
+
+Coefficients CoefficientTable::pair(const DiskRecord& a, const DiskRecord& b, bool glued) const {
+  Coefficients c = with_dashpots(pair_stiffness(a, b), of_pair(a, b).shear, a.mass * b.mass / (a.mass + b.mass));
+  if (glued) c.strength = contact_.surface_energy * std::sqrt(elasticity::effective_radius(contact_.effective_radius, a.radius, b.radius));
   return c;
 }
 
-Coefficients CoefficientTable::wall(int material, double mass, double radius) const {
-  Coefficients c;
-  c.stiffness = wall_stiffness(material, radius);
-  if (of_moduli_) c.shear = wall_shear_[material];
-  c.damping = damping(c.stiffness, mass);
-  c.viscosity = contact_.sliding_viscosity.value_or(c.damping);
-  return c;
-}
+Coefficients CoefficientTable::wall(const DiskRecord& d) const { return with_dashpots(wall_stiffness(d), wall_[d.material].shear, d.mass); }
 
 }  // namespace arenite::dem

@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "grains/dem/kernels/kernel.hpp"
 #include "grains/dem/parameters.hpp"
 #include "model/packing.hpp"
 
@@ -21,30 +22,26 @@ class CoefficientTable {
   CoefficientTable() = default;
   CoefficientTable(const Materials& materials, const Grains& grains, const ContactParameters& contact);
 
-  /// Two grains, by material, mass (kg) and radius.
-  Coefficients pair(int material_i, int material_j, double mass_i, double mass_j, double radius_i, double radius_j, bool glued) const;
-  /// A grain and a wall, m_eff = m.
-  Coefficients wall(int material, double mass, double radius) const;
+  Coefficients pair(const DiskRecord& a, const DiskRecord& b, bool glued) const;
+  Coefficients wall(const DiskRecord& d) const;  ///< m_eff = m
 
   /// k; (4/3) E* R* where the law is one of E and nu, N/m.
-  double pair_stiffness(int material_i, int material_j, double radius_i, double radius_j) const {
-    return pair_[index(material_i, material_j)] * (of_moduli_ ? radius_i * radius_j / (radius_i + radius_j) : 1.0);
+  double pair_stiffness(const DiskRecord& a, const DiskRecord& b) const {
+    return of_pair(a, b).stiffness * (of_moduli_ ? a.radius * b.radius / (a.radius + b.radius) : 1.0);
   }
-  double wall_stiffness(int material, double radius) const { return wall_[material] * (of_moduli_ ? radius : 1.0); }
+  double wall_stiffness(const DiskRecord& d) const { return wall_[d.material].stiffness * (of_moduli_ ? d.radius : 1.0); }
   /// The largest 4 G*/E* there is.
-  double largest_shear() const { return largest_shear_; }
+  double largest_shear() const;
 
  private:
-  std::size_t index(int a, int b) const { return static_cast<std::size_t>(a) * count_ + static_cast<std::size_t>(b); }
-  double damping(double stiffness, double reduced_mass) const;
-  void take_stiffnesses(const Materials& materials, const Grains& grains);
-  void take_moduli(const Materials& materials);
+  struct Spring {
+    double stiffness = 0, shear = 0;  ///< k, N/m, of moduli (4/3) E*, Pa; shear as in Coefficients
+  };
+  const Spring& of_pair(const DiskRecord& a, const DiskRecord& b) const { return pair_[static_cast<std::size_t>(a.material) * wall_.size() + b.material]; }
+  Coefficients with_dashpots(double stiffness, double shear, double reduced_mass) const;
 
-  std::size_t count_ = 0;
-  std::vector<double> pair_, wall_;              ///< k, N/m; of moduli (4/3) E*, Pa
-  std::vector<double> pair_shear_, wall_shear_;  ///< 4 G*/E*; empty unless of moduli
-  double largest_shear_ = 0;
-  double damping_ratio_ = 0;  ///< 2 beta of alpha_n = 2 beta sqrt(m_eff k)
+  std::vector<Spring> pair_, wall_;  ///< by material
+  double damping_ratio_ = 0;         ///< 2 beta of alpha_n = 2 beta sqrt(m_eff k)
   bool of_moduli_ = false;
   ContactParameters contact_;
 };

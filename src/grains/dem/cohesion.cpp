@@ -1,4 +1,4 @@
-#include "grains/dem/cohesion.hpp"
+#include "grains/dem/forces.hpp"
 
 #include <fmt/format.h>
 
@@ -7,22 +7,13 @@
 #include <cmath>
 
 #include "core/error.hpp"
-#include "grains/dem/forces.hpp"
-#include "grains/dem/integrators/motion.hpp"
+#include "grains/dem/integrators/integrators.hpp"
 
 namespace arenite::dem {
 namespace {
 
 PullCurve curve_between(const Sample& s, double smaller, double larger) {
   return s.contact.cohesion.visit([&](const auto& law) { return law.curve(smaller, larger, s.domain.thickness); });
-}
-
-double joins_within(const Sample& s) {
-  return s.contact.cohesion.visit([](const auto& law) { return law.joins_within(); });
-}
-
-bool breaks(const Sample& s) {
-  return s.contact.cohesion.visit([](const auto& law) { return law.breaks; });
 }
 
 /// More liquid than straight surfaces hold between the two smallest grains would bulge and push them apart.
@@ -73,8 +64,7 @@ double unsettled_energy(const Sample& s, std::size_t p, const Across& at, const 
 
 /// Pairs that meet and part in this step, in the order of the list.
 void join_and_part(Sample& s) {
-  const double within = joins_within(s);
-  const bool booked = breaks(s) && s.step > 0;  // pairs that touch at the start are there already
+  const bool booked = s.cohesion.breaks && s.step > 0;  // pairs that touch at the start are there already
   for (std::size_t p = 0; p < s.list.pairs; ++p) {
     const Across at = across(s, p);
     if (s.list.pull[p] > 0) {
@@ -82,7 +72,7 @@ void join_and_part(Sample& s) {
       if (at.gap < curve.reach()) continue;
       if (booked) s.tally.dissipated_breakage += unsettled_energy(s, p, at, curve);
       s.list.pull[p] = 0;
-    } else if (at.gap < within) {
+    } else if (at.gap < s.cohesion.joins_within) {
       s.list.curve[p] = curve_of(s, p);
       const PullCurve& curve = s.cohesion.curve[s.list.curve[p]];
       if (booked) s.tally.dissipated_breakage -= unsettled_energy(s, p, at, curve);
@@ -101,6 +91,10 @@ template <class See> void each_joined(const Sample& s, const See& see) {
 
 void set_up_cohesion(Sample& s) {
   if (!s.contact.is_cohesive()) return;
+  s.contact.cohesion.visit([&](const auto& law) {
+    s.cohesion.joins_within = law.joins_within();
+    s.cohesion.breaks = law.breaks;
+  });
   double smallest = s.largest_radius;
   for (std::size_t k = 0; k < s.count; ++k) smallest = std::min(smallest, s.record[k].radius);
   if (const auto* bridges = std::get_if<CapillaryDisks>(&s.contact.cohesion)) check_volume(*bridges, smallest, s.domain.thickness);
@@ -112,7 +106,7 @@ void set_up_cohesion(Sample& s) {
   if (s.cohesion.reach > s.largest_radius)
     throw InputError(fmt::format("contact.cohesion = \"{}\" would act across {:.4g} mm, more than the largest grain's radius of {:.4g} mm; take {}",
                                  s.contact.cohesion.word(), 1e3 * s.cohesion.reach, 1e3 * s.largest_radius,
-                                 breaks(s) ? "a smaller liquid_volume" : "a smaller adhesion_range"));
+                                 s.cohesion.breaks ? "a smaller liquid_volume" : "a smaller adhesion_range"));
 }
 
 void recall_cohesion(Sample& s) {
@@ -133,18 +127,14 @@ void find_pull_curves(Sample& s) {
 
 void add_cohesion(Sample& s, const ThreadPool& pool) {
   if (s.list.pull.empty()) return;
-  const double within = joins_within(s);
   std::atomic<bool> changed = false;
   pool.for_ranges(s.list.pairs, [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; ++p) {
       const Across at = across(s, p);
-      if (s.list.pull[p] > 0) {
-        const PullCurve& curve = s.cohesion.curve[s.list.curve[p]];
-        if (at.gap < curve.reach()) pull_together(s, p, at, curve.pull(at.gap));
-        else changed = true;
-      } else if (at.gap < within) {
-        changed = true;
-      }
+      const bool joined = s.list.pull[p] > 0;
+      const PullCurve* curve = joined ? &s.cohesion.curve[s.list.curve[p]] : nullptr;
+      if (joined ? at.gap >= curve->reach() : at.gap < s.cohesion.joins_within) changed = true;
+      else if (joined) pull_together(s, p, at, curve->pull(at.gap));
     }
   });
   if (changed) join_and_part(s);

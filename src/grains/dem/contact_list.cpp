@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "core/mapped.hpp"
 #include "geometry/cell_grid.hpp"
 #include "grains/dem/bodies/bodies.hpp"
 #include "grains/dem/bonds.hpp"
@@ -9,6 +10,27 @@
 namespace arenite::dem {
 namespace {
 
+/// Makes the images of the disks near the right and the upper edge of a periodic cell, with records behind those of the disks: every pair across an edge
+/// then occurs once, as (disk, ghost).
+void make_ghosts(Sample& s) {
+  s.ghost.clear();
+  s.foot.clear();
+  s.point_foot.clear();
+  s.record.resize(s.count);
+  const double reach = reach_of(s);
+  const auto& w = s.domain.wall;
+  const int up = s.domain.periodic[1] ? 1 : 0, across = s.domain.periodic[0] ? 1 : 0;
+  for (int iy = 0; iy <= up; ++iy)
+    for (int ix = iy == 0 ? 1 : -across; ix <= across; ++ix)
+      for (std::size_t k = 0; k < s.count; ++k) {
+        const double x = s.record[k].place.x + ix * s.domain.width() + iy * s.domain.tilt, y = s.record[k].place.y + iy * s.domain.height();
+        const bool near_x = !s.domain.periodic[0] || (x > w[left].position - reach && x < w[right].position + reach);
+        if (near_x && y < w[top].position + reach) s.ghost.push_back({static_cast<std::int32_t>(k), {ix, iy}});
+      }
+  s.record.resize(s.count + s.ghost.size());
+  refresh_ghosts(s);
+}
+
 /// Whether the list must have a pair.
 bool are_near(const Sample& s, const DiskRecord& a, const DiskRecord& b) {
   const Vec2 d = a.place - b.place;
@@ -16,60 +38,54 @@ bool are_near(const Sample& s, const DiskRecord& a, const DiskRecord& b) {
   return dot(d, d) < reach * reach;
 }
 
+/// A disk and its partner, which comes after it or is a ghost.
+struct NearPair {
+  std::int32_t i, j;
+};
+
 /// Partners of disk k that come after it: disks are sorted by cell, so they are the rest of its cell and the next one, and three cells of the row
 /// above.
-void find_near_disks(const Sample& s, const geometry::CellGrid<2>& grid, const geometry::SortedCells& cells, std::size_t k, std::vector<std::int32_t>& near) {
+void find_near_disks(const Sample& s, const geometry::CellGrid<2>& grid, const geometry::SortedCells& cells, std::int32_t k, std::vector<NearPair>& near) {
   const DiskRecord& a = s.record[k];
   const std::int32_t row = grid.along(1, a.place.y), column = grid.along(0, a.place.x);
   const std::int32_t from = std::max(column - 1, 0), to = std::min(column + 1, grid.count[0] - 1);
   const auto look_at = [&](std::int32_t begin, std::int32_t end) {
     for (std::int32_t j = begin; j < end; ++j)
-      if (are_near(s, a, s.record[j])) near.push_back(j);
+      if (are_near(s, a, s.record[j])) near.push_back({k, j});
   };
   const auto first_of = [&](std::int32_t r, std::int32_t c) { return cells.first[r * grid.count[0] + c]; };
-  look_at(static_cast<std::int32_t>(k) + 1, first_of(row, to + 1));
+  look_at(k + 1, first_of(row, to + 1));
   if (row + 1 < grid.count[1]) look_at(first_of(row + 1, from), first_of(row + 1, to + 1));
 }
 
 /// Ghosts near disk k, in any cell around its own.
-void find_near_ghosts(const Sample& s, const geometry::CellGrid<2>& grid, const geometry::SortedCells& ghosts, std::size_t k, std::vector<std::int32_t>& near) {
+void find_near_ghosts(const Sample& s, const geometry::CellGrid<2>& grid, const geometry::SortedCells& ghosts, std::int32_t k, std::vector<NearPair>& near) {
   const DiskRecord& a = s.record[k];
   const auto begin = static_cast<std::ptrdiff_t>(near.size());
   ghosts.for_near(grid, a.place, [&](std::int32_t j) {
-    if (are_near(s, a, s.record[j])) near.push_back(j);
+    if (are_near(s, a, s.record[j])) near.push_back({k, j});
   });
-  std::sort(near.begin() + begin, near.end());
+  std::ranges::sort(near.begin() + begin, near.end(), {}, &NearPair::j);
 }
 
-/// Partners of consecutive disks, and how many each has.
-struct Found {
-  std::vector<std::int32_t> partner, count;
-};
-constexpr std::size_t disks_of_block = 64;
-
-/// The partners of all disks, block by block: what a block finds does not depend on who searches it.
-std::vector<Found> find_partners(const Sample& s, const ThreadPool& pool) {
+/// All pairs, block by block: what a block finds does not depend on who searches it.
+std::vector<std::vector<NearPair>> find_pairs(const Sample& s, const ThreadPool& pool) {
   const auto grid = cells_of(s);
   const std::size_t n = s.count;
   const auto cell_of = [&](std::size_t k) { return grid.cell(s.record[k].place); };
   const geometry::SortedCells inner(grid.size(), 0, n, cell_of), images(grid.size(), n, s.record.size(), cell_of);
   // Ghosts lie beyond the right and the upper edge.
   const double reach = reach_of(s), right_zone = s.domain.wall[right].position - reach, upper_zone = s.domain.wall[top].position - reach;
-  std::vector<Found> blocks((n + disks_of_block - 1) / disks_of_block);
-  pool.for_ranges(blocks.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t block = begin; block < end; ++block) {
-      auto& [partner, count] = blocks[block];
-      for (std::size_t k = block * disks_of_block; k < std::min(n, (block + 1) * disks_of_block); ++k) {
-        const std::size_t before = partner.size();
-        const auto& a = s.record[k];
-        find_near_disks(s, grid, inner, k, partner);
-        if (!s.ghost.empty() && (a.place.x > right_zone || a.place.y > upper_zone)) find_near_ghosts(s, grid, images, k, partner);
-        if (!s.part.empty()) drop_own_disks(s, k, partner, before);
-        count.push_back(static_cast<std::int32_t>(partner.size() - before));
-      }
-    }
+  return pool.by_blocks<std::vector<NearPair>>(n, disks_of_block, [&](std::size_t disk, std::vector<NearPair>& near) {
+    const auto k = static_cast<std::int32_t>(disk);
+    const Vec2 place = s.record[k].place;
+    const std::size_t before = near.size();
+    find_near_disks(s, grid, inner, k, near);
+    if (!s.ghost.empty() && (place.x > right_zone || place.y > upper_zone)) find_near_ghosts(s, grid, images, k, near);
+    if (s.part.empty()) return;
+    const auto is_own = [&](const NearPair& pair) { return !disks_meet(s, pair.i, pair.j); };
+    near.erase(std::remove_if(near.begin() + static_cast<std::ptrdiff_t>(before), near.end(), is_own), near.end());
   });
-  return blocks;
 }
 
 void fill_slot(ContactList& list, std::size_t p, std::int32_t i, std::int32_t j, std::int32_t owner, const Coefficients& c) {
@@ -88,25 +104,17 @@ void add_slot(ContactList& list, std::int32_t i, std::int32_t j, std::int32_t ow
   fill_slot(list, list.size() - 1, i, j, owner, c);
 }
 
-void fill_block(Sample& s, std::size_t block, const Found& found, std::size_t slot) {
-  const auto n = static_cast<std::int32_t>(s.count);
-  auto k = static_cast<std::int32_t>(block * disks_of_block);
-  auto partner = found.partner.begin();
-  for (const std::int32_t count : found.count) {
-    for (std::int32_t q = 0; q < count; ++q, ++slot, ++partner)
-      fill_slot(s.list, slot, k, *partner, *partner < n ? *partner : s.ghost[*partner - n].source, pair_coefficients(s, s.record[k], s.record[*partner]));
-    ++k;
-  }
-}
-
 void list_pairs(Sample& s, const ThreadPool& pool) {
-  const std::vector<Found> blocks = find_partners(s, pool);
+  const std::vector<std::vector<NearPair>> blocks = find_pairs(s, pool);
   std::vector<std::size_t> first{0};
-  for (const Found& found : blocks) first.push_back(first.back() + found.partner.size());
+  for (const auto& block : blocks) first.push_back(first.back() + block.size());
   s.list.pairs = first.back();
   s.list.resize(first.back());
+  const auto n = static_cast<std::int32_t>(s.count);
   pool.for_ranges(blocks.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t block = begin; block < end; ++block) fill_block(s, block, blocks[block], first[block]);
+    for (std::size_t block = begin, slot = first[begin]; block < end; ++block)
+      for (const auto& [i, j] : blocks[block])
+        fill_slot(s.list, slot++, i, j, j < n ? j : s.ghost[j - n].source, pair_coefficients(s, s.record[i], s.record[j]));
   });
 }
 
@@ -127,17 +135,17 @@ void list_feet(Sample& s, const ThreadPool& pool) {
 
 /// Slots of walls and boundaries.
 void list_walls(Sample& s) {
-  const NearElements elements(s);
+  const auto boxes = mapped(s.domain.boundaries, [](const Boundary& boundary) { return geometry::bounds(boundary.points); });
   std::vector<std::int32_t> near;
   for (std::size_t k = 0; k < s.count; ++k) {
     const DiskRecord& d = s.record[k];
     const HeldGrain* held = find_held(s, d.grain);
-    const auto add = [&](std::int32_t j) { add_slot(s.list, static_cast<std::int32_t>(k), j, -1, wall_coefficients(s, d)); };
+    const auto add = [&](std::int32_t j) { add_slot(s.list, static_cast<std::int32_t>(k), j, -1, s.coefficients.wall(d)); };
     for (int side = 0; side < sides; ++side) {
       const bool may_touch = s.domain.wall[side].present && !(held && held->side == side);
       if (may_touch && s.domain.depth(side, d.place) < d.radius + s.skin) add(wall_partner(side));
     }
-    elements.find(d, near);
+    find_near_elements(s, boxes, d, near);
     for (const std::int32_t e : near) add(boundary_partner(e));
   }
 }
@@ -149,7 +157,7 @@ void list_point_feet(Sample& s) {
   s.point_foot = find_point_feet(s);
   for (const Foot& foot : s.point_foot) {
     const std::int32_t first = s.part_disk[s.body[foot.body].first];
-    add_slot(list, first, foot.touches, -1, wall_coefficients(s, s.record[first]));
+    add_slot(list, first, foot.touches, -1, s.coefficients.wall(s.record[first]));
   }
   s.record.resize(s.count + s.ghost.size() + s.point_foot.size());
   refresh_feet(s);
@@ -181,26 +189,6 @@ void group_slots(Sample& s) {
 
 }  // namespace
 
-/// Images to the right and above only: every pair across an edge then occurs once, as (disk, ghost).
-void make_ghosts(Sample& s) {
-  s.ghost.clear();
-  s.foot.clear();
-  s.point_foot.clear();
-  s.record.resize(s.count);
-  const double reach = reach_of(s);
-  const auto& w = s.domain.wall;
-  const int up = s.domain.periodic[1] ? 1 : 0, across = s.domain.periodic[0] ? 1 : 0;
-  for (int iy = 0; iy <= up; ++iy)
-    for (int ix = iy == 0 ? 1 : -across; ix <= across; ++ix)
-      for (std::size_t k = 0; k < s.count; ++k) {
-        const double x = s.record[k].place.x + ix * s.domain.width() + iy * s.domain.tilt, y = s.record[k].place.y + iy * s.domain.height();
-        const bool near_x = !s.domain.periodic[0] || (x > w[left].position - reach && x < w[right].position + reach);
-        if (near_x && y < w[top].position + reach) s.ghost.push_back({static_cast<std::int32_t>(k), {ix, iy}});
-      }
-  s.record.resize(s.count + s.ghost.size());
-  refresh_ghosts(s);
-}
-
 void refresh_ghosts(Sample& s) {
   for (std::size_t g = 0; g < s.ghost.size() - s.foot.size(); ++g) {
     DiskRecord& d = s.record[s.count + g];
@@ -223,8 +211,7 @@ void list_contacts(Sample& s, const ThreadPool& pool) {
   s.list.force.assign(bond_force_place(s.list, s.bond_slots.size()), SlotForce{});
   s.list.memory.assign(s.list.size(), 0.0);
   if (s.contact.normal.visit([](const auto& law) { return law.remembers; })) s.list.normal_memory.assign(s.list.size(), 0.0);
-  const bool rolls = !std::holds_alternative<NoRolling>(s.contact.rolling);
-  s.list.rolling_memory.assign(rolls ? s.list.size() : 0, 0.0);
+  s.list.rolling_memory.assign(s.contact.rolls_freely() ? 0 : s.list.size(), 0.0);
   s.list.pull.assign(s.contact.is_cohesive() ? s.list.pairs : 0, 0.0);
   s.list.curve.assign(s.list.pull.size(), 0);
   s.list.bond.assign(s.list.size(), never_touched);

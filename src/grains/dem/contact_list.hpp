@@ -1,5 +1,7 @@
 #pragma once
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <map>
 #include <utility>
@@ -14,13 +16,6 @@ namespace arenite::dem {
 struct Cells {
   std::int32_t x = 0, y = 0;
 };
-
-/// Force of a contact on i, N, and its torques on i and j, N m; all 0 where apart.
-struct alignas(32) SlotForce {
-  Vec2 on_i;
-  double torque_i = 0, torque_j = 0;
-};
-inline bool acts(const SlotForce& f) { return f.on_i != Vec2{}; }
 
 /// Velocity, m/s, and turning, rad/s.
 struct Motion {
@@ -55,6 +50,8 @@ struct ContactList {
   std::vector<std::int32_t> group, first;
 
   std::size_t size() const { return i.size(); }
+  /// What slots remember; of laws that do not these are empty, and pulls are of pairs only.
+  std::array<std::vector<double>*, 4> memories() { return {&memory, &normal_memory, &rolling_memory, &pull}; }
   /// What group_slots and list_contacts fill is not touched.
   void resize(std::size_t slots) {
     for (auto* a : {&i, &j, &owner}) a->resize(slots);
@@ -70,32 +67,32 @@ struct CohesionTable {
   std::vector<PullCurve> curve;
   std::map<std::pair<double, double>, std::int32_t> place;  ///< by the smaller and the larger radius
   double reach = 0, steepest = 0;                           ///< m; largest slope of equal grains, N/m
+  double joins_within = 0;                                  ///< the law's, m
+  bool breaks = false;                                      ///< the law's
 };
 
 /// A bond that holds, with what follows from its making and from where its disks are numbered now. Its force stands behind those of the contacts, in
 /// ContactList::force at bond_force_place.
-struct BondSlot {
+struct BondSlot : BondRow<double> {
   enum class State : std::int32_t { holds, breaking, broken };
   std::int32_t bond = 0;      ///< place in Sample::bonds
   std::int32_t i = 0, j = 0;  ///< inner numbers of its disks
   Cells shift;                ///< by which the image of j that is meant is away from j
   State state = State::holds;
-  double length = 0, arm_i = 0, arm_j = 0;  ///< when it was made, m; the arms to its middle between the two surfaces
-  Vec2 normal;                              ///< from j to i when the list was built
-  double angle_i = 0, angle_j = 0;          ///< that the grains have where it is not bent and has this normal, rad
-  Beam beam;
-  double strength = 1;                                                ///< over that of the law
-  double tensile = 0, cohesion = 0;                                   ///< that of this bond, Pa
-  double normal_damping = 0, shear_damping = 0, bending_damping = 0;  ///< N s/m, N s/m, N m s
 };
 
 /// The slots' numbers side by side, for the loop over them.
 struct BondNumbers {
   std::vector<std::int32_t> i, j;
-  std::array<std::vector<double>, bond_columns> column;
+  std::array<std::vector<double>, bond_columns> column;  ///< in the order of BondRow
   std::vector<std::uint8_t> look;
   std::vector<std::int32_t> across;  ///< slots that mean another image of j than j itself
   bool damped = false;
+  BondRow<double*> columns() {
+    std::array<double*, bond_columns> begin{};
+    std::ranges::transform(column, begin.begin(), [](auto& numbers) { return numbers.data(); });
+    return std::bit_cast<BondRow<double*>>(begin);
+  }
 };
 
 /// Where the force of bond slot b stands in the list.

@@ -5,11 +5,6 @@
 #include "grains/dem/bodies/bodies.hpp"
 #include "grains/dem/bonds.hpp"
 #include "grains/dem/boundaries/boundaries.hpp"
-#include "grains/dem/cohesion.hpp"
-#include "grains/dem/forces.hpp"
-#include "grains/dem/integrators/integrators.hpp"
-#include "grains/dem/integrators/motion.hpp"
-#include "grains/dem/sample.hpp"
 #include "grains/dem/walls.hpp"
 
 namespace arenite::dem {
@@ -21,44 +16,27 @@ constexpr std::size_t slides = 4, cell_shear = 8;  // of Snapshot::edge
 void add_boundary_contact(const Sample& s, std::size_t slot, const Kinematics& c, Vec2 dash, Vec2 slip, Snapshot& shot) {
   const std::size_t b = boundary_index(s, s.list.j[slot]);
   const Vec2 arm = touched_place(s, slot, c) - s.domain.boundaries[b].centre;
-  auto* edge = &shot.boundary[3 * b];
-  edge[0].dash -= dash.x;
-  edge[1].dash -= dash.y;
-  edge[2].dash -= cross(arm, dash);
-  edge[0].slip -= slip.x;
-  edge[1].slip -= slip.y;
-  edge[2].slip += s.list.force[slot].torque_j - cross(arm, slip);
+  const double dashes[] = {dash.x, dash.y, cross(arm, dash)}, slips[] = {slip.x, slip.y, cross(arm, slip) - s.list.force[slot].torque_j};
+  for (std::size_t n = 0; n < 3; ++n) shot.boundary[3 * b + n].push(-dashes[n], -slips[n]);
 }
 
-/// Adds forces that act on a disk, with their torque about its centre.
-void push(Snapshot::Disk& disk, Vec2 dash, Vec2 slip, double torque) {
-  disk.dash.force += dash;
-  disk.slip.force += slip;
-  disk.slip.torque += torque;
-}
-
-/// The same of a body, on which they act at a lever from its centre.
-void push(Snapshot::Disk& body, Vec2 dash, Vec2 slip, double torque, Vec2 lever) {
-  push(body, dash, slip, torque + cross(lever, slip));
-  body.dash.torque += cross(lever, dash);
+/// Adds forces that act on a grain at a lever from its centre, with their torque about that place.
+void push(Snapshot::Disk& grain, Vec2 dash, Vec2 slip, double torque, Vec2 lever) {
+  grain.dash.force += dash;
+  grain.dash.torque += cross(lever, dash);
+  grain.slip.force += slip;
+  grain.slip.torque += torque + cross(lever, slip);
 }
 
 /// What a contact or bond along `branch`, over so many rows of the periodic cell, does to its edges and its shear.
 void add_to_cell(const Sample& s, Vec2 branch, int rows, Vec2 force, Vec2 dash, Vec2 slip, Snapshot& shot) {
-  if (rows != 0) {
-    Snapshot::Edge& shear = shot.edge[cell_shear];
-    shear.force -= rows * force.x;
-    shear.dash -= rows * dash.x;
-    shear.slip -= rows * slip.x;
-  }
-  if (s.domain.periodic[0]) {
-    shot.edge[left].dash -= dash.x * branch.x / s.domain.width();
-    shot.edge[left].slip -= slip.x * branch.x / s.domain.width();
-  }
-  if (s.domain.periodic[1]) {
-    shot.edge[bottom].dash -= dash.y * branch.y / s.domain.height();
-    shot.edge[bottom].slip -= slip.y * branch.y / s.domain.height();
-  }
+  shot.edge[cell_shear].force -= rows * force.x;
+  shot.edge[cell_shear].push(-rows * dash.x, -rows * slip.x);
+  for (const int axis : {0, 1})
+    if (s.domain.periodic[axis]) {
+      const double length = s.domain.extent(axis);
+      shot.edge[2 * axis].push(-dash[axis] * branch[axis] / length, -slip[axis] * branch[axis] / length);
+    }
 }
 
 void add_contacts(const Sample& s, Snapshot& shot) {
@@ -81,20 +59,17 @@ void add_contacts(const Sample& s, Snapshot& shot) {
       }
       const Vec2 dash = (dot(f, c.normal) - spring) * c.normal, slip = dot(f, t) * t;
       shot.springs += friction.energy(s.laws.slip(c.sliding, sliding_stiffness(s, normal, p, c)), list.memory[p]);
-      const std::int32_t first = s.record[list.i[p]].grain;
-      auto& a = shot.disk[mover_of(s, first)];
-      if (has_levers) push(a, dash, slip, own_torque_i(s, p), own_lever(s, p));
-      else push(a, dash, slip, list.force[p].torque_i);
+      const Levers levers = has_levers ? levers_of(s, p) : Levers{};
+      const Torques torques = has_levers ? own_torques(s, p) : Torques{list.force[p].torque_i, list.force[p].torque_j};
+      push(shot.disk[mover_of(s, s.record[list.i[p]].grain)], dash, slip, torques.i, levers.i);
       if (list.j[p] >= 0) {
-        auto& b = shot.disk[mover_of(s, s.record[list.owner[p]].grain)];
-        if (has_levers) push(b, -dash, -slip, own_torque_j(s, p), partner_lever(s, p));
-        else push(b, -dash, -slip, list.force[p].torque_j);
+        push(shot.disk[mover_of(s, s.record[list.owner[p]].grain)], -dash, -slip, torques.j, levers.j);
       } else if (is_boundary(list.j[p])) {
         add_boundary_contact(s, p, c, dash, slip, shot);
       } else {
         const int side = wall_side(list.j[p]);
-        shot.edge[side].dash -= across(side, dash);
-        shot.edge[slides + side].slip -= along(side, slip);
+        shot.edge[side].push(-across(side, dash), 0);
+        shot.edge[slides + side].push(0, -along(side, slip));
       }
       if (in_cell) add_to_cell(s, between_centres(s, p, c.branch), shears ? rows_between(s, p) : 0, f, dash, slip, shot);
     }
@@ -121,7 +96,6 @@ Snapshot take(const Sample& s) {
   Snapshot shot;
   shot.gravity = s.gravity;
   shot.disk.resize(s.count + s.body.size());
-  shot.boundary.resize(3 * s.domain.boundaries.size());
   const bool corrects = integrator_of(s).corrects();
   const CellMotion<2> cell = cell_motion(s.domain);
   each_mover(s, [&](std::size_t k) {
@@ -131,39 +105,27 @@ Snapshot take(const Sample& s) {
     mover.mass = m.mass;
     if (s.drag != 0) mover.drag = -s.drag * m.mass * (m.seen.velocity - cell.at(m.place));
   });
-  add_contacts(s, shot);
-  add_bonds(s, shot);
-  for (const int low : {left, bottom}) {
-    if (!s.domain.is_periodic(low)) continue;
-    shot.edge[low + 1].dash = -shot.edge[low].dash;
-    shot.edge[low + 1].slip = -shot.edge[low].slip;
-  }
   for (int side = 0; side < sides; ++side) {
-    auto& edge = shot.edge[side];
-    edge.rate = corrects ? wall_rate(s, side) : s.wall[side].rate;
-    edge.force = -inward_sign(side) * s.domain.wall[side].force;
-    edge.servo = s.wall[side].drive.kind == WallDrive::Kind::force;
-    if (edge.servo) {
-      edge.drive = inward_sign(side) * s.wall[side].drive.value;
-      edge.damping = servo_braking(s, side, s.domain.wall[side].velocity);
-    }
-    shot.edge[slides + side].rate = s.wall[side].drive.slide;
-    shot.edge[slides + side].force = s.domain.wall[side].present ? s.domain.wall[side].shear_force : 0.0;
+    const Wall& wall = s.domain.wall[side];
+    const WallDrive& drive = s.wall[side].drive;
+    const bool servo = drive.kind == WallDrive::Kind::force;
+    const double rate = corrects ? wall_rate(s, side) : s.wall[side].rate, pressed = servo ? inward_sign(side) * drive.value : 0.0;
+    shot.edge[side] = {rate, -inward_sign(side) * wall.force, 0, 0, pressed, servo_braking(s, side, wall.velocity), servo};
+    shot.edge[slides + side] = {drive.slide, wall.present ? wall.shear_force : 0.0};
   }
+  shot.edge[cell_shear].rate = s.shear_rate * s.domain.height();
   for (std::size_t b = 0; b < s.domain.boundaries.size(); ++b) {
     const Boundary& boundary = s.domain.boundaries[b];
     const bool free = s.boundary[b].mass > 0;
     const Vec2 velocity = free ? s.boundary[b].rate : boundary.velocity, push = force_on(s, b) - boundary.force;
-    const double rate[] = {velocity.x, velocity.y, boundary.spin}, force[] = {boundary.force.x, boundary.force.y, boundary.torque};
-    for (std::size_t n = 0; n < 3; ++n) {
-      shot.boundary[3 * b + n].rate = rate[n];
-      shot.boundary[3 * b + n].force = force[n];
-      shot.boundary[3 * b + n].servo = free && n < 2;
-    }
-    shot.boundary[3 * b].drive = push.x;
-    shot.boundary[3 * b + 1].drive = push.y;
+    shot.boundary.push_back({velocity.x, boundary.force.x, 0, 0, push.x, 0, free});
+    shot.boundary.push_back({velocity.y, boundary.force.y, 0, 0, push.y, 0, free});
+    shot.boundary.push_back({boundary.spin, boundary.torque});
   }
-  shot.edge[cell_shear].rate = s.shear_rate * s.domain.height();
+  add_contacts(s, shot);
+  add_bonds(s, shot);
+  for (const int low : {left, bottom})
+    if (s.domain.is_periodic(low)) shot.edge[low + 1].push(-shot.edge[low].dash, -shot.edge[low].slip);
   return shot;
 }
 

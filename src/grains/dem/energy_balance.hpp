@@ -30,6 +30,10 @@ struct Snapshot {
   struct Edge {
     double rate = 0, force = 0, dash = 0, slip = 0, drive = 0, damping = 0;
     bool servo = false;
+    void push(double by_dash, double by_slip) {
+      dash += by_dash;
+      slip += by_slip;
+    }
   };
   std::vector<Disk> disk;
   std::vector<Edge> boundary;  ///< three each: along +x and +y, and about the centre with torques for forces

@@ -10,11 +10,6 @@
 #include "grains/dem/bodies/bodies.hpp"
 #include "grains/dem/bonds.hpp"
 #include "grains/dem/boundaries/boundaries.hpp"
-#include "grains/dem/bounds.hpp"
-#include "grains/dem/cohesion.hpp"
-#include "grains/dem/forces.hpp"
-#include "grains/dem/kernels/kernel.hpp"
-#include "grains/dem/measure.hpp"
 #include "grains/dem/neighbours.hpp"
 #include "grains/dem/setup.hpp"
 #include "grains/dem/walls.hpp"
@@ -29,8 +24,6 @@ const Kernel& find_kernel(const std::string& asked) {
     throw InputError(fmt::format("kernel \"{}\" needs a processor that this machine lacks; \"auto\" takes the best it has", asked));
   throw InputError(fmt::format("kernel \"{}\" is none of auto, portable, avx2, avx512", asked));
 }
-
-std::string kernel_name(const std::string& asked) { return find_kernel(asked).name; }
 
 namespace {
 
@@ -59,13 +52,7 @@ void synchronise(Sample& s) {
   s.balance.open = false;
   if (s.lag == 0 && !s.settled) return;
   // All is read before anything is set, for rates of walls hang on the places and velocities of disks.
-  BySide<double> rate, place;
-  for (int side = 0; side < sides; ++side) {
-    rate[side] = wall_rate(s, side);
-    place[side] = wall_place(s, side);
-  }
-  std::vector<Vec2> driven;
-  for (std::size_t b = 0; b < s.boundary.size(); ++b) driven.push_back(velocity_of(s, b));
+  const Domain now = domain_now(s);
   std::vector<Motion> moved;
   for (std::size_t b = 0; b < s.body.size(); ++b) moved.push_back(motion_of(s, s.count + b));
   for (std::size_t k = 0; k < s.count; ++k) {
@@ -76,10 +63,10 @@ void synchronise(Sample& s) {
     s.omega[k] = own.omega;
   }
   for (std::size_t b = 0; b < s.body.size(); ++b) s.body[b].own = moved[b];
-  for (std::size_t b = 0; b < s.boundary.size(); ++b) s.boundary[b].rate = s.domain.boundaries[b].velocity = driven[b];
+  for (std::size_t b = 0; b < s.boundary.size(); ++b) s.boundary[b].rate = s.domain.boundaries[b].velocity = now.boundaries[b].velocity;
   for (int side = 0; side < sides; ++side) {
-    s.wall[side].rate = rate[side];
-    s.domain.wall[side].position = place[side];
+    s.wall[side].rate = now.wall[side].velocity;
+    s.domain.wall[side].position = now.wall[side].position;
   }
   s.lag = 0;
   s.settled = false;
@@ -104,11 +91,11 @@ void Engine::set_mass_scaling(MassScaling masses) {
   Sample& s = machine_->sample;
   if (masses == s.mass_scaling) return;
   synchronise(s);
-  const double before = energies_of(s).kinetic;
-  give_masses(s, masses);
-  make_heavy_enough(s);
-  allow_step(s, masses == MassScaling::uniform ? "scaled masses" : "its own masses");
-  if (s.integration.track_energy) s.tally.dissipated_drag += before - energies_of(s).kinetic;
+  book_change(s, &Energies::dissipated_drag, &Energies::kinetic, [&] {
+    give_masses(s, masses);
+    make_heavy_enough(s);
+    allow_step(s, masses == MassScaling::uniform ? "scaled masses" : "its own masses");
+  });
 }
 
 void Engine::set_shear_rate(double rate) {
@@ -134,11 +121,10 @@ void Engine::set_friction(std::optional<double> mu) {
 void Engine::set_glue(bool on) {
   Sample& s = machine_->sample;
   if (on == s.glue) return;
-  // What bonds gain or lose by decree is booked with their breakage.
-  const double before = adhesive_energy(s);
-  s.glue = on;
-  bond_touching_pairs(s);
-  if (s.integration.track_energy) s.tally.dissipated_breakage += before - adhesive_energy(s);
+  book_change(s, &Energies::dissipated_breakage, adhesive_energy, [&] {
+    s.glue = on;
+    bond_touching_pairs(s);
+  });
   s.balance.open = false;
 }
 
@@ -156,24 +142,13 @@ void Engine::make_bonds() {
 
 BondCount Engine::bond_count() const {
   const Sample& s = machine_->sample;
-  BondCount count;
-  for (const Bond& bond : s.bonds) {
-    count.intact += bond.broken == BondBreak::none;
-    count.in_tension += bond.broken == BondBreak::tension;
-    count.in_bending += bond.broken == BondBreak::bending;
-    count.in_shear += bond.broken == BondBreak::shear;
-  }
-  count.energy = bond_energy(s);
-  return count;
+  const auto count = [&](BondBreak how) { return static_cast<std::size_t>(std::ranges::count(s.bonds, how, &Bond::broken)); };
+  return {count(BondBreak::none), count(BondBreak::tension), count(BondBreak::bending), count(BondBreak::shear), bond_energy(s)};
 }
 
 CohesionCount Engine::cohesion_count() const {
-  CohesionCount count;
-  for (const CohesivePair& pair : cohesive_pairs(machine_->sample)) {
-    ++count.joined;
-    count.apart += pair.gap > 0;
-  }
-  return count;
+  const std::vector<CohesivePair> pairs = cohesive_pairs(machine_->sample);
+  return {pairs.size(), static_cast<std::size_t>(std::ranges::count_if(pairs, acts_across_gap))};
 }
 
 void Engine::set_drives(const WallDrives& asked) {
@@ -182,9 +157,7 @@ void Engine::set_drives(const WallDrives& asked) {
   if (std::ranges::equal(drives, s.wall, {}, {}, &WallBody::drive)) return;
   check_still_cell(s, drives, false);
   synchronise(s);
-  const double before = servo_energy(s);
-  apply_drives(s, drives);
-  if (s.integration.track_energy) s.tally.dissipated_drag += before - servo_energy(s);
+  book_change(s, &Energies::dissipated_drag, servo_energy, [&] { apply_drives(s, drives); });
 }
 
 double Engine::time() const { return time_of(machine_->sample); }

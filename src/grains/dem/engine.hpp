@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "grains/dem/parameters.hpp"
-#include "grains/dem/programme.hpp"
+#include "grains/dem/stage.hpp"
 #include "model/packing.hpp"
 #include "model/result.hpp"
 
@@ -38,10 +38,6 @@ struct CohesionCount {
   std::size_t joined = 0, apart = 0;
 };
 
-/// The kernel that `asked` means on this machine ("auto": the widest it has). All kernels give the same bits. InputError for one that is unknown or
-/// that the processor lacks.
-std::string kernel_name(const std::string& asked);
-
 /// A sample that moves. Inside, disks are sorted by place and their contacts listed; at the border grains keep the caller's order. Same input, same
 /// kernel: same bits for any thread count.
 class Engine {
@@ -69,8 +65,8 @@ class Engine {
   void set_rough(const BySide<bool>& rough);
   /// Walls, by side, that are taken away; one comes back only where no grain lies beyond it (InputError).
   void set_open(const BySide<bool>& open);
-  /// How the boundaries of the domain move from now on, one for each.
-  void set_boundaries(const std::vector<BoundaryDrive>& drives);
+  /// How the domain's boundaries move from now on; InputError for a name that none has.
+  void set_boundaries(const std::vector<BoundaryMotion>& motions);
   void set_glue(bool on);  ///< adhesion acts; for bonds that break for good: pairs that touch now are bonded
   /// Bonds grains that touch now or nearly (contact.bonds), free of stress, unless they are or were bonded already. A step that the bonds do not allow
   /// is shortened, or refused (InputError) where it was given.

@@ -58,10 +58,8 @@ inline Kinematics wall_kinematics(const DiskRecord& a, const Wall& wall, double 
 
 /// A disk and an element of a boundary. A segment is touched where the centre's foot on its line lies strictly within it, an end point where the centre
 /// lies beyond the segments that meet there: of a corner that juts out one of the three is touched, in a corner that the disk lies in both segments are.
-Kinematics element_kinematics(const Sample& sample, const DiskRecord& disk, std::int32_t element);
-
-/// A polygon's foot and the point of a boundary that it belongs to.
-Kinematics point_kinematics(const Sample& sample, const DiskRecord& foot, std::int32_t element);
+/// The foot of a polygon lies against the point that it belongs to in any case (`as_point`).
+Kinematics element_kinematics(const Sample& sample, const DiskRecord& disk, std::int32_t element, bool as_point);
 
 /// What touches in a slot: disk i, or the foot of a polygon on a boundary's point.
 inline const DiskRecord& touching_disk(const Sample& s, std::size_t slot) {
@@ -72,9 +70,8 @@ inline const DiskRecord& touching_disk(const Sample& s, std::size_t slot) {
 inline Kinematics slot_kinematics(const Sample& s, std::size_t slot) {
   const DiskRecord& a = touching_disk(s, slot);
   const std::int32_t j = s.list.j[slot];
-  if (slot >= s.list.polygons) return point_kinematics(s, a, element_of(j));
   if (j >= 0) return pair_kinematics(a, s.record[j], s.contact.arms);
-  if (is_boundary(j)) return element_kinematics(s, a, element_of(j));
+  if (is_boundary(j)) return element_kinematics(s, a, element_of(j), slot >= s.list.polygons);
   const auto side = static_cast<std::size_t>(wall_side(j));
   return wall_kinematics(a, s.domain.wall[side], s.wall[side].drive.slide, static_cast<int>(side), s.contact.arms);
 }
@@ -92,6 +89,28 @@ void compute_forces(Sample& sample, const ThreadPool& pool = ThreadPool());
 void add_rolling_moments(Sample& sample, const ThreadPool& pool);
 /// What the rolling springs hold, J.
 double rolling_energy(const Sample& sample);
+
+/// How far the cohesion of this sample reaches, and how steep it is. InputError where the law makes no sense for its grains.
+void set_up_cohesion(Sample& sample);
+
+/// Pairs of the packing that were joined go on. The list must have just been built.
+void recall_cohesion(Sample& sample);
+
+/// Finds the curves of the pairs that are joined.
+void find_pull_curves(Sample& sample);
+
+/// Adds the pulls to the forces of the pairs' slots, which hold those of their contacts, and joins and parts pairs. What a pair holds as it breaks is
+/// booked as dissipated. A pair is found joined or parted up to a step late; what its force has not done by then goes into the same account.
+void add_cohesion(Sample& sample, const ThreadPool& pool);
+
+/// Pull of a slot now, N; 0 where none acts.
+inline double pull_of(const Sample& s, std::size_t slot) { return slot < s.list.pull.size() ? s.list.pull[slot] : 0.0; }
+
+/// Energy of all joined pairs, J.
+double cohesive_energy(const Sample& sample);
+
+/// All joined pairs, by the caller's grains.
+std::vector<CohesivePair> cohesive_pairs(const Sample& sample);
 
 /// Forces of the edges of a periodic cell, the means over all its cuts: (1/W) sum f_x l_x. Not part of compute_forces, because only driven edges and
 /// readers need them.

@@ -1,21 +1,12 @@
 #include <algorithm>
-#include <numbers>
 
 #include "grains/dem/bodies/bodies.hpp"
 #include "grains/dem/bonds.hpp"
-#include "grains/dem/bounds.hpp"
 #include "grains/dem/neighbours.hpp"
+#include "grains/dem/setup.hpp"
 #include "grains/dem/walls.hpp"
 
 namespace arenite::dem {
-
-double own_mass(const Sample& s, std::size_t k) {
-  const Grains& g = s.start.grains;
-  const auto grain = static_cast<std::size_t>(s.record[k].grain);
-  if (const std::int32_t body = body_of(s, s.record[k].grain); body >= 0) return own_mass_of(s, s.body[body]);
-  const double r = g.radius[grain];
-  return s.start.materials[g.material[grain]].density * std::numbers::pi * r * r * s.domain.thickness;
-}
 
 namespace {
 
@@ -24,7 +15,7 @@ void renew_dashpots(Sample& s) {
   ContactList& list = s.list;
   for (std::size_t p = 0; p < list.size(); ++p) {
     const DiskRecord& a = s.record[list.i[p]];
-    const Coefficients c = list.j[p] < 0 ? wall_coefficients(s, a) : pair_coefficients(s, a, s.record[list.owner[p]]);
+    const Coefficients c = list.j[p] < 0 ? s.coefficients.wall(a) : pair_coefficients(s, a, s.record[list.owner[p]]);
     list.damping[p] = c.damping;
     list.viscosity[p] = c.viscosity;
   }
@@ -37,11 +28,11 @@ void give_masses(Sample& s, MassScaling masses) {
   s.mass_scaling = masses;
   double fastest = 0;
   for (std::size_t k = 0; k < s.count; ++k) {
-    s.record[k].mass = own_mass(s, k);
-    fastest = std::max(fastest, stiffness_of(s, s.record[k]) / s.record[k].mass);
+    s.record[k].mass = own_mass(s, s.record[k].grain);
+    fastest = std::max(fastest, s.coefficients.pair_stiffness(s.record[k], s.record[k]) / s.record[k].mass);
   }
   if (masses == MassScaling::uniform)
-    for (std::size_t k = 0; k < s.count; ++k) s.record[k].mass = stiffness_of(s, s.record[k]) / fastest;
+    for (std::size_t k = 0; k < s.count; ++k) s.record[k].mass = s.coefficients.pair_stiffness(s.record[k], s.record[k]) / fastest;
   take_masses(s);
   renew_dashpots(s);
   tune_servo(s);

@@ -1,4 +1,4 @@
-#include "grains/dem/measure.hpp"
+#include "grains/dem/setup.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,41 +8,37 @@
 #include "grains/dem/bodies/bodies.hpp"
 #include "grains/dem/bonds.hpp"
 #include "grains/dem/boundaries/boundaries.hpp"
-#include "grains/dem/cohesion.hpp"
-#include "grains/dem/forces.hpp"
-#include "grains/dem/integrators/motion.hpp"
 #include "grains/dem/walls.hpp"
 
 namespace arenite::dem {
 namespace {
 
 void add_contacts(const Sample& s, Packing& out) {
-  struct Row {
-    std::int32_t i, j;  ///< disks
-    std::size_t slot;
-    bool swapped;
-  };
   const auto grain = [&](std::int32_t disk) { return disk < 0 ? disk : grain_of(s, disk); };
-  std::vector<Row> rows;
+  std::vector<std::tuple<std::int32_t, std::int32_t, std::int32_t, std::int32_t, std::size_t>> rows;  // grains, disks, slot
   for (std::size_t p = 0; p < s.list.size(); ++p) {
     if (!(slot_kinematics(s, p).overlap > 0)) continue;
-    const std::int32_t a = s.record[s.list.i[p]].grain;
-    const std::int32_t b = s.list.j[p] < 0 ? s.list.j[p] : s.record[s.list.owner[p]].grain;
-    const bool swapped = b >= 0 && b < a;
-    rows.push_back(swapped ? Row{b, a, p, true} : Row{a, b, p, false});
+    std::int32_t a = s.record[s.list.i[p]].grain, b = s.list.j[p] < 0 ? s.list.j[p] : s.record[s.list.owner[p]].grain;
+    if (b >= 0 && b < a) std::swap(a, b);
+    rows.emplace_back(grain(a), grain(b), a, b, p);
   }
-  std::sort(rows.begin(), rows.end(),
-            [&](const Row& p, const Row& q) { return std::tuple(grain(p.i), grain(p.j), p.i, p.j) < std::tuple(grain(q.i), grain(q.j), q.i, q.j); });
-  for (const Row& row : rows) {
-    const Kinematics c = slot_kinematics(s, row.slot);
-    const Vec2 f = s.list.force[row.slot].on_i;
+  std::ranges::sort(rows);
+  for (const auto& [i, j, disk_i, disk_j, slot] : rows) {
+    const Kinematics c = slot_kinematics(s, slot);
+    const bool swapped = s.record[s.list.i[slot]].grain != disk_i;
+    const Vec2 f = s.list.force[slot].on_i;
     const double fn = dot(f, c.normal), ft = dot(f, perpendicular(c.normal));
-    if (row.swapped) out.contacts.add(grain(row.i), grain(row.j), -c.normal, fn, ft, c.arm_j, c.arm_i);
-    else out.contacts.add(grain(row.i), grain(row.j), c.normal, fn, ft, c.arm_i, c.arm_j);
-    if (!s.part.empty()) add_levers(s, row.slot, row.swapped, out.contacts);
+    if (swapped) out.contacts.add(i, j, -c.normal, fn, ft, c.arm_j, c.arm_i);
+    else out.contacts.add(i, j, c.normal, fn, ft, c.arm_i, c.arm_j);
+    if (!s.part.empty()) {
+      Levers levers = levers_of(s, slot);
+      if (swapped) std::swap(levers.i, levers.j);
+      out.contacts.off_i.push_back(levers.i);
+      out.contacts.off_j.push_back(levers.j);
+    }
     out.contacts.overlap.back() = c.overlap;
     out.contacts.sliding_velocity.back() = c.sliding;
-    out.contacts.glued.back() = s.list.strength[row.slot] > 0 ? 1 : 0;
+    out.contacts.glued.back() = s.list.strength[slot] > 0 ? 1 : 0;
   }
 }
 
@@ -99,13 +95,8 @@ double adhesive_energy(const Sample& s) {
 Packing packing_of(const Sample& s) {
   Packing out;
   out.materials = s.start.materials;
-  out.domain = s.domain;
+  out.domain = domain_now(s);
   out.grains = s.part.empty() ? s.start.grains : s.given;
-  for (int side = 0; side < sides; ++side) {
-    out.domain.wall[side].velocity = wall_rate(s, side);
-    out.domain.wall[side].position = wall_place(s, side);
-  }
-  for (std::size_t b = 0; b < s.boundary.size(); ++b) out.domain.boundaries[b].velocity = velocity_of(s, b);
   const CellMotion<2> cell = cell_motion(out.domain);
   each_mover(s, [&](std::size_t k) {
     const Mover m = mover_at(s, k);
@@ -153,25 +144,20 @@ Equilibrium equilibrium_of(const Sample& s) {
   each_mover(s, [&](std::size_t k) { resultant += resultant_of(s, k); });
   for (std::size_t p = 0; p < s.list.size(); ++p) {
     const Kinematics c = slot_kinematics(s, p);
-    if (pull_of(s, p) > 0) {  // holds its grains, whatever presses them
-      ++pressed_contacts[moving(s, s.list.i[p])];
-      ++pressed_contacts[moving(s, s.list.owner[p])];
-    }
-    if (!(c.overlap > 0)) {
-      normal_sum += pull_of(s, p);
-      contacts += pull_of(s, p) > 0;
-      continue;
-    }
-    const double fn = dot(s.list.force[p].on_i, c.normal), ft = dot(s.list.force[p].on_i, perpendicular(c.normal));
-    normal_sum += std::abs(fn);
+    const double pull = pull_of(s, p);
+    const bool touches = c.overlap > 0;
+    if (!touches && !(pull > 0)) continue;
+    const Vec2 force = s.list.force[p].on_i;
+    const double fn = touches ? dot(force, c.normal) : 0.0;
+    normal_sum += touches ? std::abs(fn) : pull;
     ++contacts;
     if (fn > 0) {
-      mobilised += std::abs(ft) / fn;
+      mobilised += std::abs(dot(force, perpendicular(c.normal))) / fn;
       ++pressed;
-      if (pull_of(s, p) > 0) continue;
-      ++pressed_contacts[moving(s, s.list.i[p])];
-      if (s.list.j[p] >= 0) ++pressed_contacts[moving(s, s.list.owner[p])];
     }
+    if (!(fn > 0) && !(pull > 0)) continue;  // a pull holds its grains, whatever presses them
+    ++pressed_contacts[moving(s, s.list.i[p])];
+    if (s.list.j[p] >= 0) ++pressed_contacts[moving(s, s.list.owner[p])];
   }
   for (std::size_t n = 0; n < s.bond_slots.size(); ++n) {
     const BondSlot& b = s.bond_slots[n];

@@ -46,7 +46,7 @@ std::vector<std::int32_t> sort_by_cell(Sample& s) {
   std::vector<std::int32_t> order = geometry::SortedCells(grid.size(), 0, s.count, [&](std::size_t k) { return grid.cell(s.record[k].place); }).item;
   s.record.resize(s.count);
   permute(s.record, order);
-  each_motion_array(s, [&](auto& a) { permute(a, order); });
+  for (auto* a : motion_arrays(s)) permute(*a, order);
   for (auto& higher : s.higher)
     for (auto& a : higher.along) permute(a, order);
   return order;
@@ -69,29 +69,32 @@ std::size_t find_slot(const ContactList& list, std::int32_t a, std::int32_t b, b
 
 /// Takes over what touching pairs remember from the list before a rebuild; disk k was number `was[k]` in it. A periodic cell is at least two reaches
 /// wide, so no pair meets twice.
-void carry_over(Sample& s, const ContactList& before, const std::vector<std::int32_t>& was, const ThreadPool& pool) {
+void carry_over(Sample& s, ContactList& before, const std::vector<std::int32_t>& was, const ThreadPool& pool) {
   ContactList& list = s.list;
   if (before.size() == 0 || (s.live_bonds.empty() && !remembers(s.laws) && s.list.rolling_memory.empty() && s.list.pull.empty())) return;
+  const auto now = list.memories(), then = before.memories();
   pool.for_ranges(list.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; ++p) {
       const std::int32_t a = was[list.i[p]];
       const std::int32_t b = list.j[p] < 0 ? list.j[p] : was[list.owner[p]];
-      const std::size_t old = find_slot(before, a, b, p >= list.polygons, foot_of(s, p) == nullptr);
+      const std::size_t old = find_slot(before, a, b, p >= list.polygons, !foot_of(s, p));
       if (old == before.size()) continue;
-      list.memory[p] = before.memory[old];
-      if (!list.normal_memory.empty()) list.normal_memory[p] = before.normal_memory[old];
-      if (!list.rolling_memory.empty()) list.rolling_memory[p] = before.rolling_memory[old];
+      for (std::size_t m = 0; m < now.size(); ++m)
+        if (p < now[m]->size()) (*now[m])[p] = (*then[m])[old];
+      if (p < list.curve.size()) list.curve[p] = before.curve[old];
       list.bond[p] = before.bond[old];
-      if (p < list.pull.size()) {
-        list.pull[p] = before.pull[old];
-        list.curve[p] = before.curve[old];
-      }
     }
   });
 }
 
 bool bonds_break(const Sample& s) {
   return s.contact.adhesion.visit([](const auto& law) { return law.breaks; });
+}
+
+/// Whether grains a and b (caller's indices) attract each other.
+bool is_glued(const Sample& s, std::int32_t a, std::int32_t b) {
+  if (!s.glue || !s.contact.adheres()) return false;
+  return bonds_break(s) ? std::binary_search(s.live_bonds.begin(), s.live_bonds.end(), pair_key(a, b)) : is_marked_as_glued(s, a, b);
 }
 
 }  // namespace
@@ -189,7 +192,7 @@ double list_leeway(const Sample& s) {
     if (!s.domain.is_periodic(side) && std::abs(s.domain.wall[side].position - s.listed_domain.wall[side].position) > 0.5 * s.skin) return 0;
   if (farthest_moved(s.listed_domain, s.domain) > 0.5 * s.skin) return 0;
   const CellFrame<2> then = cell_frame(s.listed_domain), now = cell_frame(s.domain);
-  const double growth = std::abs(now[0].growth(then[0])) + std::abs(now[1].growth(then[1]));
+  const double growth = std::abs(now[0].since(then[0]).growth()) + std::abs(now[1].since(then[1]).growth());
   return 0.5 * (s.skin - reach_of(s) * (growth + std::abs(s.sheared - s.listed_sheared)));
 }
 
@@ -201,14 +204,7 @@ bool is_marked_as_glued(const Sample& s, std::int32_t a, std::int32_t b) {
   return std::binary_search(glued.begin(), glued.end(), std::pair{std::min(a, b), std::max(a, b)});
 }
 
-bool is_glued(const Sample& s, std::int32_t a, std::int32_t b) {
-  if (!s.glue || !s.contact.adheres()) return false;
-  return bonds_break(s) ? std::binary_search(s.live_bonds.begin(), s.live_bonds.end(), pair_key(a, b)) : is_marked_as_glued(s, a, b);
-}
-
-Coefficients pair_coefficients(const Sample& s, const DiskRecord& a, const DiskRecord& b) {
-  return s.coefficients.pair(a.material, b.material, a.mass, b.mass, a.radius, b.radius, is_glued(s, a.grain, b.grain));
-}
+Coefficients pair_coefficients(const Sample& s, const DiskRecord& a, const DiskRecord& b) { return s.coefficients.pair(a, b, is_glued(s, a.grain, b.grain)); }
 
 void bond_touching_pairs(Sample& s) {
   s.live_bonds.clear();

@@ -5,6 +5,9 @@
 
 namespace arenite::dem {
 
+/// Disks whose partners are sought in one go.
+inline constexpr std::size_t disks_of_block = 64;
+
 /// Sorts the disks by cell, wraps them into a periodic cell, makes the ghosts and lists every pair (and wall) closer than the skin. What touching
 /// pairs remember is kept. Throws CannotGoOn, naming grain and step, if a grain has left the walls, gone through a boundary, or a coordinate is not finite.
 void rebuild_list(Sample& sample, const ThreadPool& pool = ThreadPool());
@@ -30,22 +33,14 @@ double list_leeway(const Sample& sample);
 geometry::Box<2> room_of(const Sample& sample);
 inline geometry::CellGrid<2> cells_of(const Sample& sample) { return {room_of(sample), reach_of(sample)}; }
 
-/// Makes the images of the disks near the right and the upper edge of a periodic cell; all others are the same pairs seen from the other side. The
-/// images' records come behind those of the disks.
-void make_ghosts(Sample& sample);
-
 /// Copies the sources of ghosts to their images (positions and seen velocities).
 void refresh_ghosts(Sample& sample);
 
 /// Grains a and b (caller's indices) were declared glued: by name, or by their zones where no pair is named.
 bool is_marked_as_glued(const Sample& sample, std::int32_t a, std::int32_t b);
 
-/// Grains a and b (caller's indices) attract each other.
-bool is_glued(const Sample& sample, std::int32_t a, std::int32_t b);
-
-/// What the laws need of two disks, and of a disk and a wall.
+/// What the laws need of two disks.
 Coefficients pair_coefficients(const Sample& sample, const DiskRecord& a, const DiskRecord& b);
-inline Coefficients wall_coefficients(const Sample& s, const DiskRecord& d) { return s.coefficients.wall(d.material, d.mass, d.radius); }
 
 /// Decides anew which listed pairs attract, after glue was switched on or off. Where bonds break for good, the glued pairs that touch now (to a
 /// millionth of their radii) are the bonds there are.

@@ -19,7 +19,7 @@ enum class StiffnessRule { thesis, series };  ///< thesis: like pairs k, unlike 
 enum class WallStiffness { stiffest, grain, series };
 enum class Arms { contact_point, full_radius };
 enum class FrictionCap { raised_by_adhesion, as_printed };  ///< mu (F_n + |F_c|), or T (1.28) with F_c printed negative
-enum class MassScaling { none, uniform };                   ///< see dem/bounds.hpp
+enum class MassScaling { none, uniform };                   ///< see dem/setup.hpp
 
 /// All integrators, the default first: each is the Integrator of this name in a file of its own (integrators/).
 #define ARENITE_INTEGRATORS(each) each(velocity_verlet) each(leapfrog) each(gear5)
@@ -55,18 +55,13 @@ struct ContactParameters {
   std::vector<std::pair<std::int32_t, std::int32_t>> glued_pairs;
   bool operator==(const ContactParameters&) const = default;
 
-  bool adheres() const {
-    return adhesion.visit([](const auto& law) { return law.attracts; });
-  }
+  bool adheres() const { return !std::holds_alternative<NoAdhesion>(adhesion); }
+  bool is_cohesive() const { return !std::holds_alternative<NoCohesion>(cohesion); }
+  bool has_bonds() const { return !std::holds_alternative<NoBonds>(bonds); }
+  bool rolls_freely() const { return std::holds_alternative<NoRolling>(rolling); }
   /// The normal law is one of materials' E and nu.
   bool takes_moduli() const {
     return normal.visit([]<class N>(const N&) { return ElasticContact<N>; });
-  }
-  bool is_cohesive() const {
-    return cohesion.visit([](const auto& law) { return law.acts; });
-  }
-  bool has_bonds() const {
-    return bonds.visit([](const auto& law) { return law.bonds; });
   }
 };
 
@@ -92,15 +87,16 @@ struct WallDrive {
 };
 using WallDrives = BySide<WallDrive>;
 
-/// How a boundary moves; see model/packing.hpp.
-struct BoundaryDrive {
-  Vec2 velocity;    ///< m/s
-  double spin = 0;  ///< rad/s, counter-clockwise
-  Vec2 centre;      ///< of the spin, m; goes with the velocity
-  bool present = true;
-  double mass = 0;  ///< kg; above 0 it moves as a body without rotation of its own under this force, its weight and the grains, from this velocity on
-  Vec2 force = {};  ///< N
-  bool operator==(const BoundaryDrive&) const = default;
+/// How a boundary moves in a stage; one that is not named is there, at rest.
+struct BoundaryMotion {
+  std::string name;
+  Vec2 velocity = {};               ///< m/s
+  double spin = 0;                  ///< rad/s, counter-clockwise
+  std::optional<Vec2> centre = {};  ///< of the spin as the motion begins, m, which goes with the velocity; unset: the mean of the points
+  bool absent = false;
+  std::optional<double> mass = {};  ///< kg; with it the boundary moves under its weight, the grains and the force, from the velocity on that it has
+  Vec2 force = {};                  ///< N
+  bool operator==(const BoundaryMotion&) const = default;
 };
 
 }  // namespace arenite::dem

@@ -1,10 +1,9 @@
-#include "grains/dem/programme.hpp"
+#include "grains/dem/stage.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "grains/dem/bodies/bodies.hpp"
-#include "grains/dem/measure.hpp"
 #include "grains/dem/setup.hpp"
 
 namespace arenite::dem {
@@ -18,33 +17,22 @@ double Programme::at(double time) const {
   return a.y + (time - a.x) / (b.x - a.x) * (b.y - a.y);
 }
 
-const Programme* Programmes::find(int of) const {
-  const auto at = std::ranges::find(list, of, &Programme::of);
-  return at == list.end() ? nullptr : &*at;
-}
-
-const Programme* Programmes::of_side(int side) const {
-  const auto at = std::find_if(list.begin(), list.end(), [&](const Programme& p) { return p.drives_side() && p.side() == side; });
-  return at == list.end() ? nullptr : &*at;
-}
-
 void change_shear_rate(Sample& s, double rate) {
   if (rate == s.shear_rate) return;
-  const bool tracked = s.integration.track_energy;
-  const double before = tracked ? energies_of(s).kinetic : 0, middle = 0.5 * (s.domain.wall[bottom].position + s.domain.wall[top].position);
-  for (std::size_t k = 0; k < s.count; ++k) {
-    const double faster = (rate - s.shear_rate) * (s.record[k].place.y - middle);
-    s.velocity.along[0][k] += faster;
-    s.record[k].velocity.x += faster;
-  }
-  for (Body& b : s.body) {
-    const double faster = (rate - s.shear_rate) * (b.place.y - middle);
-    b.own.velocity.x += faster;
-    b.seen.velocity.x += faster;
-  }
-  s.shear_rate = rate;
-  place_parts(s);
-  if (tracked) s.tally.work_walls += energies_of(s).kinetic - before;
+  const double middle = 0.5 * (s.domain.wall[bottom].position + s.domain.wall[top].position);
+  const auto faster_at = [&](double y) { return (rate - s.shear_rate) * (y - middle); };
+  book_change(s, &Energies::work_walls, &Energies::kinetic, [&] {
+    for (std::size_t k = 0; k < s.count; ++k) {
+      s.velocity.along[0][k] += faster_at(s.record[k].place.y);
+      s.record[k].velocity.x += faster_at(s.record[k].place.y);
+    }
+    for (Body& b : s.body) {
+      b.own.velocity.x += faster_at(b.place.y);
+      b.seen.velocity.x += faster_at(b.place.y);
+    }
+    s.shear_rate = rate;
+    place_parts(s);
+  });
 }
 
 namespace {
@@ -80,16 +68,16 @@ void follow_velocities(Sample& s) {
 
 void follow_loads(Sample& s) {
   const double time = time_of(s) - s.programmes.begin;
+  double g = s.programmes.gravity_size, turned = s.programmes.gravity_angle;
+  bool weight_changes = false;
   for (const Programme& p : s.programmes.list) {
     if (p.drives_side() && p.drive() != 0) s.wall[p.side()].drive.value = load_of(s, p, time);
-    if (!p.is_of_force()) continue;
-    Vec2& force = s.boundary[index_of(s.domain.boundaries, p.name)].force;
-    force[p.boundary_axis()] = p.at(time);
+    if (p.is_of_force()) s.boundary[index_of(s.domain.boundaries, p.name)].force[p.boundary_axis()] = p.at(time);
+    if (p.of == Programme::gravity_size) g = p.at(time);
+    if (p.of == Programme::gravity_angle) turned = p.at(time);
+    weight_changes |= p.of == Programme::gravity_size || p.of == Programme::gravity_angle;
   }
-  const Programme *size = s.programmes.find(Programme::gravity_size), *angle = s.programmes.find(Programme::gravity_angle);
-  if (!size && !angle) return;
-  const double g = size ? size->at(time) : s.programmes.gravity_size, turned = angle ? angle->at(time) : s.programmes.gravity_angle;
-  s.gravity = g * Vec2{std::sin(turned), -std::cos(turned)};
+  if (weight_changes) s.gravity = g * Vec2{std::sin(turned), -std::cos(turned)};
 }
 
 WallDrives under_programmes(const Sample& s, WallDrives drives) {

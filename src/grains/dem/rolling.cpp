@@ -46,7 +46,7 @@ double normal_force_of(const Sample& s, std::size_t slot) {
 }  // namespace
 
 void add_rolling_moments(Sample& s, const ThreadPool& pool) {
-  if (std::holds_alternative<NoRolling>(s.contact.rolling)) return;
+  if (s.contact.rolls_freely()) return;
   s.contact.rolling.visit([&](const auto& law) {
     pool.for_ranges(s.list.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t p = begin; p < end; ++p) {

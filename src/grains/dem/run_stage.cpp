@@ -16,8 +16,6 @@ std::string describe(const Equilibrium& now) {
   return now.falling > 0 ? text + fmt::format(", {:.2g} % of the grains fall", 100 * now.falling) : text;
 }
 
-std::int64_t steps_of(double duration, double time_step) { return static_cast<std::int64_t>(std::ceil(duration / time_step)); }
-
 bool is_at_rest(const Equilibrium& now, const EquilibriumCriterion& wanted) {
   return now.unbalanced_ratio < wanted.unbalanced && now.kinetic_ratio < wanted.kinetic &&
          now.loose_kinetic < wanted.loose_kinetic.value_or(1e5 * wanted.kinetic) && now.falling <= wanted.falling &&
@@ -91,13 +89,6 @@ void sample(History& history, const Engine& engine, const Stage& stage, const Eq
   append(history, "loose_kinetic_ratio", "1", now.loose_kinetic);
 }
 
-/// Makes steps, and looks at what they have led to.
-Equilibrium advance(Engine& engine, std::int64_t steps, StageRun& run) {
-  engine.advance(steps);
-  run.steps_in_increment += steps;
-  return run.latest = engine.equilibrium();
-}
-
 /// Adds a row to the history, where one is due or wanted. It stays short however long the stage: when it is full, every second row goes and sampling
 /// halves.
 void note(const Engine& engine, const Stage& stage, bool wanted, StageRun& run) {
@@ -121,87 +112,35 @@ std::string describe_pressed(const Equilibrium& now, const WallDrives& drives, c
   return describe(now) + (presses ? fmt::format(", forces on the sides within {:.1e} of their aim", load_error(drives, domain)) : "");
 }
 
-/// How many of the bonds have broken, and how many pairs cohesion joins; nothing where there are none.
-std::string describe_bonds(const Engine& engine) {
-  const BondCount bonds = engine.bond_count();
-  std::string text = bonds.made() > 0 ? fmt::format("; {} of {} bonds broken", bonds.made() - bonds.intact, bonds.made()) : "";
+/// How the stage came to its end, how many of the bonds have broken, and how many pairs cohesion joins; nothing on these where there are none.
+std::string outcome_of(const Engine& engine, const Stage& stage, const Equilibrium& now, const WallDrives& drives) {
+  std::string text = stage.strain_cycles ? fmt::format("{} cycles of strain passed; {}", stage.strain_cycles->count, describe(now))
+                     : stage.duration    ? fmt::format("{:g} s passed; {}", *stage.duration, describe(now))
+                                         : "equilibrium: " + describe_pressed(now, drives, engine.domain());
+  if (const BondCount bonds = engine.bond_count(); bonds.made() > 0) text += fmt::format("; {} of {} bonds broken", bonds.made() - bonds.intact, bonds.made());
   if (!engine.is_cohesive()) return text;
   const CohesionCount pairs = engine.cohesion_count();
   return text + fmt::format("; {} pairs cohere, {} of them apart", pairs.joined, pairs.apart);
 }
 
-void continue_for_a_time(Engine& engine, const Stage& stage, StageRun& run) {
-  const std::int64_t total = steps_of(*stage.duration, engine.time_step());
-  const std::int64_t frames = std::max<std::int64_t>(1, stage.snapshots);
-  const std::int64_t next_frame = total * static_cast<std::int64_t>(run.result.frames.size() + 1) / frames;
-  engine.set_drives(drives_for(on_the_ramp(stage, run.force_at_start, 1), engine.domain()));
-  const Equilibrium now = advance(engine, std::min(check_interval, next_frame - run.steps_in_increment), run);
-  note(engine, stage, false, run);
-  if (run.steps_in_increment < next_frame) return;
-  const auto k = run.result.frames.size() + 1;
-  store_frame(engine, now, frames == 1 ? std::string("end") : fmt::format("{} of {}", k, frames), run.result);
-  if (static_cast<std::int64_t>(k) < frames) return;
-  run.finished = true;
-  run.result.outcome = fmt::format("{:g} s passed; {}{}", *stage.duration, describe(now), describe_bonds(engine));
-}
-
-/// The end of increment or half cycle `run.increment`: a row for the curves against cycles, and a state.
-void end_increment(const Engine& engine, const Stage& stage, const Equilibrium& now, const std::string& label, StageRun& run) {
-  const CyclePlace place = cycle_place(stage, run.increment);
-  if (place.ends_half) {
-    append(run.result.cycles, "cycle", "1", static_cast<double>(place.cycle));
-    append(run.result.cycles, "at_maximum", "1", place.at_maximum ? 1.0 : 0.0);
-    sample(run.result.cycles, engine, stage, now, run.increment);
+/// The end of a leg: a row for the curves against cycles, and a state.
+void end_leg(const Engine& engine, const Stage& stage, const Leg& leg, StageRun& run) {
+  if (leg.ends_half) {
+    append(run.result.cycles, "cycle", "1", static_cast<double>(leg.cycle));
+    append(run.result.cycles, "at_maximum", "1", leg.at_maximum ? 1.0 : 0.0);
+    sample(run.result.cycles, engine, stage, run.latest, run.increment);
   }
-  if (is_stored(stage, place)) store_frame(engine, now, label, run.result);
+  if (leg.stored) store_frame(engine, run.latest, leg.label, run.result);
+  if (!leg.is_whole) return;
   run.steps_in_increment = 0;
+  ++run.increment;
 }
 
-/// The side goes on at the speed of its half cycle, or the cell is sheared at that rate.
-void drive_strain(Engine& engine, const Stage& stage, const StageRun& run, const StrainHalf& half) {
-  const StrainCycles& cycles = *stage.strain_cycles;
-  const double rate = (half.to - half.from) / (static_cast<double>(half.steps) * engine.time_step());
-  Increment increment = on_the_ramp(stage, run.force_at_start, 1);
-  if (cycles.of == StrainCycles::shear) engine.set_shear_rate(rate);
-  else increment.side[cycles.of] = {SideDrive::Kind::velocity, rate * run.size_at_start[cycles.of / 2]};
-  engine.set_drives(drives_for(increment, engine.domain()));
-}
-
-void continue_strain_cycles(Engine& engine, const Stage& stage, StageRun& run) {
-  const StrainHalf half = strain_half(*stage.strain_cycles, run.increment, engine.time_step());
-  drive_strain(engine, stage, run, half);
-  const Equilibrium now = advance(engine, std::min(check_interval, half.steps - run.steps_in_increment), run);
-  const bool ends = run.steps_in_increment == half.steps;
-  note(engine, stage, ends, run);
-  if (!ends) return;
-  const CyclePlace place = cycle_place(stage, run.increment);
-  end_increment(engine, stage, now, fmt::format("cycle {} {}", place.cycle, place.at_maximum ? "maximum" : "minimum"), run);
-  run.finished = ++run.increment == increment_count(stage);
-  if (run.finished) run.result.outcome = fmt::format("{} cycles of strain passed; {}{}", stage.strain_cycles->count, describe(now), describe_bonds(engine));
-}
-
-void continue_to_rest(Engine& engine, const Stage& stage, StageRun& run) {
-  const std::int64_t increments = increment_count(stage);
-  const Increment increment = increment_at(stage, run.force_at_start, run.increment);
-  const WallDrives drives = drives_for(increment, engine.domain());
-  engine.set_drives(drives);
-  const Equilibrium now = advance(engine, check_interval, run);
-  const double wall_error = load_error(drives, engine.domain());
-  const bool at_rest = is_at_rest(now, stage.equilibrium) && wall_error < 10 * stage.equilibrium.unbalanced;
-  const bool given_up = !at_rest && run.steps_in_increment >= stage.equilibrium.max_steps;
-  note(engine, stage, at_rest, run);
-  if (!at_rest && !given_up) return;
-
-  run.result.converged = run.result.converged && at_rest;
-  if (given_up) {
-    store_frame(engine, now, increment.label, run.result);
-    run.result.outcome = fmt::format("no equilibrium within {} steps{} (equilibrium.max_steps): {}", run.steps_in_increment,
-                                     increments > 1 ? " of " + increment.label : "", describe_pressed(now, drives, engine.domain()));
-  } else {
-    end_increment(engine, stage, now, increment.label, run);
-  }
-  run.finished = given_up || ++run.increment == increments;
-  if (run.finished && !given_up) run.result.outcome = fmt::format("equilibrium: {}{}", describe_pressed(now, drives, engine.domain()), describe_bonds(engine));
+void give_up(const Engine& engine, const Stage& stage, const Leg& leg, const WallDrives& drives, StageRun& run) {
+  store_frame(engine, run.latest, leg.label, run.result);
+  run.result.converged = false;
+  run.result.outcome = fmt::format("no equilibrium within {} steps{} (equilibrium.max_steps): {}", run.steps_in_increment,
+                                   increment_count(stage) > 1 ? " of " + leg.label : "", describe_pressed(run.latest, drives, engine.domain()));
 }
 
 }  // namespace
@@ -217,21 +156,34 @@ StageRun begin_stage(Engine& engine, const Stage& stage) {
   engine.set_glue(stage.glue);
   if (stage.bond) engine.make_bonds();
   engine.set_open(stage.open);
-  engine.set_boundaries(boundary_drives_for(stage, engine.domain()));
+  engine.set_boundaries(stage.boundaries);
   engine.set_rough(stage.rough);
   engine.set_shear_rate(stage.shear_rate);
   engine.set_programmes({stage.programmes, engine.time(), stage.gravity_size, stage.gravity_angle});
   StageRun run;
   run.result.name = stage.name;
-  run.size_at_start = {engine.domain().width(), engine.domain().height()};
-  for (int side = 0; side < sides; ++side) run.force_at_start[side] = engine.domain().wall[side].force;
+  run.start.size = {engine.domain().width(), engine.domain().height()};
+  for (int side = 0; side < sides; ++side) run.start.force[side] = engine.domain().wall[side].force;
   return run;
 }
 
 void continue_stage(Engine& engine, const Stage& stage, StageRun& run) {
-  if (stage.strain_cycles) continue_strain_cycles(engine, stage, run);
-  else if (stage.duration) continue_for_a_time(engine, stage, run);
-  else continue_to_rest(engine, stage, run);
+  const Leg leg = leg_at(stage, run.start, run.increment, static_cast<std::int64_t>(run.result.frames.size()), engine.time_step());
+  if (leg.shear_rate) engine.set_shear_rate(*leg.shear_rate);
+  const WallDrives drives = drives_for(stage, leg, engine.domain());
+  engine.set_drives(drives);
+  const std::int64_t steps = leg.until ? std::min(check_interval, *leg.until - run.steps_in_increment) : check_interval;
+  engine.advance(steps);
+  run.steps_in_increment += steps;
+  run.latest = engine.equilibrium();
+  const bool at_rest = is_at_rest(run.latest, stage.equilibrium) && load_error(drives, engine.domain()) < 10 * stage.equilibrium.unbalanced;
+  const bool is_over = leg.until ? run.steps_in_increment >= *leg.until : at_rest;
+  const bool given_up = !leg.until && !at_rest && run.steps_in_increment >= stage.equilibrium.max_steps;
+  note(engine, stage, is_over && leg.is_whole, run);
+  if (is_over) end_leg(engine, stage, leg, run);
+  if (given_up) give_up(engine, stage, leg, drives, run);
+  run.finished = given_up || (is_over && leg.is_last);
+  if (run.finished && !given_up) run.result.outcome = outcome_of(engine, stage, run.latest, drives);
 }
 
 double share_done(const Stage& stage, const StageRun& run) {

@@ -1,5 +1,4 @@
 #pragma once
-#include <array>
 #include <cstdint>
 #include <string>
 
@@ -11,9 +10,8 @@ namespace arenite::dem {
 
 /// A stage under way: everything besides the engine's own state that decides how it goes on, so that a checkpoint of both resumes with the same bits.
 struct StageRun {
-  BySide<double> force_at_start{};        ///< N
-  std::array<double, 2> size_at_start{};  ///< width and height, m
-  std::int64_t increment = 0;             ///< the one under way
+  StageStart start;
+  std::int64_t increment = 0;  ///< the one under way
   std::int64_t steps_in_increment = 0;
   std::int64_t sample_every = 1;  ///< checks between two rows of the history
   std::int64_t checks = 0;
@@ -27,9 +25,6 @@ bool is_at_rest(const Equilibrium& now, const EquilibriumCriterion& rest);
 
 /// The numbers that this is judged by, in words.
 std::string describe(const Equilibrium& now);
-
-/// Steps that a duration takes.
-std::int64_t steps_of(double duration, double time_step);
 
 /// Sets gravity, friction, drag and glue of the stage and notes the walls' forces.
 StageRun begin_stage(Engine& engine, const Stage& stage);

@@ -5,26 +5,12 @@
 #include <vector>
 
 #include "grains/dem/coefficients.hpp"
-#include "grains/dem/contact_list.hpp"
 #include "grains/dem/energy_balance.hpp"
-#include "grains/dem/kernels/kernel.hpp"
-#include "grains/dem/laws/laws.hpp"
-#include "grains/dem/parameters.hpp"
-#include "grains/dem/programme.hpp"
+#include "grains/dem/stage.hpp"
 #include "model/packing.hpp"
 #include "model/result.hpp"
 
 namespace arenite::dem {
-
-/// What the pair loop reads of a disk or sphere; a disk's is one cache line. Velocities are those that the forces see.
-template <int D> struct alignas(64) GrainRecord {
-  Vec<D> place, velocity;
-  Turning<D> omega{};
-  double radius = 0, mass = 0;
-  std::int32_t material = 0;
-  std::int32_t grain = 0;  ///< the caller's index
-};
-static_assert(sizeof(DiskRecord) == 64);
 
 /// The periodic image of a disk, kept as a record behind the disks'.
 struct Ghost {
@@ -165,12 +151,9 @@ struct Sample {
   bool settled = false;   ///< the integrator has its starting values
 };
 
-/// Calls `see` with what moves the disks, array by array, in the order of a stored state.
-template <class See> void each_motion_array(Sample& s, See&& see) {
-  for (auto& v : s.velocity.along) see(v);
-  see(s.omega), see(s.angle);
-  for (auto& a : s.acceleration.along) see(a);
-  see(s.alpha);
+/// What moves the disks, array by array.
+inline auto motion_arrays(Sample& s) {
+  return std::array{&s.velocity.along[0], &s.velocity.along[1], &s.acceleration.along[0], &s.acceleration.along[1], &s.omega, &s.angle, &s.alpha};
 }
 
 /// Key of an unordered pair of grains (caller's indices).
@@ -200,7 +183,6 @@ struct CellAxis {
   double edge = 0, length = 1;
   /// Takes a place along from an earlier frame.
   Stretch since(const CellAxis& old) const { return periodic ? Stretch{old.edge, length / old.length, edge} : Stretch{}; }
-  double growth(const CellAxis& old) const { return periodic ? length / old.length - 1 : 0; }
 };
 template <int D> using CellFrame = std::array<CellAxis, D>;
 inline CellFrame<2> cell_frame(const Domain& d) {
@@ -225,8 +207,6 @@ inline const HeldGrain* find_held(const Sample& s, std::int32_t grain) {
   return at != s.held.end() && at->grain == grain ? &*at : nullptr;
 }
 
-inline double inertia(const DiskRecord& d) { return 0.5 * d.mass * d.radius * d.radius; }
-
 /// The body that a disk of `start` belongs to; -1 for none. The caller's index of its grain.
 inline std::int32_t body_of(const Sample& s, std::int32_t disk) { return s.part.empty() ? -1 : s.part[disk].body; }
 inline std::int32_t grain_of(const Sample& s, std::int32_t disk) { return s.part.empty() ? disk : s.part[disk].grain; }
@@ -236,19 +216,9 @@ inline std::size_t mover_of(const Sample& s, std::int32_t disk) {
   const std::int32_t body = body_of(s, disk);
   return body < 0 ? static_cast<std::size_t>(disk) : s.count + static_cast<std::size_t>(body);
 }
-/// slot_key for the caller's grains.
-inline std::uint64_t grain_key(const Sample& s, std::size_t slot) {
-  const std::int32_t a = s.record[s.list.i[slot]].grain;
-  const std::int32_t j = s.list.j[slot];
-  return pair_key(grain_of(s, a), j < 0 ? j : grain_of(s, s.record[s.list.owner[slot]].grain));
-}
-inline Vec2 lever_of(const Sample& s, std::size_t k) { return s.lever.empty() ? Vec2{} : s.lever[k]; }
 inline std::size_t grain_count(const Sample& s) { return s.part.empty() ? s.count : s.given.size(); }
 
 /// Centres of touching disks, or of disks in the list, are never farther apart, m.
 inline double reach_of(const Sample& s) { return 2.0 * s.largest_radius + s.skin + s.cohesion.reach; }
-
-/// Of two disks like this one, N/m.
-inline double stiffness_of(const Sample& s, const DiskRecord& d) { return s.coefficients.pair_stiffness(d.material, d.material, d.radius, d.radius); }
 
 }  // namespace arenite::dem

@@ -4,16 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/error.hpp"
 #include "core/problems.hpp"
 #include "grains/dem/bodies/bodies.hpp"
 #include "grains/dem/boundaries/boundaries.hpp"
-#include "grains/dem/bounds.hpp"
-#include "grains/dem/cohesion.hpp"
 #include "grains/dem/forces.hpp"
-#include "grains/dem/integrators/integrators.hpp"
-#include "grains/dem/kernels/kernel.hpp"
 #include "grains/dem/neighbours.hpp"
 #include "grains/dem/walls.hpp"
 
@@ -82,20 +79,18 @@ void place_disks(Sample& s) {
   s.count = g.size();
   s.record.resize(s.count);
   const CellMotion<2> cell = cell_motion(s.domain);
-  each_motion_array(s, [&](auto& a) { a.assign(s.count, 0.0); });
-  double sum = 0;
+  for (auto* a : motion_arrays(s)) a->assign(s.count, 0.0);
   for (std::size_t k = 0; k < s.count; ++k) {
     const double r = g.radius[k];
     s.omega[k] = s.integration.rotations ? g.omega[k] : 0.0;
     s.record[k] = {g.position[k], g.velocity[k], s.omega[k], r, 0, g.material[k], static_cast<std::int32_t>(k)};
-    s.record[k].mass = own_mass(s, k);
+    s.record[k].mass = own_mass(s, static_cast<std::int32_t>(k));
     s.velocity.put(k, g.velocity[k] - cell.at(g.position[k]));
     s.angle[k] = g.angle[k];
     s.largest_radius = std::max(s.largest_radius, r);
-    sum += r;
   }
-  s.skin = 0.15 * sum / static_cast<double>(s.count);
-  if (!s.part.empty()) s.skin = skin_of_bodies(s);
+  const std::vector<double>& radius = s.part.empty() ? g.radius : s.given.radius;
+  s.skin = 0.15 * std::accumulate(radius.begin(), radius.end(), 0.0) / static_cast<double>(radius.size());
 }
 
 void check_cell(const Sample& s) {
@@ -130,7 +125,8 @@ void recall_contacts(Sample& s) {
   std::sort(met.begin(), met.end());
   s.laws.visit([&]<class N, class A, class F>(const N& normal, const A& adhesion, const F& friction) {
     for (std::size_t p = 0; p < s.list.size(); ++p) {
-      const std::uint64_t key = grain_key(s, p);
+      const std::int32_t j = s.list.j[p];
+      const std::uint64_t key = pair_key(grain_of(s, s.record[s.list.i[p]].grain), j < 0 ? j : grain_of(s, s.record[s.list.owner[p]].grain));
       auto found = std::lower_bound(met.begin(), met.end(), std::pair{key, std::size_t{0}});
       while (found != met.end() && found->first == key && !is_of_slot(s, c, found->second, p)) ++found;
       if (found == met.end() || found->first != key) continue;

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 #include "core/threads.hpp"
@@ -43,6 +44,60 @@ std::vector<std::uint8_t> save_sample(const Sample& sample);
 
 /// Throws InputError if the bytes are not a state of this sample (cut short, other grains, other step); the sample is then as it was.
 void restore_sample(Sample& sample, const std::vector<std::uint8_t>& bytes);
+
+/// Shortest contact time T_c = pi sqrt(m_eff/k) of any two grains of the sample (or a grain and a wall), those on bonds included, s.
+double shortest_contact_time(const Sample& sample);
+
+/// Largest stable steps of the sample's integrator, from the stiffest and the most damped grain. A grain counts with its contacts now or with six of
+/// grains like itself, whichever is more, so that a loose sample may be compacted.
+StepBounds step_bounds(const Sample& sample);
+
+/// Gives the disks their own masses, or even ones. Even: every grain is as heavy as makes its contacts as fast as those of the grain whose contacts
+/// are fastest, k/m alike. The step stays stable, waves run through grains of unlike sizes as fast as it allows, and equilibria do not change,
+/// for they do not know masses (but for weight: no gravity then). Dashpots follow the masses, so restitution is kept. Speeds stay.
+void give_masses(Sample& sample, MassScaling mass_scaling);
+
+/// Makes all grains heavier alike, where masses are not their own, until the sample allows its time step: many grains as fast as the fastest may
+/// together be faster than it is alone.
+void make_heavy_enough(Sample& sample);
+
+/// Grains (velocities at the time of the positions), walls and contacts in the caller's order.
+Packing packing_of(const Sample& sample);
+
+/// Energies stored now, with the tally of what was dissipated and done so far.
+Energies energies_of(const Sample& sample);
+
+Equilibrium equilibrium_of(const Sample& sample);
+
+/// Energy of the adhesion, J, <= 0.
+double adhesive_energy(const Sample& sample);
+
+/// Changes something by decree, and books what an energy, a term of energies_of or a function of the sample, gains by that as work of the sides, or what it
+/// loses as another `term` of the account.
+template <class Energy, class Change> void book_change(Sample& s, double Energies::*term, const Energy& energy, const Change& change) {
+  if (!s.integration.track_energy) return change();
+  const auto now = [&] {
+    if constexpr (std::is_member_object_pointer_v<Energy>) return energies_of(s).*energy;
+    else return energy(s);
+  };
+  const double before = now();
+  change();
+  const double gain = now() - before;
+  s.tally.*term += term == &Energies::work_walls ? gain : -gain;
+}
+
+/// What drives the walls where programmes do, and elsewhere as given: a force as it is now; a velocity stays, since it is set step by step.
+WallDrives under_programmes(const Sample& sample, WallDrives drives);
+
+/// Shears a periodic cell at another rate from now on; grains are given the velocities of the change.
+void change_shear_rate(Sample& sample, double rate);
+
+/// Before a step: velocities of sides and boundaries and the rate of shear are those of its middle, so that the ways made are the areas below the
+/// tables; boundaries whose place is given go there.
+void follow_velocities(Sample& sample);
+
+/// After the motion of a step: forces, pressures and gravity are those of its end.
+void follow_loads(Sample& sample);
 
 /// What an engine is made of.
 struct Engine::Machine {

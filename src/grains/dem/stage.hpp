@@ -6,10 +6,56 @@
 #include <vector>
 
 #include "grains/dem/parameters.hpp"
-#include "grains/dem/programme.hpp"
 #include "model/packing.hpp"
 
 namespace arenite::dem {
+
+/// A quantity of a stage's loading that a table gives over time: linear between two rows, as the first and last say before and after them; two rows of
+/// one time are a jump.
+struct Programme {
+  static constexpr int drives = 3, slide = sides * drives, shear_rate = slide + sides, gravity_size = shear_rate + 1, gravity_angle = gravity_size + 1,
+                       boundary = gravity_angle + 1, count = boundary + 8;
+  /// What drives a boundary: where it is from where it was as the programme began, how fast it is, or the force on it.
+  enum class OfBoundary { x, y, angle, velocity_x, velocity_y, spin, force_x, force_y };
+  int of = 0;               ///< drives * side + (0: velocity inward, 1: force, 2: pressure), slide + side, boundary + OfBoundary, or one of the others
+  std::vector<Vec2> table;  ///< time since the stage began, s, and value in SI
+  bool repeat = false;      ///< from the last row on it begins anew
+  std::string name = {};    ///< of the boundary that it drives
+  bool operator==(const Programme&) const = default;
+
+  /// At a time since the stage began, s.
+  double at(double time) const;
+  bool drives_side() const { return of < slide; }
+  bool slides_side() const { return of >= slide && of < shear_rate; }
+  int side() const { return of / drives; }  ///< that is driven
+  int drive() const { return of % drives; }
+  bool drives_boundary() const { return of >= boundary; }
+  OfBoundary of_boundary() const { return static_cast<OfBoundary>(of - boundary); }
+  /// Tables of places must neither jump nor, where they begin anew, end elsewhere than they began.
+  bool is_of_place() const { return drives_boundary() && of_boundary() <= OfBoundary::angle; }
+  bool is_of_force() const { return drives_boundary() && of_boundary() >= OfBoundary::force_x; }
+  /// Along x (0), along y (1), or around (2).
+  int boundary_axis() const { return (of - boundary) % 3; }
+};
+
+/// A target of a programme as recipes call it, and the unit that its values are shown in.
+struct ProgrammeTarget {
+  const char *word, *unit;
+};
+inline constexpr std::array<ProgrammeTarget, Programme::count> programme_targets{
+    {{"left.velocity", "mm/s"}, {"left.force", "kN"},        {"left.pressure", "kPa"},        {"right.velocity", "mm/s"},      {"right.force", "kN"},
+     {"right.pressure", "kPa"}, {"bottom.velocity", "mm/s"}, {"bottom.force", "kN"},          {"bottom.pressure", "kPa"},      {"top.velocity", "mm/s"},
+     {"top.force", "kN"},       {"top.pressure", "kPa"},     {"slide.left", "mm/s"},          {"slide.right", "mm/s"},         {"slide.bottom", "mm/s"},
+     {"slide.top", "mm/s"},     {"shear_rate", "1/s"},       {"gravity_size", "m/s^2"},       {"gravity_angle", "deg"},        {"boundary.x", "mm"},
+     {"boundary.y", "mm"},      {"boundary.angle", "deg"},   {"boundary.velocity_x", "mm/s"}, {"boundary.velocity_y", "mm/s"}, {"boundary.spin", "deg/s"},
+     {"boundary.force_x", "N"}, {"boundary.force_y", "N"}}};
+
+/// What a sample follows, from a time on.
+struct Programmes {
+  std::vector<Programme> list;
+  double begin = 0;                            ///< s, of the sample's time
+  double gravity_size = 0, gravity_angle = 0;  ///< m/s^2 and rad, where no programme says otherwise
+};
 
 inline constexpr double standard_gravity = 9.81;  ///< m/s^2
 
@@ -54,18 +100,6 @@ struct StrainCycles {
   bool operator==(const StrainCycles&) const = default;
 };
 
-/// How a boundary moves in a stage; one that is not named is there, at rest.
-struct BoundaryMotion {
-  std::string name;
-  Vec2 velocity;               ///< m/s
-  double spin = 0;             ///< rad/s, counter-clockwise
-  std::optional<Vec2> centre;  ///< of the spin as the stage begins, m; unset: the mean of the points
-  bool absent = false;
-  std::optional<double> mass = {};  ///< kg; with it the boundary moves under its weight, the grains and the force, from the velocity on that it has
-  Vec2 force = {};                  ///< N
-  bool operator==(const BoundaryMotion&) const = default;
-};
-
 /// One stage of loading.
 struct Stage {
   std::string name;
@@ -96,32 +130,11 @@ struct Stage {
   bool operator==(const Stage&) const = default;
 };
 
-/// One step of a stage's loading: what every side aims at when the increment is over.
-struct Increment {
-  BySide<SideDrive> side;
-  BySide<double> slide{};
-  std::string label;
-};
-
-/// What the sides of a stage aim at with a share (0 to 1) of the way from the start's forces (N) done; pressures act in full from the start.
-Increment on_the_ramp(const Stage& stage, const BySide<double>& force_at_start, double share, std::string label = {});
-
 /// How many increments a stage has, or half cycles of strain.
 std::int64_t increment_count(const Stage& stage);
 
-/// One of them, counted from 0. Forces go from what acts at the start (N; compression positive) to their values in equal steps, pressures act in full
-/// at once; cycles follow, each half cycle a ramp of its own.
-Increment increment_at(const Stage& stage, const BySide<double>& force_at_start, std::int64_t k);
-
-/// Where in the cycles the end of an increment, or of a half cycle of strain, lies.
-struct CyclePlace {
-  std::int64_t cycle = 0;  ///< from 1; 0 before the cycles
-  bool ends_half = false, at_maximum = false;
-};
-CyclePlace cycle_place(const Stage& stage, std::int64_t k);
-
-/// Whether the state at a place is stored.
-bool is_stored(const Stage& stage, const CyclePlace& place);
+/// Steps that a duration takes.
+std::int64_t steps_of(double duration, double time_step);
 
 /// One half cycle of strain, counted from 0.
 struct StrainHalf {
@@ -130,10 +143,29 @@ struct StrainHalf {
 };
 StrainHalf strain_half(const StrainCycles& cycles, std::int64_t half, double time_step);
 
-/// What drives the walls of this domain in an increment: velocities along +x or +y, pressures as forces.
-WallDrives drives_for(const Increment& increment, const Domain& domain);
+/// How the sample was when the stage began.
+struct StageStart {
+  BySide<double> force{};        ///< N
+  std::array<double, 2> size{};  ///< width and height, m
+};
 
-/// How the boundaries of this domain move in a stage. InputError for a name that none has.
-std::vector<BoundaryDrive> boundary_drives_for(const Stage& stage, const Domain& domain);
+/// One leg of a stage's loading: an increment, a half cycle of strain, or, in a stage that lasts a time, the way to the next state that is stored.
+struct Leg {
+  BySide<SideDrive> side;             ///< what the sides aim at; pressures act in full at once, forces in equal steps from what acts at the start
+  std::optional<double> shear_rate;   ///< 1/s, of a half cycle of shear
+  std::optional<std::int64_t> until;  ///< steps of the increment at which it is over; unset: when the sample is at rest
+  std::string label;
+  std::int64_t cycle = 0;  ///< from 1; 0 before the cycles
+  bool ends_half = false, at_maximum = false;
+  bool stored = true;    ///< the state at its end
+  bool is_whole = true;  ///< an increment or half cycle ends with it
+  bool is_last = false;
+};
+
+/// Increment `k` of a stage, counted from 0; `frame` of its states comes next.
+Leg leg_at(const Stage& stage, const StageStart& start, std::int64_t k, std::int64_t frame, double time_step);
+
+/// What drives the walls of this domain in a leg: velocities along +x or +y, pressures as forces.
+WallDrives drives_for(const Stage& stage, const Leg& leg, const Domain& domain);
 
 }  // namespace arenite::dem

@@ -4,14 +4,14 @@
 #include <cmath>
 #include <numbers>
 
-#include "grains/dem/integrators/motion.hpp"
+#include "grains/dem/integrators/integrators.hpp"
 
 namespace arenite::dem {
 namespace {
 
 /// A wall moves at a given speed: the others have to follow, not to come to rest.
-bool is_steady(const WallDrives& drives) {
-  return std::any_of(drives.begin(), drives.end(), [](const auto& d) { return d.kind == WallDrive::Kind::velocity; });
+bool is_steady(const Sample& s) {
+  return std::ranges::any_of(s.wall, [](const WallBody& body) { return body.drive.kind == WallDrive::Kind::velocity; });
 }
 
 double servo_damping(const Sample& s, std::size_t side) {
@@ -28,7 +28,7 @@ double servo_damping(const Sample& s, std::size_t side) {
 void tune_servo(Sample& s) {
   double mass = 0, stiffness = 0;
   each_mover(s, [&](std::size_t k) { mass += mover_at(s, k).mass; });
-  for (std::size_t k = 0; k < s.count; ++k) stiffness += stiffness_of(s, s.record[k]) / static_cast<double>(s.count);
+  for (std::size_t k = 0; k < s.count; ++k) stiffness += s.coefficients.pair_stiffness(s.record[k], s.record[k]) / static_cast<double>(s.count);
   const double layers = std::sqrt(static_cast<double>(std::max<std::size_t>(grain_count(s), 1)));
   const double aspect = s.domain.width() / s.domain.height();
   for (int side = 0; side < sides; ++side) {
@@ -44,10 +44,10 @@ double critical_drag(const Sample& s) {
 }
 
 void apply_drives(Sample& s, const WallDrives& drives) {
-  const bool steady = is_steady(drives);
+  for (int side = 0; side < sides; ++side) s.wall[side].drive = drives[side];
+  const bool steady = is_steady(s);
   for (int side = 0; side < sides; ++side) {
     WallBody& body = s.wall[side];
-    body.drive = drives[side];
     if (!steady) body.drift = 0;
     if (drives[side].kind == WallDrive::Kind::force) continue;
     body.rate = drives[side].kind == WallDrive::Kind::velocity ? drives[side].value : 0.0;
@@ -64,8 +64,7 @@ double servo_braking(const Sample& s, std::size_t side, double velocity) {
 }
 
 void follow_drift(Sample& s) {
-  const WallDrives drives{s.wall[left].drive, s.wall[right].drive, s.wall[bottom].drive, s.wall[top].drive};
-  if (!is_steady(drives)) return;
+  if (!is_steady(s)) return;
   for (int side = 0; side < sides; ++side) {
     WallBody& body = s.wall[side];
     if (body.drive.kind != WallDrive::Kind::force) continue;

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 
 #include "core/error.hpp"
 #include "geometry/cell_grid.hpp"
@@ -40,37 +41,6 @@ Core core_of(const Sample& s, std::size_t body) {
   return core;
 }
 
-/// The farthest that the rim of a polygon is from the middle of its core, m; 0 where there are no polygons.
-double largest_core(const Sample& s) {
-  double reach = 0;
-  for (std::size_t b = 0; b < s.body.size(); ++b)
-    if (s.body[b].filled) reach = std::max(reach, core_of(s, b).reach);
-  return reach;
-}
-
-/// Every polygon, and its images where their middles come as near to the cell as `reach`, m.
-std::vector<Core> all_cores(const Sample& s, double reach) {
-  const int across = s.domain.periodic[0] ? 1 : 0, up = s.domain.periodic[1] ? 1 : 0;
-  const auto& w = s.domain.wall;
-  std::vector<Core> cores;
-  for (std::size_t b = 0; b < s.body.size(); ++b) {
-    if (!s.body[b].filled) continue;
-    const Core own = core_of(s, b);
-    for (int iy = -up; iy <= up; ++iy)
-      for (int ix = -across; ix <= across; ++ix) {
-        const Vec2 by = image_place(s, {ix, iy}), at = own.middle + by;
-        const bool near_x = !s.domain.periodic[0] || (at.x > w[left].position - reach && at.x < w[right].position + reach);
-        const bool near_y = !s.domain.periodic[1] || (at.y > w[bottom].position - reach && at.y < w[top].position + reach);
-        if (!near_x || !near_y) continue;
-        Core& core = cores.emplace_back(own);
-        core.shift = {ix, iy};
-        core.middle = at;
-        for (Vec2& p : core.corner) p += by;
-      }
-  }
-  return cores;
-}
-
 struct Nearest {
   Vec2 place;
   bool inside = true;
@@ -103,20 +73,54 @@ inline Nearest nearest_on(const Core& core, Vec2 place) {
   throw CannotGoOn(where + " at step " + std::to_string(s.step) + "; stiffer contacts, rounder corners or a gentler load are needed");
 }
 
-/// The cores that disk k may touch soon, with images in a fixed order.
-void find_cores(const Sample& s, const std::vector<Core>& cores, const geometry::CellGrid<2>& grid, const geometry::SortedCells& cells, std::size_t k,
-                std::vector<std::int32_t>& near) {
-  near.clear();
-  const DiskRecord& d = s.record[k];
-  const std::int32_t own = body_of(s, d.grain);
-  cells.for_near(grid, d.place, [&](std::int32_t at) {
-    const Core& core = cores[at];
-    if (core.body == own || norm(d.place - core.middle) > core.reach + d.radius + s.skin) return;
-    const Nearest found = nearest_on(core, d.place);
-    if (found.inside) refuse_inside(s, "grain " + std::to_string(s.given.id[grain_of(s, d.grain)]), core);
-    if (norm(d.place - found.place) < d.radius + rounding_of(s, core.body) + s.skin) near.push_back(at);
-  });
-  std::sort(near.begin(), near.end());
+/// The cores of all polygons and of their images that come near to the cell, sorted by place.
+struct Cores {
+  const Sample& s;
+  std::vector<Core> core;
+  geometry::CellGrid<2> grid;
+  geometry::SortedCells cells;
+
+  /// Calls `see(core, the point of it that is nearest)` for the polygons other than `own` that a disk at this place may touch soon, in a fixed order.
+  template <class Name, class See> void near(Vec2 place, double radius, std::int32_t own, const Name& name, const See& see) const {
+    std::vector<std::pair<std::int32_t, Vec2>> found;
+    cells.for_near(grid, place, [&](std::int32_t at) {
+      if (core[at].body == own || norm(place - core[at].middle) > core[at].reach + radius + s.skin) return;
+      const Nearest nearest = nearest_on(core[at], place);
+      if (nearest.inside) refuse_inside(s, name(), core[at]);
+      if (norm(place - nearest.place) < radius + rounding_of(s, core[at].body) + s.skin) found.emplace_back(at, nearest.place);
+    });
+    std::ranges::sort(found, {}, &std::pair<std::int32_t, Vec2>::first);
+    for (const auto& [at, point] : found) see(core[at], point);
+  }
+};
+
+Cores all_cores(const Sample& s) {
+  std::vector<Core> own, images;
+  double reach = 0;
+  for (std::size_t b = 0; b < s.body.size(); ++b)
+    if (s.body[b].filled) reach = std::max(reach, own.emplace_back(core_of(s, b)).reach);
+  reach += s.largest_radius + s.skin;
+  const int across = s.domain.periodic[0] ? 1 : 0, up = s.domain.periodic[1] ? 1 : 0;
+  const auto& w = s.domain.wall;
+  for (const Core& polygon : own)
+    for (int iy = -up; iy <= up; ++iy)
+      for (int ix = -across; ix <= across; ++ix) {
+        const Vec2 by = image_place(s, {ix, iy}), at = polygon.middle + by;
+        const bool near_x = !s.domain.periodic[0] || (at.x > w[left].position - reach && at.x < w[right].position + reach);
+        const bool near_y = !s.domain.periodic[1] || (at.y > w[bottom].position - reach && at.y < w[top].position + reach);
+        if (!near_x || !near_y) continue;
+        Core& image = images.emplace_back(polygon);
+        image.shift = {ix, iy};
+        image.middle = at;
+        for (Vec2& p : image.corner) p += by;
+      }
+  const geometry::CellGrid<2> grid(room_of(s), reach);
+  const geometry::SortedCells cells(grid.size(), 0, images.size(), [&](std::size_t c) { return grid.cell(images[c].middle); });
+  return {s, std::move(images), grid, cells};
+}
+
+bool has_polygons(const Sample& s) {
+  return std::ranges::any_of(s.body, [](const Body& b) { return b.filled != 0; });
 }
 
 /// In which periodic cell a place lies, counted from the one of now.
@@ -131,7 +135,8 @@ Cells cell_of(const Domain& domain, Vec2 place) {
 void place_foot(const Sample& s, Foot& foot, DiskRecord& at) {
   const Body& b = s.body[foot.body];
   const std::int32_t source = s.part_disk[b.first];
-  const Vec2 place = is_boundary(foot.touches) ? touched_point(s, foot.touches) : s.record[foot.touches].place;
+  const bool of_point = is_boundary(foot.touches);
+  const Vec2 place = of_point ? boundary_of(s, foot.touches).points[touched_element(s, foot.touches).point] : s.record[foot.touches].place;
   // That place as the polygon's own image sees it, from the centre of the polygon: what levers are counted from.
   const Vec2 by = image_place(s, foot.shift), centre = corner_of(s, b.first) - s.lever[source];
   const auto lever = [&](std::size_t n) { return s.lever[s.part_disk[b.first + n]]; };
@@ -146,24 +151,14 @@ void place_foot(const Sample& s, Foot& foot, DiskRecord& at) {
 }  // namespace
 
 std::vector<Foot> find_feet(const Sample& s, const ThreadPool& pool) {
-  double reach = largest_core(s);
-  if (reach == 0) return {};
-  reach += s.largest_radius + s.skin;
-  const std::vector<Core> cores = all_cores(s, reach);
-  const geometry::CellGrid<2> grid(room_of(s), reach);
-  const geometry::SortedCells cells(grid.size(), 0, cores.size(), [&](std::size_t c) { return grid.cell(cores[c].middle); });
-  constexpr std::size_t disks_of_block = 64;
-  std::vector<std::vector<Foot>> blocks((s.count + disks_of_block - 1) / disks_of_block);
-  pool.for_ranges(blocks.size(), [&](std::size_t begin, std::size_t end) {
-    std::vector<std::int32_t> near;
-    for (std::size_t block = begin; block < end; ++block)
-      for (std::size_t k = block * disks_of_block; k < std::min(s.count, (block + 1) * disks_of_block); ++k) {
-        find_cores(s, cores, grid, cells, k, near);
-        for (const std::int32_t at : near) {
-          const Core& core = cores[at];
-          blocks[block].push_back({static_cast<std::int32_t>(k), core.body, core.shift, {}});
-        }
-      }
+  if (!has_polygons(s)) return {};
+  const Cores cores = all_cores(s);
+  const auto blocks = pool.by_blocks<std::vector<Foot>>(s.count, disks_of_block, [&](std::size_t k, std::vector<Foot>& feet) {
+    const DiskRecord& d = s.record[k];
+    const auto name = [&] { return "grain " + std::to_string(s.given.id[grain_of(s, d.grain)]); };
+    cores.near(d.place, d.radius, body_of(s, d.grain), name, [&](const Core& core, Vec2) {
+      feet.push_back({static_cast<std::int32_t>(k), core.body, core.shift, {}});
+    });
   });
   std::vector<Foot> feet;
   for (const auto& block : blocks) feet.insert(feet.end(), block.begin(), block.end());
@@ -172,24 +167,22 @@ std::vector<Foot> find_feet(const Sample& s, const ThreadPool& pool) {
 
 std::vector<Foot> find_point_feet(const Sample& s) {
   std::vector<Foot> feet;
-  const double largest = s.element.empty() ? 0 : largest_core(s);
-  if (largest == 0) return feet;
-  const std::vector<Core> cores = all_cores(s, largest + s.skin);
+  if (s.element.empty() || !has_polygons(s)) return feet;
+  const Cores cores = all_cores(s);
   for (std::size_t e = 0; e < s.element.size(); ++e) {
     const Element& element = s.element[e];
     const Boundary& boundary = s.domain.boundaries[element.boundary];
     if (element.segment || !boundary.present) continue;
     const auto point = static_cast<std::size_t>(element.point);
     if (point + 1 == boundary.points.size() && goes_through_sides(s.domain, boundary)) continue;
-    const Cells cell = cell_of(s.domain, boundary.points[point]);
-    const Vec2 place = boundary.points[point] - image_place(s, cell);
-    for (const Core& core : cores) {
-      if (norm(place - core.middle) > core.reach + s.skin) continue;
-      const Nearest found = nearest_on(core, place);
-      if (found.inside) refuse_inside(s, "a point of the boundary \"" + boundary.name + "\"", core);
-      if (norm(place - found.place) < rounding_of(s, core.body) + s.skin && juts_out(s.domain, boundary, point, boundary.points[point] + (found.place - place)))
+    const Vec2 place = boundary.points[point];
+    const Cells cell = cell_of(s.domain, place);
+    const Vec2 inside = place - image_place(s, cell);
+    const auto name = [&] { return "a point of the boundary \"" + boundary.name + "\""; };
+    cores.near(inside, 0, -1, name, [&](const Core& core, Vec2 nearest) {
+      if (juts_out(s.domain, boundary, point, place + (nearest - inside)))
         feet.push_back({boundary_partner(static_cast<int>(e)), core.body, {core.shift.x + cell.x, core.shift.y + cell.y}, {}});
-    }
+    });
   }
   return feet;
 }
@@ -201,12 +194,9 @@ void refresh_feet(Sample& s) {
 }
 
 const Foot* foot_of(const Sample& s, std::size_t slot) {
-  if (s.foot.empty() || slot >= s.list.pairs) return nullptr;
-  const auto first = static_cast<std::int32_t>(s.count + s.ghost.size() - s.foot.size());
-  const std::int32_t j = s.list.j[slot];
-  return j >= first ? &s.foot[j - first] : nullptr;
+  if (slot >= s.list.polygons) return &s.point_foot[slot - s.list.polygons];
+  const std::size_t first = s.list.pairs - s.foot.size();
+  return slot >= first && slot < s.list.pairs ? &s.foot[slot - first] : nullptr;
 }
-
-const Foot* point_foot_of(const Sample& s, std::size_t slot) { return slot < s.list.polygons ? nullptr : &s.point_foot[slot - s.list.polygons]; }
 
 }  // namespace arenite::dem

@@ -3,7 +3,6 @@
 #include <numbers>
 
 #include "grains/dem/bodies/bodies.hpp"
-#include "grains/dem/integrators/integrators.hpp"
 #include "model/shapes.hpp"
 
 namespace arenite::dem {
@@ -108,7 +107,7 @@ void make_bodies(Sample& s, const Grains& given) {
     b.count = shapes.first[g + 1] - shapes.first[g];
     b.filled = shapes.filled[g];
     b.gyration = shapes.gyration[g];
-    b.mass = own_mass_of(s, b);
+    b.mass = own_mass(s, b.first);
     b.place = given.position[g];
     b.angle = given.angle[g];
     b.seen = {given.velocity[g], s.integration.rotations ? given.omega[g] : 0.0};
@@ -119,22 +118,18 @@ void make_bodies(Sample& s, const Grains& given) {
   s.lever.assign(s.part.size(), Vec2{});
 }
 
-double skin_of_bodies(const Sample& s) {
-  double sum = 0;
-  for (const double r : s.given.radius) sum += r;
-  return 0.15 * sum / static_cast<double>(s.given.size());
-}
-
 double cell_for_bodies(const Sample& s) {
   double reach = 0;
   for (std::size_t d = 0; d < s.part.size(); ++d) reach = std::max(reach, norm(s.part[d].place) + s.start.grains.radius[d]);
   return 4 * reach + 2 * s.skin;
 }
 
-double own_mass_of(const Sample& s, const Body& b) {
-  const auto g = static_cast<std::size_t>(s.part[b.first].grain);
-  const double r = s.given.radius[g];
-  return s.start.materials[s.given.material[g]].density * std::numbers::pi * r * r * s.domain.thickness;
+double own_mass(const Sample& s, std::int32_t disk) {
+  const bool single = body_of(s, disk) < 0;
+  const Grains& g = single ? s.start.grains : s.given;
+  const std::int32_t grain = single ? disk : grain_of(s, disk);
+  const double r = g.radius[grain];
+  return s.start.materials[g.material[grain]].density * std::numbers::pi * r * r * s.domain.thickness;
 }
 
 void take_masses(Sample& s) {
@@ -149,7 +144,7 @@ bool has_single_disks(const Sample& s) {
 
 bool is_of_slot(const Sample& s, const Contacts& c, std::size_t q, std::size_t slot) {
   if (s.part.empty() || c.off_i.empty()) return true;
-  Vec2 i = own_lever(s, slot), j = partner_lever(s, slot);
+  auto [i, j] = levers_of(s, slot);
   if (s.list.j[slot] >= 0 && grain_of(s, s.record[s.list.i[slot]].grain) != c.i[q]) std::swap(i, j);
   const double near = 1e-6 * s.given.radius[c.i[q]];
   return norm(i - c.off_i[q]) <= near && norm(j - c.off_j[q]) <= near;

@@ -47,7 +47,7 @@ void move(const Sample& s, const SweepTask& t, Body& b) {
   b.own.velocity += t.kick * a;
   b.own.omega += t.kick * alpha;
   b.angle += t.dt * b.own.omega;
-  for (int axis = 0; axis < 2; ++axis) b.place[axis] = t.cell[axis].moved.apply(b.place[axis]) + t.dt * (1 + 0.5 * t.cell[axis].growth) * b.own.velocity[axis];
+  for (int axis = 0; axis < 2; ++axis) b.place[axis] = t.moved[axis].apply(b.place[axis]) + t.dt * (1 + 0.5 * t.moved[axis].growth()) * b.own.velocity[axis];
   b.seen = {b.own.velocity + t.ahead * a + t.after.at(b.place), b.own.omega + t.ahead * alpha};
 }
 
@@ -70,10 +70,11 @@ void wrap_part(const Sample& s, const Body& b, Vec2 by, BodyDisk& part) {
   if (s.domain.periodic[0]) part.shift.x = -static_cast<std::int32_t>(std::floor((at.x + part.shift.y * s.domain.tilt - w[left].position) / s.domain.width()));
 }
 
-/// Torques about the disks of a foot's polygon that take them, by the ways from there to the foot, where the slot's force acts.
-double shifted_torque_i(const Sample& s, std::size_t slot, const Foot& foot) { return cross(foot.lever - s.lever[s.list.i[slot]], s.list.force[slot].on_i); }
-double shifted_torque_j(const Sample& s, std::size_t slot, const Foot& foot) {
-  return cross(foot.lever - s.lever[s.list.owner[slot]], -s.list.force[slot].on_i);
+/// Torque about the disk of a foot's polygon that takes it, by the way from there to the foot, where the slot's force acts.
+double shifted_torque(const Sample& s, std::size_t slot, const Foot& foot) {
+  const Vec2 on_i = s.list.force[slot].on_i;
+  if (is_boundary(foot.touches)) return cross(foot.lever - s.lever[s.list.i[slot]], on_i);
+  return cross(foot.lever - s.lever[s.list.owner[slot]], -on_i);
 }
 
 }  // namespace
@@ -90,15 +91,10 @@ void number_parts(Sample& s) {
   }
 }
 
-void drop_own_disks(const Sample& s, std::size_t k, std::vector<std::int32_t>& partner, std::size_t from) {
-  const std::int32_t own = body_of(s, s.record[k].grain);
+bool disks_meet(const Sample& s, std::int32_t i, std::int32_t j) {
+  const std::int32_t a = body_of(s, s.record[i].grain), b = body_of(s, s.record[j].grain);
   const auto is_corner = [&](std::int32_t body) { return body >= 0 && s.body[body].filled != 0; };
-  const bool corner = is_corner(own);
-  const auto is_own = [&](std::int32_t j) {
-    const std::int32_t other = body_of(s, s.record[j].grain);
-    return corner || (own >= 0 && other == own) || is_corner(other);
-  };
-  partner.erase(std::remove_if(partner.begin() + static_cast<std::ptrdiff_t>(from), partner.end(), is_own), partner.end());
+  return !is_corner(a) && !is_corner(b) && (a < 0 || a != b);
 }
 
 bool move_bodies(Sample& s, const SweepTask& t, const ThreadPool& pool) {
@@ -128,35 +124,30 @@ void wrap_bodies(Sample& s) {
 }
 
 void take_torques_to_owners(Sample& s, const ThreadPool& pool) {
-  const std::size_t feet = s.foot.size(), first = s.list.pairs - feet;
-  if (feet > 0)
-    pool.for_ranges(feet, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t p = first + begin; p < first + end; ++p)
-        if (acts(s.list.force[p])) s.list.force[p].torque_j += shifted_torque_j(s, p, s.foot[p - first]);
-    });
-  for (std::size_t p = s.list.polygons; p < s.list.size(); ++p)
-    if (acts(s.list.force[p])) s.list.force[p].torque_i += shifted_torque_i(s, p, *point_foot_of(s, p));
+  const std::size_t feet = s.foot.size(), first = s.list.pairs - feet, points = s.point_foot.size();
+  if (feet + points == 0) return;
+  pool.for_ranges(feet + points, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n) {
+      const std::size_t slot = n < feet ? first + n : s.list.polygons + n - feet;
+      SlotForce& force = s.list.force[slot];
+      if (acts(force)) (n < feet ? force.torque_j : force.torque_i) += shifted_torque(s, slot, *foot_of(s, slot));
+    }
+  });
 }
 
-Vec2 own_lever(const Sample& s, std::size_t slot) {
-  const Foot* foot = point_foot_of(s, slot);
-  return foot ? foot->lever : lever_of(s, s.list.i[slot]);
-}
-
-double own_torque_i(const Sample& s, std::size_t slot) {
-  const Foot* foot = point_foot_of(s, slot);
-  return s.list.force[slot].torque_i - (foot ? shifted_torque_i(s, slot, *foot) : 0.0);
-}
-
-Vec2 partner_lever(const Sample& s, std::size_t slot) {
-  if (s.part.empty() || s.list.j[slot] < 0) return {};
+Levers levers_of(const Sample& s, std::size_t slot) {
+  if (s.part.empty()) return {};
   const Foot* foot = foot_of(s, slot);
-  return foot ? foot->lever : s.lever[s.list.owner[slot]];
+  Levers levers{s.lever[s.list.i[slot]], {}};
+  if (s.list.j[slot] >= 0) levers.j = foot ? foot->lever : s.lever[s.list.owner[slot]];
+  else if (foot) levers.i = foot->lever;
+  return levers;
 }
 
-double own_torque_j(const Sample& s, std::size_t slot) {
-  const Foot* foot = foot_of(s, slot);
-  return s.list.force[slot].torque_j - (foot ? shifted_torque_j(s, slot, *foot) : 0.0);
+Torques own_torques(const Sample& s, std::size_t slot) {
+  Torques torques{s.list.force[slot].torque_i, s.list.force[slot].torque_j};
+  if (const Foot* foot = foot_of(s, slot)) (is_boundary(foot->touches) ? torques.i : torques.j) -= shifted_torque(s, slot, *foot);
+  return torques;
 }
 
 int rows_between(const Sample& s, std::size_t slot) {
@@ -171,8 +162,8 @@ int rows_between(const Sample& s, std::size_t slot) {
 }
 
 Vec2 between_centres(const Sample& s, std::size_t slot, Vec2 branch) {
-  if (s.part.empty()) return branch;
-  return branch - own_lever(s, slot) + partner_lever(s, slot);
+  const Levers levers = levers_of(s, slot);
+  return branch - levers.i + levers.j;
 }
 
 void put_grain(Grains& grains, std::size_t g, Vec2 place, double angle, const Motion& motion) {
@@ -180,13 +171,6 @@ void put_grain(Grains& grains, std::size_t g, Vec2 place, double angle, const Mo
   grains.angle[g] = angle;
   grains.velocity[g] = motion.velocity;
   grains.omega[g] = motion.omega;
-}
-
-void add_levers(const Sample& s, std::size_t slot, bool swapped, Contacts& contacts) {
-  Vec2 i = own_lever(s, slot), j = partner_lever(s, slot);
-  if (swapped) std::swap(i, j);
-  contacts.off_i.push_back(i);
-  contacts.off_j.push_back(j);
 }
 
 }  // namespace arenite::dem

@@ -35,18 +35,17 @@ std::vector<Element> elements_of(const Domain& domain) {
 }
 
 void check_boundaries(Problems& problems, const Domain& domain) {
-  for (const Boundary& boundary : domain.boundaries) {
-    const std::size_t n = boundary.points.size(), least = boundary.closed ? 3 : 2;
-    problems.unless(n >= least, "boundary \"{}\" needs {} points or more", boundary.name, least);
-    bool sound = std::all_of(boundary.points.begin(), boundary.points.end(), is_finite<2>);
-    for (std::size_t p = 0; p + (boundary.closed ? 0 : 1) < n; ++p) sound = sound && boundary.points[p] != boundary.points[(p + 1) % n];
-    problems.unless(sound, "each point of boundary \"{}\" must be a place other than the one before", boundary.name);
-  }
   const double shortest = std::min(domain.periodic[0] ? domain.width() : infinity, domain.periodic[1] ? domain.height() : infinity);
   for (const Boundary& boundary : domain.boundaries) {
-    bool fits = true;
-    for (std::size_t p = 0; p + (boundary.closed ? 0 : 1) < boundary.points.size(); ++p)
-      fits = fits && norm(boundary.points[(p + 1) % boundary.points.size()] - boundary.points[p]) <= (1 + 1e-9) * shortest;
+    const std::size_t n = boundary.points.size(), least = boundary.closed ? 3 : 2;
+    bool sound = std::all_of(boundary.points.begin(), boundary.points.end(), is_finite<2>), fits = true;
+    for (std::size_t p = 0; p + (boundary.closed ? 0 : 1) < n; ++p) {
+      const Vec2 way = boundary.points[(p + 1) % n] - boundary.points[p];
+      sound = sound && way != Vec2{};
+      fits = fits && norm(way) <= (1 + 1e-9) * shortest;
+    }
+    problems.unless(n >= least, "boundary \"{}\" needs {} points or more", boundary.name, least);
+    problems.unless(sound, "each point of boundary \"{}\" must be a place other than the one before", boundary.name);
     problems.unless(fits, "no segment of boundary \"{}\" may be longer than the periodic cell, {} m; give it points in between", boundary.name, shortest);
   }
   problems.unless(domain.boundaries.empty() || domain.tilt == 0, "boundaries need a periodic cell that has not been sheared");
@@ -118,38 +117,18 @@ void hand_over_memories(Sample& s) {
   ContactList& list = s.list;
   if (s.element.empty()) return;
   const auto is_of_boundary = [&](std::size_t p) { return is_boundary(list.j[p]); };
-  const auto memories = [&](std::size_t p) {
-    std::array<double*, 3> all{&list.memory[p], nullptr, nullptr};
-    if (!list.normal_memory.empty()) all[1] = &list.normal_memory[p];
-    if (!list.rolling_memory.empty()) all[2] = &list.rolling_memory[p];
-    return all;
-  };
-  const auto remembers = [&](std::size_t p) {
-    const auto all = memories(p);
-    return std::any_of(all.begin(), all.end(), [](const double* m) { return m && *m != 0; });
-  };
+  const auto memories = list.memories();
+  const auto remembers = [&](std::size_t p) { return std::ranges::any_of(memories, [&](const auto* m) { return p < m->size() && (*m)[p] != 0; }); };
   for (std::size_t p = list.pairs; p < list.polygons; ++p) {
     if (!is_of_boundary(p) || !remembers(p) || slot_kinematics(s, p).overlap > 0) continue;
     std::size_t q = p;
     while (q > list.pairs && list.i[q - 1] == list.i[p]) --q;
     for (; q < list.polygons && list.i[q] == list.i[p]; ++q) {
       if (q == p || !is_of_boundary(q) || !follow(s, list.j[p], list.j[q]) || remembers(q) || !(slot_kinematics(s, q).overlap > 0)) continue;
-      const auto from = memories(p), to = memories(q);
-      for (std::size_t m = 0; m < from.size(); ++m)
-        if (from[m]) std::swap(*from[m], *to[m]);
+      for (auto* m : memories)
+        if (q < m->size()) std::swap((*m)[p], (*m)[q]);
       break;
     }
-  }
-}
-
-void check_crossings(const Sample& s) {
-  if (s.element.empty()) return;
-  for (std::size_t p = s.list.pairs; p < s.list.polygons; ++p) {
-    if (!is_boundary(s.list.j[p]) || !has_crossed(s, p)) continue;
-    const Boundary& now = boundary_of(s, s.list.j[p]);
-    const auto id = s.start.grains.id[s.record[s.list.i[p]].grain];
-    throw CannotGoOn(
-        fmt::format("grain {} has gone through the boundary \"{}\" at step {}; a smaller time step or a gentler load is needed", id, now.name, s.step));
   }
 }
 

@@ -21,17 +21,8 @@ bool goes_through_sides(const Domain& domain, const Boundary& boundary);
 /// corner, or the boundary goes straight on, sides of polygons cannot touch the point.
 bool juts_out(const Domain& domain, const Boundary& boundary, std::size_t point, Vec2 place);
 
-/// Elements of present boundaries nearer to a disk's rim than the skin.
-class NearElements {
- public:
-  explicit NearElements(const Sample& sample);
-  /// In the order of their numbers.
-  void find(const DiskRecord& disk, std::vector<std::int32_t>& near) const;
-
- private:
-  const Sample& sample_;
-  std::vector<geometry::Rectangle> box_;  ///< around each boundary
-};
+/// Finds the elements of present boundaries nearer to a disk's rim than the skin, in the order of their numbers; `box` is around each boundary.
+void find_near_elements(const Sample& sample, const std::vector<geometry::Rectangle>& box, const DiskRecord& disk, std::vector<std::int32_t>& near);
 
 /// Moves and turns the boundaries by a time, s.
 void move_boundaries(Sample& sample, double time);
@@ -59,11 +50,7 @@ void hand_over_memories(Sample& sample);
 /// Throws CannotGoOn, naming grain, boundary and step, if the centre of a listed disk has gone through a segment since the list was built.
 void check_crossings(const Sample& sample);
 
-/// The same of a slot that joins a disk with an element.
-bool has_crossed(const Sample& sample, std::size_t slot);
-
-/// The point that a partner is, and the place of a boundary that is touched in a slot that is met so, where the boundary itself is and not an image, m.
-Vec2 touched_point(const Sample& sample, std::int32_t partner);
+/// The place of a boundary that is touched in a slot that is met so, where the boundary itself is and not an image, m.
 Vec2 touched_place(const Sample& sample, std::size_t slot, const struct Kinematics& kinematics);
 
 /// Forces of the grains on the boundaries, and their torques about the centres.

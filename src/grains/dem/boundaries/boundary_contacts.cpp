@@ -1,6 +1,9 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "core/error.hpp"
 #include "grains/dem/boundaries/boundaries.hpp"
 #include "grains/dem/forces.hpp"
 
@@ -59,21 +62,23 @@ bool is_beyond(const Domain& domain, const Boundary& boundary, std::size_t point
   return ways.out == Vec2{} || dot(way, ways.out) <= 0;
 }
 
-/// What follows of a disk that lies against a place of a boundary; `along` is a direction in it.
-void lean_on_boundary(Kinematics& c, const Sample& s, const DiskRecord& d, const Boundary& boundary, Vec2 place, Vec2 along) {
-  const double distance = norm(c.branch);
-  c.overlap = d.radius - distance;
-  if (!(c.overlap > 0)) return;
-  c.normal = distance > 0 ? c.branch / distance : perpendicular(along) / norm(along);
-  lean_on(c, d, distance, d.velocity - boundary.velocity - boundary.spin * perpendicular(place - boundary.centre), s.contact.arms);
-}
-
 /// On which side of a segment a place is, +1 or -1; 0 where it lies beyond an end.
 int side_of(const Ends& segment, Vec2 place) {
   const Vec2 along = segment.to - segment.from, way = place - segment.from;
   const double share = dot(way, along);
   if (!(share > 0 && share < dot(along, along))) return 0;
   return cross(along, way) > 0 ? 1 : -1;
+}
+
+/// Whether the disk of a slot has gone through its segment since the list was built.
+bool has_crossed(const Sample& s, std::size_t slot) {
+  const Element& element = touched_element(s, s.list.j[slot]);
+  const std::int32_t k = s.list.i[slot];
+  const Boundary &now = s.domain.boundaries[element.boundary], &then = s.listed_domain.boundaries[element.boundary];
+  if (!element.segment || !now.present) return false;
+  const Vec2 listed = s.listed[k], before = seen_from(s.domain, then, element, listed);
+  const Vec2 place = before + (s.record[k].place - listed);
+  return side_of(segment_at(then, element.point), before) * side_of(segment_at(now, element.point), place) < 0;
 }
 
 }  // namespace
@@ -96,32 +101,28 @@ bool juts_out(const Domain& domain, const Boundary& boundary, std::size_t point,
   return sense * cross(ways.in, way) < 0 || sense * cross(ways.out, way) < 0;
 }
 
-NearElements::NearElements(const Sample& sample) : sample_(sample) {
-  for (const Boundary& boundary : sample.domain.boundaries) box_.push_back(geometry::bounds(boundary.points));
-}
-
-void NearElements::find(const DiskRecord& d, std::vector<std::int32_t>& near) const {
+void find_near_elements(const Sample& s, const std::vector<geometry::Rectangle>& boxes, const DiskRecord& d, std::vector<std::int32_t>& near) {
   near.clear();
-  const Domain& domain = sample_.domain;
-  const double reach = d.radius + sample_.skin;
+  const Domain& domain = s.domain;
+  const double reach = d.radius + s.skin;
   std::size_t first = 0;
-  for (std::size_t b = 0; b < box_.size(); ++b) {
+  for (std::size_t b = 0; b < boxes.size(); ++b) {
     const Boundary& boundary = domain.boundaries[b];
-    const geometry::Rectangle& box = box_[b];
+    const geometry::Rectangle& box = boxes[b];
     const std::size_t end = first + 2 * boundary.points.size();
     const bool far_x = !domain.periodic[0] && (d.place.x < box.x_min - reach || d.place.x > box.x_max + reach);
     const bool far_y = !domain.periodic[1] && (d.place.y < box.y_min - reach || d.place.y > box.y_max + reach);
     // An open boundary has no segment behind its last point, which is the first one's image where the boundary goes through the sides.
     const std::size_t last = end - (boundary.closed ? 0 : goes_through_sides(domain, boundary) ? 2 : 1);
     for (std::size_t e = first; boundary.present && !far_x && !far_y && e < last; ++e) {
-      const Vec2 seen = seen_from(domain, boundary, sample_.element[e], d.place), way = seen - nearest_of(boundary, sample_.element[e], seen);
+      const Vec2 seen = seen_from(domain, boundary, s.element[e], d.place), way = seen - nearest_of(boundary, s.element[e], seen);
       if (dot(way, way) < reach * reach) near.push_back(static_cast<std::int32_t>(e));
     }
     first = end;
   }
 }
 
-Kinematics element_kinematics(const Sample& s, const DiskRecord& d, std::int32_t number) {
+Kinematics element_kinematics(const Sample& s, const DiskRecord& d, std::int32_t number, bool as_point) {
   Kinematics c;
   const Element& element = s.element[number];
   const Boundary& boundary = s.domain.boundaries[element.boundary];
@@ -133,41 +134,31 @@ Kinematics element_kinematics(const Sample& s, const DiskRecord& d, std::int32_t
     const double share = dot(place - a, along) / dot(along, along);
     if (!(share > 0 && share < 1)) return c;
     foot = a + share * along;
-  } else if (!is_beyond(s.domain, boundary, element.point, place)) {
+  } else if (!as_point && !is_beyond(s.domain, boundary, element.point, place)) {
     return c;
   }
   c.branch = place - foot;
-  lean_on_boundary(c, s, d, boundary, foot, along);
+  const double distance = norm(c.branch);
+  c.overlap = d.radius - distance;
+  if (!(c.overlap > 0)) return c;
+  c.normal = distance > 0 ? c.branch / distance : perpendicular(along) / norm(along);
+  lean_on(c, d, distance, d.velocity - boundary.velocity - boundary.spin * perpendicular(foot - boundary.centre), s.contact.arms);
   return c;
-}
-
-Kinematics point_kinematics(const Sample& s, const DiskRecord& foot, std::int32_t number) {
-  Kinematics c;
-  const Element& element = s.element[number];
-  const Boundary& boundary = s.domain.boundaries[element.boundary];
-  const auto [here, next] = segment_at(boundary, element.point);
-  c.branch = seen_from(s.domain, boundary, element, foot.place) - here;
-  lean_on_boundary(c, s, foot, boundary, here, next - here);
-  return c;
-}
-
-Vec2 touched_point(const Sample& s, std::int32_t partner) {
-  const Element& element = touched_element(s, partner);
-  return s.domain.boundaries[element.boundary].points[element.point];
 }
 
 Vec2 touched_place(const Sample& s, std::size_t slot, const Kinematics& c) {
   return seen_from(s.domain, boundary_of(s, s.list.j[slot]), touched_element(s, s.list.j[slot]), touching_disk(s, slot).place) - c.branch;
 }
 
-bool has_crossed(const Sample& s, std::size_t slot) {
-  const Element& element = touched_element(s, s.list.j[slot]);
-  const std::int32_t k = s.list.i[slot];
-  const Boundary &now = s.domain.boundaries[element.boundary], &then = s.listed_domain.boundaries[element.boundary];
-  if (!element.segment || !now.present) return false;
-  const Vec2 listed = s.listed[k], before = seen_from(s.domain, then, element, listed);
-  const Vec2 place = before + (s.record[k].place - listed);
-  return side_of(segment_at(then, element.point), before) * side_of(segment_at(now, element.point), place) < 0;
+void check_crossings(const Sample& s) {
+  if (s.element.empty()) return;
+  for (std::size_t p = s.list.pairs; p < s.list.polygons; ++p) {
+    if (!is_boundary(s.list.j[p]) || !has_crossed(s, p)) continue;
+    const Boundary& now = boundary_of(s, s.list.j[p]);
+    const auto id = s.start.grains.id[s.record[s.list.i[p]].grain];
+    throw CannotGoOn(
+        fmt::format("grain {} has gone through the boundary \"{}\" at step {}; a smaller time step or a gentler load is needed", id, now.name, s.step));
+  }
 }
 
 }  // namespace arenite::dem

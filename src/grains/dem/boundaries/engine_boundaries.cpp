@@ -6,11 +6,7 @@
 #include "core/error.hpp"
 #include "grains/dem/bodies/bodies.hpp"
 #include "grains/dem/boundaries/boundaries.hpp"
-#include "grains/dem/bounds.hpp"
-#include "grains/dem/engine.hpp"
 #include "grains/dem/forces.hpp"
-#include "grains/dem/integrators/integrators.hpp"
-#include "grains/dem/measure.hpp"
 #include "grains/dem/neighbours.hpp"
 #include "grains/dem/setup.hpp"
 #include "grains/dem/walls.hpp"
@@ -18,26 +14,21 @@
 namespace arenite::dem {
 
 void list_anew(Sample& s, const ThreadPool& pool) {
-  const bool tracked = s.integration.track_energy;
-  const double before = tracked ? energies_of(s).elastic : 0;
-  rebuild_list(s, pool);
-  s.laws.lead = -s.laws.lag;
-  compute_forces(s, pool);
-  s.laws = laws_between_steps(s);
-  if (tracked) s.tally.work_walls += energies_of(s).elastic - before;
+  book_change(s, &Energies::work_walls, &Energies::elastic, [&] {
+    rebuild_list(s, pool);
+    s.laws.lead = -s.laws.lag;
+    compute_forces(s, pool);
+    s.laws = laws_between_steps(s);
+  });
 }
 
 namespace {
 
-std::size_t grains_beyond(const Sample& s, int side) {
-  std::size_t count = 0;
-  for (std::size_t k = 0; k < s.count; ++k) count += s.domain.depth(side, s.record[k].place) < 0;
-  return count;
-}
-
 void check_opening(const Sample& s, int side, bool open) {
   if (open && s.domain.is_periodic(side)) throw InputError(fmt::format("the {} side is periodic and has no wall that could be open", side_names[side]));
-  if (const std::size_t beyond = grains_beyond(s, side); !open && beyond > 0)
+  std::size_t beyond = 0;
+  for (std::size_t k = 0; k < s.count; ++k) beyond += s.domain.depth(side, s.record[k].place) < 0;
+  if (!open && beyond > 0)
     throw InputError(fmt::format("the {} wall cannot come back, for {} grains lie beyond it; leave that side open", side_names[side], beyond));
 }
 
@@ -58,6 +49,26 @@ void hold_nearest(Sample& s) {
   s.held = std::move(held);
   number_held(s);
   hold_grains(s);
+}
+
+/// How each boundary is to move.
+std::vector<BoundaryMotion> motions_of(const std::vector<Boundary>& boundaries, const std::vector<BoundaryMotion>& named) {
+  std::vector<BoundaryMotion> motions;
+  for (const Boundary& boundary : boundaries) motions.push_back({boundary.name, {}, 0, mean_point(boundary.points)});
+  for (const BoundaryMotion& motion : named) {
+    const std::size_t at = index_of(boundaries, motion.name);
+    if (at == boundaries.size()) throw InputError(fmt::format("boundary \"{}\" is to move, which there is not", motion.name));
+    const auto mean = motions[at].centre;
+    motions[at] = motion;
+    if (!motion.centre) motions[at].centre = mean;
+  }
+  return motions;
+}
+
+BoundaryMotion motion_now(const Sample& s, std::size_t b) {
+  const Boundary& now = s.domain.boundaries[b];
+  const BoundaryBody& body = s.boundary[b];
+  return {now.name, now.velocity, now.spin, now.centre, !now.present, body.mass > 0 ? std::optional(body.mass) : std::nullopt, body.force};
 }
 
 }  // namespace
@@ -86,33 +97,31 @@ void Engine::set_open(const BySide<bool>& open) {
   list_anew(s, machine_->pool);
 }
 
-void Engine::set_boundaries(const std::vector<BoundaryDrive>& drives) {
+void Engine::set_boundaries(const std::vector<BoundaryMotion>& named) {
   Sample& s = machine_->sample;
   auto& boundaries = s.domain.boundaries;
-  if (drives.size() != boundaries.size()) throw InputError(fmt::format("{} boundaries are to be driven, but there are {}", drives.size(), boundaries.size()));
+  const std::vector<BoundaryMotion> motions = motions_of(boundaries, named);
   bool changed = false, others_there = false;
-  for (std::size_t b = 0; b < drives.size(); ++b) {
-    const Boundary& now = boundaries[b];
-    changed |= drives[b] != BoundaryDrive{now.velocity, now.spin, now.centre, now.present, s.boundary[b].mass, s.boundary[b].force};
-    others_there |= drives[b].present != now.present;
-    if (drives[b].mass > 0 && !integrator_of(s).moves_bodies)
+  for (std::size_t b = 0; b < motions.size(); ++b) {
+    changed |= motions[b] != motion_now(s, b);
+    others_there |= motions[b].absent == boundaries[b].present;
+    if (motions[b].mass && !integrator_of(s).moves_bodies)
       throw InputError(
-          fmt::format("boundary \"{}\" has a mass, which {} does not move; take {}", now.name, integrator_of(s).word.word, integrators_of_bodies("")));
+          fmt::format("boundary \"{}\" has a mass, which {} does not move; take {}", motions[b].name, integrator_of(s).word.word, integrators_of_bodies("")));
   }
   if (!changed) return;
   synchronise(s);
-  const double before = s.integration.track_energy ? energies_of(s).kinetic : 0;
-  for (std::size_t b = 0; b < drives.size(); ++b) {
-    const BoundaryDrive& drive = drives[b];
-    BoundaryBody& body = s.boundary[b];
-    const bool goes_on = drive.mass > 0 && body.mass > 0;
-    if (!goes_on) boundaries[b].velocity = drive.velocity;
-    body = {drive.mass, drive.force, boundaries[b].velocity};
-    boundaries[b].spin = drive.spin;
-    boundaries[b].centre = drive.centre;
-    boundaries[b].present = drive.present;
-  }
-  if (s.integration.track_energy) s.tally.work_walls += energies_of(s).kinetic - before;
+  book_change(s, &Energies::work_walls, &Energies::kinetic, [&] {
+    for (std::size_t b = 0; b < motions.size(); ++b) {
+      const BoundaryMotion& motion = motions[b];
+      const bool goes_on = motion.mass && s.boundary[b].mass > 0;
+      if (!goes_on) boundaries[b].velocity = motion.velocity;
+      s.boundary[b] = {motion.mass.value_or(0), motion.force, boundaries[b].velocity};
+      boundaries[b].spin = motion.spin;
+      boundaries[b].centre = *motion.centre;
+      boundaries[b].present = !motion.absent;
+    }
+  });
   if (others_there) list_anew(s, machine_->pool);
   else sum_boundary_forces(s);
 }
@@ -146,7 +155,7 @@ Amount Engine::below(double height) const {
   each_mover(s, [&](std::size_t k) {
     if (!(mover_at(s, k).place.y < height)) return;
     ++amount.grains;
-    amount.mass += k < s.count ? own_mass(s, k) : own_mass_of(s, s.body[k - s.count]);
+    amount.mass += k < s.count ? own_mass(s, s.record[k].grain) : own_mass(s, s.body[k - s.count].first);
   });
   return amount;
 }

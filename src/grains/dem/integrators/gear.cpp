@@ -2,7 +2,6 @@
 
 #include "grains/dem/boundaries/boundaries.hpp"
 #include "grains/dem/forces.hpp"
-#include "grains/dem/integrators/motion.hpp"
 #include "grains/dem/integrators/nordsieck.hpp"
 #include "grains/dem/neighbours.hpp"
 #include "grains/dem/setup.hpp"
@@ -12,7 +11,7 @@ namespace arenite::dem {
 namespace {
 
 /// Moves the walls on to the predicted t_{n+1}.
-void move_walls(Sample& s) {
+void predict_walls(Sample& s, double /*kick*/, double /*ahead*/) {
   const double dt = s.dt, half = 0.5 * dt * dt;
   for (int side = 0; side < sides; ++side) {
     WallBody& body = s.wall[side];
@@ -28,11 +27,7 @@ void move_walls(Sample& s) {
   }
 }
 
-bool gear_sweep(Sample& s, const ThreadPool& pool) {
-  DiskSweep sweep(s);
-  move_walls(s);
-  return sweep.run(s.kernel->gear, pool);
-}
+bool gear_sweep(Sample& s, const ThreadPool& pool) { return sweep_disks(s, pool, s.kernel->gear, predict_walls); }
 
 /// One coordinate (of a disk or a wall) while the starting values are sought: derivatives 0 to 5, unscaled.
 struct Path {

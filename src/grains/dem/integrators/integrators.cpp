@@ -6,6 +6,7 @@
 #include "grains/dem/bodies/bodies.hpp"
 #include "grains/dem/boundaries/boundaries.hpp"
 #include "grains/dem/neighbours.hpp"
+#include "grains/dem/walls.hpp"
 
 namespace arenite::dem {
 
@@ -18,7 +19,10 @@ std::string integrators_of_bodies(std::string_view quotes) {
   return text;
 }
 
-DiskSweep::DiskSweep(Sample& s) : sample_(s), before_(cell_frame(s.domain)) {
+namespace {
+
+SweepTask sweep_task(Sample& s, double kick, double ahead) {
+  SweepTask task{};
   task.record = s.record.data();
   task.force = s.list.force.data();
   task.group = s.list.group.data();
@@ -36,15 +40,24 @@ DiskSweep::DiskSweep(Sample& s) : sample_(s), before_(cell_frame(s.domain)) {
   task.gravity = s.gravity;
   task.before = cell_motion(s.domain);
   task.dt = s.dt;
+  task.kick = kick;
+  task.ahead = ahead;
   task.drag = s.drag;
   task.turning = s.integration.rotations ? 1.0 : 0.0;
+  return task;
 }
 
-bool DiskSweep::run(Kernel::Sweep loop, const ThreadPool& pool) {
-  Sample& s = sample_;
-  const CellFrame<2> after = cell_frame(s.domain), listed = cell_frame(s.listed_domain);
-  for (std::size_t axis = 0; axis < after.size(); ++axis)
-    task.cell[axis] = {after[axis].since(before_[axis]), after[axis].since(listed[axis]), after[axis].growth(before_[axis])};
+}  // namespace
+
+bool sweep_disks(Sample& s, const ThreadPool& pool, Kernel::Sweep loop, MoveWalls move_walls, double kick, double ahead) {
+  const CellFrame<2> before = cell_frame(s.domain), listed = cell_frame(s.listed_domain);
+  SweepTask task = sweep_task(s, kick, ahead);
+  move_walls(s, kick, ahead);
+  const CellFrame<2> after = cell_frame(s.domain);
+  for (std::size_t axis = 0; axis < after.size(); ++axis) {
+    task.moved[axis] = after[axis].since(before[axis]);
+    task.listed_moved[axis] = after[axis].since(listed[axis]);
+  }
   task.after = cell_motion(s.domain);
   move_boundaries(s, s.dt);
   s.sheared += s.dt * s.shear_rate;
@@ -57,13 +70,83 @@ bool DiskSweep::run(Kernel::Sweep loop, const ThreadPool& pool) {
     pool.for_ranges(s.count, [&](std::size_t begin, std::size_t end) {
       if (!loop(task, begin, end)) near = false;
     });
-  if (s.domain.periodic[0]) s.domain.tilt *= after[0].length / before_[0].length;
+  if (s.domain.periodic[0]) s.domain.tilt *= after[0].length / before[0].length;
   s.domain.tilt += s.dt * s.shear_rate * s.domain.height();
   for (WallBody& body : s.wall) body.slid += s.dt * body.drive.slide;
   hold_grains(s);
   const bool bodies_near = move_bodies(s, task, pool);
   ++s.step;
   return near && bodies_near;
+}
+
+Acceleration acceleration_of(const Sample& s, std::size_t k) {
+  if (k < s.count && find_held(s, s.record[k].grain)) return {};
+  const Load load = load_on(s, k);
+  const Mover m = mover_at(s, k);
+  return {load.force / m.mass + s.gravity - s.drag * (m.seen.velocity - cell_motion(s.domain).at(m.place)),
+          s.integration.rotations ? load.torque / m.inertia : 0.0};
+}
+
+namespace {
+
+/// What integrated rates and places lack, as so many times the acceleration that a scheme has not foreseen: s and s^2.
+struct Behind {
+  double rate = 0, place = 0;
+};
+Behind behind(const Sample& s) {
+  const Integrator& scheme = integrator_of(s);
+  if (!scheme.corrects()) return {s.lag, 0};
+  if (!s.settled) return {};
+  return {0.5 * scheme.velocity_share * s.dt, 0.5 * scheme.position_share * s.dt * s.dt};
+}
+
+Acceleration unforeseen(const Sample& s, std::size_t k) {
+  const Acceleration a = acceleration_of(s, k);
+  if (!integrator_of(s).corrects()) return a;
+  return {a.linear - s.acceleration[k], a.alpha - s.alpha[k]};
+}
+
+double unforeseen_of_wall(const Sample& s, std::size_t side) {
+  const double a = wall_acceleration(s, side, s.domain.wall[side].velocity);
+  return integrator_of(s).corrects() ? a - s.wall[side].acceleration : a;
+}
+
+}  // namespace
+
+Motion motion_of(const Sample& s, std::size_t k) {
+  const Motion own = mover_at(s, k).own;
+  const double lag = behind(s).rate;
+  if (lag == 0) return own;
+  const Acceleration a = unforeseen(s, k);
+  return {own.velocity + lag * a.linear, own.omega + lag * a.alpha};
+}
+
+Vec2 place_of(const Sample& s, std::size_t k) {
+  const Vec2 place = mover_at(s, k).place;
+  const double lag = behind(s).place;
+  return lag == 0 ? place : place + lag * unforeseen(s, k).linear;
+}
+
+double wall_rate(const Sample& s, std::size_t side) { return s.wall[side].rate + behind(s).rate * unforeseen_of_wall(s, side); }
+
+Domain domain_now(const Sample& s) {
+  Domain domain = s.domain;
+  for (int side = 0; side < sides; ++side) {
+    domain.wall[side].velocity = wall_rate(s, side);
+    domain.wall[side].position += behind(s).place * unforeseen_of_wall(s, side);
+  }
+  for (std::size_t b = 0; b < s.boundary.size(); ++b) domain.boundaries[b].velocity = velocity_of(s, b);
+  return domain;
+}
+
+double time_behind(const Sample& s) {
+  if (integrator_of(s).corrects()) return s.settled ? 0.5 * s.dt : 0.0;
+  return s.lag;
+}
+
+Vec2 velocity_beside(const Sample& s, std::size_t i, std::size_t j, Vec2 image) {
+  const CellMotion<2> cell = cell_motion(s.domain);
+  return s.velocity[i] + cell.at(s.record[i].place) - s.velocity[j] - cell.at(s.record[j].place) - image;
 }
 
 }  // namespace arenite::dem

@@ -15,6 +15,7 @@ void move_walls(Sample& s, double kick, double ahead) {
     wall.position += s.dt * body.rate;
     wall.velocity = body.rate + ahead * body.acceleration;
   }
+  push_boundaries(s, kick, ahead);
 }
 
 /// Velocity Verlet in its half-step form, one force evaluation and one sweep a step. Its growing mode flips sign every step.
@@ -29,13 +30,8 @@ template <int extrapolation> bool verlet(Sample& s, const ThreadPool& pool) { re
 
 bool kick_and_drift(Sample& s, const ThreadPool& pool, double lag, double ahead) {
   const double kick = s.dt - lag + s.lag;
-  DiskSweep sweep(s);
-  sweep.task.kick = kick;
-  sweep.task.ahead = ahead;
-  move_walls(s, kick, ahead);
-  push_boundaries(s, kick, ahead);
   s.lag = lag;
-  return sweep.run(s.kernel->verlet, pool);
+  return sweep_disks(s, pool, s.kernel->verlet, move_walls, kick, ahead);
 }
 
 const Integrator velocity_verlet{{"velocity_verlet", "second order, the most robust"}, verlet<1>, nullptr, 0, 0, 0.5, 0.25, 1, 2, true};

@@ -1,7 +1,6 @@
 #pragma once
 #include "grains/dem/kernels/kernel.hpp"
 #include "grains/dem/kernels/pack.hpp"
-#include "grains/dem/sample.hpp"
 
 namespace arenite::dem {
 
@@ -24,39 +23,43 @@ template <int W> ARENITE_INLINE Pack<W> picked_numbers(const double* values, con
 /// those that have turned far since the list was built.
 template <int W, bool damped> ARENITE_INLINE bool bond_batch(const BondTask& t, std::size_t p) {
   using V = Pack<W>;
-  const auto column = [&](BondColumn which) { return V::load(t.column[which] + p); };
+  const auto number = [p](const double* column) { return V::load(column + p); };
+  const auto vector = [p](const Vec<2, const double*>& columns) { return Vec<2, V>{V::load(columns.x + p), V::load(columns.y + p)}; };
+  const auto& b = t.column;
   const std::int32_t *i = t.i + p, *j = t.j + p;
   const V zero(0.0), one(1.0);
-  V xi, yi, xj, yj;
-  gather<W>([=](int k) { return &t.record[i[k]].place.x; }, xi, yi);
-  gather<W>([=](int k) { return &t.record[j[k]].place.x; }, xj, yj);
-  const V dx = xi - xj - column(beam_image_x), dy = yi - yj - column(beam_image_y);
-  const V squared = dx * dx + dy * dy, distance = sqrt(squared), inverse = distance * (one / squared);
-  const V nx = inverse * dx, ny = inverse * dy, nx0 = column(beam_nx), ny0 = column(beam_ny);
-  const V sine = nx0 * ny - ny0 * nx, cosine = nx0 * nx + ny0 * ny, turned = small_angle(sine);
-  const V turn_i = picked_numbers<W>(t.angle, i) - column(beam_angle_i) - turned, turn_j = picked_numbers<W>(t.angle, j) - column(beam_angle_j) - turned;
-  const V length = column(beam_length), arm_i = column(beam_arm_i), arm_j = column(beam_arm_j);
-  V tension = column(beam_normal) * (distance - length), shear = column(beam_shear) * (arm_i * turn_i + arm_j * turn_j),
-    moment = column(beam_bending) * (turn_i - turn_j);
+  Vec<2, V> place_i, place_j;
+  gather<W>([=](int k) { return &t.record[i[k]].place.x; }, place_i);
+  gather<W>([=](int k) { return &t.record[j[k]].place.x; }, place_j);
+  const Vec<2, V> branch = place_i - place_j - vector(b.image), before = vector(b.normal);
+  const V squared = dot(branch, branch), distance = sqrt(squared), inverse = distance * (one / squared);
+  const Vec<2, V> normal = inverse * branch;
+  const V sine = cross(before, normal), cosine = dot(before, normal), turned = small_angle(sine);
+  const V turn_i = picked_numbers<W>(t.angle, i) - number(b.angle_i) - turned, turn_j = picked_numbers<W>(t.angle, j) - number(b.angle_j) - turned;
+  const V length = number(b.length), arm_i = number(b.arm_i), arm_j = number(b.arm_j);
+  V tension = number(b.beam.normal) * (distance - length), shear = number(b.beam.shear) * (arm_i * turn_i + arm_j * turn_j),
+    moment = number(b.beam.bending) * (turn_i - turn_j);
 
-  const V per_area = column(beam_per_area), mean = tension * per_area;
-  const V fibre = mean + max(moment, zero - moment) * column(beam_per_section), across = max(shear, zero - shear) * per_area;
-  const V shear_limit = column(beam_cohesion) + column(beam_friction) * max(zero - mean, zero);
-  const auto look = ~(fibre <= column(beam_tensile)) | ~(across <= shear_limit) | ~(max(sine, zero - sine) <= V(0.15)) | ~(cosine > zero);
+  const V per_area = number(b.beam.per_area), mean = tension * per_area;
+  const V fibre = mean + max(moment, zero - moment) * number(b.beam.per_section), across = max(shear, zero - shear) * per_area;
+  const V shear_limit = number(b.cohesion) + number(b.strength) * number(b.beam.friction) * max(zero - mean, zero);
+  const auto look = ~(fibre <= number(b.tensile)) | ~(across <= shear_limit) | ~(max(sine, zero - sine) <= V(0.15)) | ~(cosine > zero);
 
   if constexpr (damped) {
-    V vxi, vyi, vxj, vyj, wi, wj, spare;
-    gather<W>([=](int k) { return &t.record[i[k]].velocity.x; }, vxi, vyi);
-    gather<W>([=](int k) { return &t.record[j[k]].velocity.x; }, vxj, vyj);
-    gather<W>([=](int k) { return &t.record[i[k]].omega; }, wi, spare);
-    gather<W>([=](int k) { return &t.record[j[k]].omega; }, wj, spare);
-    const V ux = vxi - vxj - column(beam_image_vx), uy = vyi - vyj - column(beam_image_vy);
-    tension = tension + column(beam_normal_damping) * (ux * nx + uy * ny);
-    shear = shear + column(beam_shear_damping) * (arm_i * wi + arm_j * wj - length * ((uy * nx - ux * ny) * inverse));
-    moment = moment + column(beam_bending_damping) * (wi - wj);
+    Vec<2, V> velocity_i, velocity_j;
+    V omega_i, omega_j, radius;
+    gather<W>([=](int k) { return &t.record[i[k]].velocity.x; }, velocity_i);
+    gather<W>([=](int k) { return &t.record[j[k]].velocity.x; }, velocity_j);
+    gather<W>([=](int k) { return &t.record[i[k]].omega; }, omega_i, radius);
+    gather<W>([=](int k) { return &t.record[j[k]].omega; }, omega_j, radius);
+    const Vec<2, V> u = velocity_i - velocity_j - vector(b.image_velocity);
+    tension = tension + number(b.normal_damping) * dot(u, normal);
+    shear = shear + number(b.shear_damping) * (arm_i * omega_i + arm_j * omega_j - length * (cross(normal, u) * inverse));
+    moment = moment + number(b.bending_damping) * (omega_i - omega_j);
   }
   const V along = shear * length * inverse;
-  scatter<W>([=](int k) { return &t.force[p + static_cast<std::size_t>(k)].on_i.x; }, zero - tension * nx - along * ny, along * nx - tension * ny);
+  scatter<W>([=](int k) { return &t.force[p + static_cast<std::size_t>(k)].on_i.x; }, zero - tension * normal.x - along * normal.y,
+             along * normal.x - tension * normal.y);
   scatter<W>([=](int k) { return &t.force[p + static_cast<std::size_t>(k)].torque_i; }, zero - shear * arm_i - moment, moment - shear * arm_j);
   bool any = false;
   for (int k = 0; k < W; ++k) {

@@ -8,9 +8,24 @@
 
 namespace arenite::dem {
 
-template <int D> struct GrainRecord;
+/// What the loops read of a disk or sphere; a disk's is one cache line. Velocities are those that the forces see.
+template <int D> struct alignas(64) GrainRecord {
+  Vec<D> place{}, velocity{};
+  Turning<D> omega{};
+  double radius = 0, mass = 0;
+  std::int32_t material = 0;
+  std::int32_t grain = 0;  ///< the caller's index
+};
 using DiskRecord = GrainRecord<2>;
-struct SlotForce;
+static_assert(sizeof(DiskRecord) == 64);
+inline double inertia(const DiskRecord& d) { return 0.5 * d.mass * d.radius * d.radius; }
+
+/// Force of a contact on i, N, and its torques on i and j, N m; all 0 where apart.
+struct alignas(32) SlotForce {
+  Vec2 on_i;
+  double torque_i = 0, torque_j = 0;
+};
+inline bool acts(const SlotForce& f) { return f.on_i != Vec2{}; }
 
 /// What the pair loop reads and fills; the arrays are those of ContactList.
 struct PairTask {
@@ -24,40 +39,25 @@ struct PairTask {
   double arm_share;  ///< of the overlap that each arm lacks: 1/2 (contact point) or 0 (full radius)
 };
 
-/// What the loop over the bonds reads of each, one array a number: the branch and its direction when the list was built, the arms, the angles that the
-/// grains have where nothing is strained, the Beam, its dashpots and strengths, and the place and velocity of the image of j beside j.
-enum BondColumn : std::size_t {
-  beam_length,
-  beam_arm_i,
-  beam_arm_j,
-  beam_nx,
-  beam_ny,
-  beam_angle_i,
-  beam_angle_j,
-  beam_normal,
-  beam_shear,
-  beam_bending,
-  beam_normal_damping,
-  beam_shear_damping,
-  beam_bending_damping,
-  beam_per_area,
-  beam_per_section,
-  beam_tensile,
-  beam_cohesion,
-  beam_friction,
-  beam_image_x,
-  beam_image_y,
-  beam_image_vx,
-  beam_image_vy,
-  bond_columns
+/// What is known of a bond that holds, or where the arrays of these numbers are, which the loop over the bonds reads.
+template <class Number> struct BondRow {
+  Number length{}, arm_i{}, arm_j{};  ///< when it was made, m; the arms to its middle between the two surfaces
+  Vec<2, Number> normal{};            ///< from j to i when the list was built
+  Number angle_i{}, angle_j{};        ///< that the grains have where it is not bent and has this normal, rad
+  BeamOf<Number> beam{};
+  Number strength{};                                            ///< over that of the law
+  Number tensile{}, cohesion{};                                 ///< that of this bond, Pa; never within its strength once it has ended
+  Number normal_damping{}, shear_damping{}, bending_damping{};  ///< N s/m, N s/m, N m s
+  Vec<2, Number> image{}, image_velocity{};                     ///< of j beside j itself, m and m/s; only of the arrays
 };
+inline constexpr std::size_t bond_columns = sizeof(BondRow<double>) / sizeof(double);
 
 /// What the loop over the bonds reads and fills; the arrays are those of BondNumbers.
 struct BondTask {
   const DiskRecord* record;
   const double* angle;
   const std::int32_t *i, *j;
-  std::array<const double*, bond_columns> column;
+  BondRow<const double*> column;
   SlotForce* force;
   std::uint8_t* look;  ///< where a bond may break, or has turned far since the list was built: then it is not for the loop to say
   bool damped;
@@ -81,12 +81,7 @@ template <int D> struct CellMotion {
 struct Stretch {
   double from = 0, scale = 1, to = 0;
   template <class V> V apply(V x) const { return V(to) + (x - V(from)) * V(scale); }
-};
-
-/// How a periodic cell changes along an axis.
-struct CellChange {
-  Stretch moved, listed;  ///< in the step, and since the list was built
-  double growth = 0;      ///< in the step, relative
+  double growth() const { return scale - 1; }
 };
 
 /// What a step of an integrator reads and changes; the arrays are those of Sample and ContactList.
@@ -98,19 +93,19 @@ struct SweepTask {
   double *omega, *angle, *alpha;
   std::array<std::array<double*, 3>, 3> higher;
   std::array<const double*, 2> listed;
-  Vec2 gravity;                 ///< m/s^2
-  CellMotion<2> before, after;  ///< of the cell, at the start and the end of the step
-  std::array<CellChange, 2> cell;
-  double dt, kick, ahead;       ///< s, see integrators/verlet.cpp
-  double drag;                  ///< 1/s
-  double turning;               ///< 1 where grains rotate, else 0
-  double listed_shear, middle;  ///< shear of the cell since the list was built, about the height `middle`, m
-  double limit;                 ///< square of the way that a disk may be from its place in the list, m^2
+  Vec2 gravity;                                ///< m/s^2
+  CellMotion<2> before, after;                 ///< of the cell, at the start and the end of the step
+  std::array<Stretch, 2> moved, listed_moved;  ///< of the cell, in the step and since the list was built
+  double dt, kick, ahead;                      ///< s, see integrators/verlet.cpp
+  double drag;                                 ///< 1/s
+  double turning;                              ///< 1 where grains rotate, else 0
+  double listed_shear, middle;                 ///< shear of the cell since the list was built, about the height `middle`, m
+  double limit;                                ///< square of the way that a disk may be from its place in the list, m^2
 };
 
 /// From where a disk was when the list was built, as the cell has taken it along since, to its place.
 template <class V> Vec<2, V> way_since_listed(const SweepTask& t, Vec<2, V> place, Vec<2, V> listed) {
-  const auto then = by_axis<2>([&](int axis) { return t.cell[axis].listed.apply(listed[axis]); });
+  const auto then = by_axis<2>([&](int axis) { return t.listed_moved[axis].apply(listed[axis]); });
   Vec<2, V> way = place - then;
   way.x = way.x - V(t.listed_shear) * (then.y - V(t.middle));
   return way;

@@ -14,22 +14,9 @@
 
 namespace arenite::dem {
 
-template <int W> struct RawPack;
-template <> struct RawPack<1> {
-  typedef double Numbers __attribute__((vector_size(8)));
-  typedef std::int64_t Bits __attribute__((vector_size(8)));
-};
-template <> struct RawPack<2> {
-  typedef double Numbers __attribute__((vector_size(16)));
-  typedef std::int64_t Bits __attribute__((vector_size(16)));
-};
-template <> struct RawPack<4> {
-  typedef double Numbers __attribute__((vector_size(32)));
-  typedef std::int64_t Bits __attribute__((vector_size(32)));
-};
-template <> struct RawPack<8> {
-  typedef double Numbers __attribute__((vector_size(64)));
-  typedef std::int64_t Bits __attribute__((vector_size(64)));
+template <int W> struct RawPack {
+  typedef double Numbers __attribute__((vector_size(8 * W)));
+  typedef std::int64_t Bits __attribute__((vector_size(8 * W)));
 };
 
 /// W doubles computed side by side, one contact each: the number type that the laws are written over, beside double. Every operation is the exactly

@@ -3,7 +3,6 @@
 
 #include "grains/dem/kernels/kernel.hpp"
 #include "grains/dem/kernels/pack.hpp"
-#include "grains/dem/sample.hpp"
 
 namespace arenite::dem {
 

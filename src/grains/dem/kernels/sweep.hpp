@@ -2,7 +2,6 @@
 #include "grains/dem/integrators/nordsieck.hpp"
 #include "grains/dem/kernels/kernel.hpp"
 #include "grains/dem/kernels/pack.hpp"
-#include "grains/dem/sample.hpp"
 
 namespace arenite::dem {
 
@@ -95,8 +94,8 @@ template <int W> struct VerletBatch {
     (V::load(t.angle + k) + V(t.dt) * omega).store(t.angle + k);
     // A way made during the step is carried along by a growing cell for half of it, on average.
     const auto place = by_axis<2>([&](int axis) {
-      const CellChange& cell = t.cell[axis];
-      return cell.moved.apply(m.place[axis]) + V(t.dt * (1 + 0.5 * cell.growth)) * velocity[axis];
+      const Stretch& cell = t.moved[axis];
+      return cell.apply(m.place[axis]) + V(t.dt * (1 + 0.5 * cell.growth())) * velocity[axis];
     });
     return put<W>(t, k, m, place, velocity + ahead * m.acceleration, omega + ahead * m.alpha);
   }
@@ -130,9 +129,8 @@ template <int W> struct GearBatch {
     const V zero(0.0);
     const MotionPack<W> m(t, k);
     const auto place = by_axis<2>([&](int axis) {
-      const CellChange& cell = t.cell[axis];
-      return cell.moved.apply(m.place[axis]) +
-             correct_and_predict<W>(t, k, axis, t.velocity[axis], t.acceleration[axis], m.acceleration[axis], zero, cell.growth);
+      const Stretch& cell = t.moved[axis];
+      return cell.apply(m.place[axis]) + correct_and_predict<W>(t, k, axis, t.velocity[axis], t.acceleration[axis], m.acceleration[axis], zero, cell.growth());
     });
     correct_and_predict<W>(t, k, 2, t.omega, t.alpha, m.alpha, V::load(t.angle + k), 0).store(t.angle + k);
     return put<W>(t, k, m, place, load_vector<W, 2>(t.velocity, k), V::load(t.omega + k));

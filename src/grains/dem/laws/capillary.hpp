@@ -11,7 +11,7 @@ namespace arenite::dem {
 /// What bridges of a liquid are given by. They are at rest at any gap (no viscosity), without weight, and all of one volume, which a bridge keeps from
 /// the touch that makes it until it breaks.
 struct Liquid {
-  static constexpr bool acts = true, breaks = true;
+  static constexpr bool breaks = true;
   void declare(ParameterVisitor& v) {
     v.number({"surface_tension", "Surface tension of the liquid.", true}, surface_tension, "mN/m", range::positive);
     v.number({"contact_angle", "Angle at which the liquid meets a grain."}, contact_angle, "deg", range::between(0, 80 * std::numbers::pi / 180));

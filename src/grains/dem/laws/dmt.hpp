@@ -7,11 +7,9 @@
 namespace arenite::dem {
 
 /// Grains that neither stick nor are wet.
-struct NoCohesion {
+struct NoCohesion : WithoutParameters {
   static constexpr Word word{"none", "grains neither stick nor are wet"};
-  static constexpr bool acts = false, breaks = false;
-  void declare(ParameterVisitor&) {}
-  bool operator==(const NoCohesion&) const = default;
+  static constexpr bool breaks = false;
   double joins_within() const { return 0; }
   PullCurve curve(double /*radius_i*/, double /*radius_j*/, double /*thickness*/) const { return {}; }
 };
@@ -22,7 +20,7 @@ struct NoCohesion {
 /// 150, 243, 1992) and what two-dimensional simulations of cohesive disks take (Gilabert, Roux and Castellanos, Phys. Rev. E 75, 011303, 2007).
 struct Dmt {
   static constexpr Word word{"dmt", "adhesion of dry grains, pull-off force 2 pi w R of spheres"};
-  static constexpr bool acts = true, breaks = false;
+  static constexpr bool breaks = false;
   void declare(ParameterVisitor& v) {
     v.number({"work_of_adhesion", "Work of adhesion w of two grains, twice the surface energy of like ones.", true}, work_of_adhesion, "J/m^2",
              range::positive);

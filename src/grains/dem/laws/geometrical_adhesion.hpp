@@ -4,11 +4,9 @@
 namespace arenite::dem {
 
 /// No attraction: what most samples use, and nothing is computed for it.
-struct NoAdhesion {
+struct NoAdhesion : WithoutParameters {
   static constexpr Word word{"none", "no glue"};
   static constexpr bool attracts = false, breaks = false;
-  void declare(ParameterVisitor&) {}
-  bool operator==(const NoAdhesion&) const = default;
 
   template <class V> V attraction(V /*h*/, V /*strength*/) const { return V(0.0); }
   template <class V> V energy(V /*h*/, V /*strength*/) const { return V(0.0); }
@@ -16,11 +14,9 @@ struct NoAdhesion {
 
 /// Geometrical adhesion, an attraction gamma sqrt(r_eff h) while two glued grains touch (T eq. 1.22-1.25). `strength` = gamma sqrt(r_eff), 0 for a
 /// pair that is not glued.
-struct GeometricalAdhesion {
+struct GeometricalAdhesion : WithoutParameters {
   static constexpr Word word{"geometrical", "-gamma sqrt(r_eff h), reversible"};
   static constexpr bool attracts = true, breaks = false;
-  void declare(ParameterVisitor&) {}
-  bool operator==(const GeometricalAdhesion&) const = default;
 
   template <class V> V attraction(V h, V strength) const {
     using lane::sqrt;

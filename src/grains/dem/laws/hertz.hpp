@@ -7,11 +7,9 @@ namespace arenite::dem {
 /// contact would have at h = R*; at h/R* = 1 % it is a tenth of that.
 /// The dashpot grows as the square root of the tangent stiffness S = (3/2) k sqrt(h/R*), because then restitution does not depend on velocity: alpha
 /// = 2 beta sqrt(5/6) sqrt(m_eff S), beta = -ln e/sqrt(pi^2 + ln^2 e), which is the linear law's 2 beta sqrt(m_eff k) times sqrt(5/4) (h/R*)^(1/4).
-struct Hertz {
+struct Hertz : WithoutParameters {
   static constexpr Word word{"hertz", "spring growing with h^(3/2)"};
   static constexpr bool remembers = false;
-  void declare(ParameterVisitor&) {}
-  bool operator==(const Hertz&) const = default;
 
   template <class V> V elastic(V h, V stiffness, V curvature, V& /*memory*/) const {
     using lane::sqrt;

@@ -10,7 +10,6 @@ namespace arenite::dem {
 /// and relaxed at large h therefore gives back more than it took (Elata and Berryman, Mechanics of Materials 24, 229, 1996).
 struct HertzMindlin : Hertz {
   static constexpr Word word{"hertz_mindlin", "Hertz contact of spheres by E and nu, friction's spring grows with it"};
-  bool operator==(const HertzMindlin&) const = default;
 
   /// What the spring of friction is a share of, N/m: the tangent stiffness S = 2 E* sqrt(R* h), so that k_t/S = 4 G*/E*.
   template <class V> V sliding_base(V h, V stiffness, V curvature) const {

@@ -81,7 +81,6 @@ concept RollingContact = ContactLaw<L> && requires(const L law, double v, double
 /// A bond gives the beam between two grains, the forces and the energy of its strain, and what its stresses break.
 template <class L>
 concept BeamLaw = ContactLaw<L> && requires(const L law, double v, const Beam& beam, const BeamStrain& strain, const BeamForce& force) {
-  { L::bonds } -> std::convertible_to<bool>;
   { law.gap } -> std::convertible_to<double>;      // greatest one that it bridges, over the mean radius
   { law.damping } -> std::convertible_to<double>;  // of its dashpots, over the critical one
   { law.scatter } -> std::convertible_to<double>;  // standard deviation of strengths over their mean, drawn with `seed`
@@ -96,7 +95,6 @@ concept BeamLaw = ContactLaw<L> && requires(const L law, double v, const Beam& b
 /// the thickness of the sample, m. Two disks whose gap is less than `joins_within` are joined; where it `breaks` they are so until the curve's reach.
 template <class L>
 concept CohesionLaw = ContactLaw<L> && requires(const L law, double v) {
-  { L::acts } -> std::convertible_to<bool>;
   { L::breaks } -> std::convertible_to<bool>;
   { law.joins_within() } -> std::same_as<double>;  // m
   { law.curve(v, v, v) } -> std::same_as<PullCurve>;

@@ -4,11 +4,9 @@
 namespace arenite::dem {
 
 /// Linear spring and dashpot, F_n = k h + alpha_n dh/dt (T eq. 1.23; h > 0 is an overlap, F_n > 0 pushes).
-struct Linear {
+struct Linear : WithoutParameters {
   static constexpr Word word{"linear", "spring k_eff h and dashpot"};
   static constexpr bool remembers = false;
-  void declare(ParameterVisitor&) {}
-  bool operator==(const Linear&) const = default;
 
   template <class V> V elastic(V h, V stiffness, V /*curvature*/, V& /*memory*/) const { return stiffness * h; }
   template <class V> V energy(V h, V stiffness, V /*curvature*/, V /*memory*/) const { return V(0.5) * stiffness * h * h; }

@@ -8,12 +8,13 @@
 namespace arenite::dem {
 
 /// What a bond's forces and stresses follow from: its stiffness against its three strains, 1 over its section and section modulus, and what pressure
-/// adds to its shear strength.
-struct Beam {
-  double normal = 0, shear = 0, bending = 0;  ///< N/m, N/m, N m/rad
-  double per_area = 0, per_section = 0;       ///< 1/m^2, 1/m^3
-  double friction = 0;                        ///< tan(phi)
+/// adds to its shear strength. The loop over bonds keeps such numbers in one array each.
+template <class Number> struct BeamOf {
+  Number normal{}, shear{}, bending{};  ///< N/m, N/m, N m/rad
+  Number per_area{}, per_section{};     ///< 1/m^2, 1/m^3
+  Number friction{};                    ///< tan(phi)
 };
+using Beam = BeamOf<double>;
 
 /// How a bond is strained: longer than it was made, the ways of both grains' surfaces across it, and the turn of i against j.
 struct BeamStrain {
@@ -32,13 +33,10 @@ struct BeamLoad {
 };
 
 /// Grains without cement.
-struct NoBonds {
+struct NoBonds : WithoutParameters {
   static constexpr Word word{"none", "no cement between grains"};
-  static constexpr bool bonds = false;
-  void declare(ParameterVisitor&) {}
-  bool operator==(const NoBonds&) const = default;
 
-  double gap = 0, damping = 0, scatter = 0;
+  double gap = 0, damping = 0, scatter = 0, tensile_strength = 0, cohesion = 0;
   std::int64_t seed = 0;
   Beam beam(double /*length*/, double /*radius*/, double /*thickness*/) const { return {}; }
   BeamForce elastic(const Beam&, const BeamStrain&) const { return {}; }
@@ -51,7 +49,6 @@ struct NoBonds {
 /// raised by tan(phi) times the pressure on its section. Between two grains it acts beside their contact.
 struct ParallelBond {
   static constexpr Word word{"parallel", "beams that take tension, shear and bending and break for good"};
-  static constexpr bool bonds = true;
   void declare(ParameterVisitor& v) {
     v.number({"bond_modulus", "Young's modulus E of the bonds.", true}, modulus, "GPa", range::positive);
     v.number({"bond_stiffness_ratio", "Normal over shear stiffness of the bonds."}, stiffness_ratio, "", range::positive);

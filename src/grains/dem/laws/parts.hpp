@@ -23,6 +23,12 @@ template <int D, class V> Vec<D, V> within(Vec<D, V> a, V bound) {
 }
 }  // namespace lane
 
+/// A law without parameters of its own. One that has some declares and compares them.
+struct WithoutParameters {
+  void declare(ParameterVisitor&) {}
+  bool operator==(const WithoutParameters&) const = default;
+};
+
 /// What a friction law sees of one contact. T counts along the contact: it is V in the plane, a vector in space.
 template <class V, class T = V> struct Slip {
   T velocity;   ///< v_s, m/s

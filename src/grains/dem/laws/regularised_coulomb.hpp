@@ -4,11 +4,9 @@
 namespace arenite::dem {
 
 /// Smooth grains.
-struct NoFriction {
+struct NoFriction : WithoutParameters {
   static constexpr Word word{"none", "smooth grains"};
   static constexpr bool remembers = false;
-  void declare(ParameterVisitor&) {}
-  bool operator==(const NoFriction&) const = default;
 
   template <class V, class T> T tangential(const Slip<V, T>& /*slip*/, T& /*memory*/) const { return T{}; }
   template <class V, class T> V energy(const Slip<V, T>& /*slip*/, T /*memory*/) const { return V(0.0); }
@@ -17,11 +15,9 @@ struct NoFriction {
 };
 
 /// Regularised Coulomb friction, F_t = -min(gamma_s |v_s|, cap) sign(v_s) (T eq. 1.27). It holds no static friction: at rest F_t = 0.
-struct RegularisedCoulomb {
+struct RegularisedCoulomb : WithoutParameters {
   static constexpr Word word{"regularised_coulomb", "-min(gamma_s |v_s|, mu |F_n|) sign(v_s): no friction at true rest"};
   static constexpr bool remembers = false;
-  void declare(ParameterVisitor&) {}
-  bool operator==(const RegularisedCoulomb&) const = default;
 
   template <class V, class T> T tangential(const Slip<V, T>& slip, T& /*memory*/) const {
     using lane::within;

@@ -8,11 +8,9 @@ namespace arenite::dem {
 // mu_r R F_n, R = r_i r_j/(r_i + r_j), at a wall r_i. As a law it is one of friction that sees turning for sliding: rad/s, N m s, N m, N m/rad.
 
 /// Discs roll freely.
-struct NoRolling {
+struct NoRolling : WithoutParameters {
   static constexpr Word word{"none", "grains roll freely"};
   static constexpr bool remembers = false;
-  void declare(ParameterVisitor&) {}
-  bool operator==(const NoRolling&) const = default;
 
   double coefficient = 0;
   double stiffness(double /*normal*/, double /*radius*/) const { return 0; }

@@ -121,7 +121,7 @@ TEST(Boundaries, TurningPlateCarriesADiskAndItsWorkIsBooked) {
   integration.track_energy = true;
   Engine engine(p, contact, integration);
   engine.set_gravity({0, -g});
-  engine.set_boundaries({{{}, spin, {1, 1}, true}});
+  engine.set_boundaries({{"plate", {}, spin, Vec2{1, 1}}});
   while (engine.time() < 0.5) engine.advance(100);
   const double turned = spin * engine.time();
   const Packing now = engine.packing();
@@ -144,7 +144,7 @@ TEST(Boundaries, IntruderGivesItsMomentum) {
   Packing p = frame_with(intruder);
   testing::add_grain(p, 0.6 + r + 0.001, 1, r);
   Engine engine(p, with_friction(0, 0.5), {});
-  engine.set_boundaries({{{1, 0}, 0, intruder.centre, true}});
+  engine.set_boundaries({{"plate", {1, 0}, 0, intruder.centre}});
   double impulse = 0;
   while (engine.time() < 0.01) {
     const double from = engine.time();
@@ -185,7 +185,7 @@ TEST_P(BoundaryBits, AreTheSameOnTwoThreadsAndRestored) {
   const auto make = [&](const IntegrationParameters& integration) {
     Engine engine(p, contact, integration);
     engine.set_gravity({0, -g});
-    engine.set_boundaries({{{}, 20, p.domain.boundaries[0].centre, true}});
+    engine.set_boundaries({{"plate", {}, 20, p.domain.boundaries[0].centre}});
     return engine;
   };
   Engine a = make(one), b = make(two), c(p, contact, one);
@@ -210,7 +210,7 @@ TEST(Boundaries, DrumHoldsItsGrainsAndItsEnergyIsAccounted) {
   const double before = engine.energies().elastic;
   engine.set_gravity({0, -g});
   const Vec2 middle = p.domain.boundaries[0].centre;
-  engine.set_boundaries({{{}, 5, middle, true}});
+  engine.set_boundaries({{"plate", {}, 5, middle}});
   while (engine.time() < 0.1) engine.advance(1000);
   const Packing now = engine.packing();
   for (std::size_t k = 0; k < now.grains.size(); ++k) EXPECT_LT(norm(now.grains.position[k] - middle) + 0.9 * now.grains.radius[k], 0.18);
@@ -227,7 +227,7 @@ TEST(Boundaries, GateThatGoesLetsItsGrainFallAndOpenSideLetsItOut) {
   engine.set_gravity({0, -g});
   while (engine.time() < 0.1) engine.advance(100);
   EXPECT_NEAR(engine.packing().grains.position[0].y, 1 + r, 1e-5);
-  engine.set_boundaries({{{}, 0, {1, 1}, false}});
+  engine.set_boundaries({{"plate", {}, 0, Vec2{1, 1}, true}});
   engine.set_open({false, false, true, false});
   const double then = engine.time();
   while (engine.time() < then + 0.6) engine.advance(100);
@@ -281,6 +281,7 @@ TEST(Boundaries, ThatMakeNoSenseAreRefused) {
   p.domain.periodic[1] = true;
   Engine engine(p, {}, {});
   EXPECT_THROW(engine.set_shear_rate(1), InputError);
+  EXPECT_THROW(engine.set_boundaries({{"gate"}}), InputError);
   EXPECT_THROW(engine.set_drives({{{WallDrive::Kind::velocity, 1}, {}, {}, {}}}), InputError);
   EXPECT_THROW(engine.set_programmes({{{Programme::boundary, {{0, 0}}, false, "gate"}}, 0, 0, 0}), InputError);
   EXPECT_THROW(engine.set_programmes({{{Programme::boundary + 6, {{0, 0}}, false, "plate"}}, 0, 0, 0}), InputError);  // a force without a mass
@@ -318,7 +319,7 @@ TEST(Boundaries, AnIntruderGoesOnThroughPeriodicSides) {
     p.domain.boundaries.push_back(intruder);
     testing::add_grain(p, std::fmod(from + 0.06, 0.2), 0.205, r);
     Engine engine(p, with_friction(0.3), {});
-    engine.set_boundaries({{{3, 0}, 0, intruder.centre, true}});
+    engine.set_boundaries({{"plate", {3, 0}, 0, intruder.centre}});
     while (engine.time() < 0.06) engine.advance(50);
     EXPECT_GE(engine.domain().boundaries[0].centre.x, -1e-3);
     EXPECT_LE(engine.domain().boundaries[0].centre.x, 0.2 + 1e-3);
@@ -344,7 +345,7 @@ TEST(Boundaries, OneWithAMassBouncesOffADiskAndFalls) {
     integration.track_energy = true;
     Engine engine(p, elastic, integration);
     const double m = mass_of(r), mass = 3 * m;
-    engine.set_boundaries({{{-0.5, 0}, 0, {1, 1}, true, mass, {}}});
+    engine.set_boundaries({{"plate", {-0.5, 0}, 0, Vec2{1, 1}, false, mass}});
     const Energies before = engine.energies();
     EXPECT_NEAR(before.kinetic, 0.5 * m + 0.5 * mass * 0.25, 1e-12);
     while (engine.time() < 0.002) engine.advance(50);
@@ -363,7 +364,7 @@ TEST(Boundaries, OneWithAMassBouncesOffADiskAndFalls) {
     const std::uint64_t hash = engine.state_hash();
     const std::int64_t steps = engine.step();
     Engine again(p, elastic, integration);
-    again.set_boundaries({{{-0.5, 0}, 0, {1, 1}, true, mass, {}}});
+    again.set_boundaries({{"plate", {-0.5, 0}, 0, Vec2{1, 1}, false, mass}});
     again.set_gravity({0, -g});
     again.restore(bytes);
     again.advance(steps - again.step());
@@ -373,7 +374,7 @@ TEST(Boundaries, OneWithAMassBouncesOffADiskAndFalls) {
   gear.integrator = IntegratorKind::gear5;
   Packing p = frame_with(polyline({{1, 0.5}, {1, 1.5}}));
   testing::add_grain(p, 0.5, 1, r);
-  EXPECT_THROW(Engine(p, elastic, gear).set_boundaries({{{}, 0, {}, true, 1.0, {}}}), InputError);
+  EXPECT_THROW(Engine(p, elastic, gear).set_boundaries({{"plate", {}, 0, {}, false, 1.0}}), InputError);
 }
 
 }  // namespace

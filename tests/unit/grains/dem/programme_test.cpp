@@ -1,4 +1,4 @@
-#include "grains/dem/programme.hpp"
+#include "grains/dem/stage.hpp"
 
 #include <gtest/gtest.h>
 
