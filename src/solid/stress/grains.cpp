@@ -97,6 +97,17 @@ GrainStresses measure_grains(const PhaseMap& map, const StressField& field, int 
   return grains;
 }
 
+Numbers numbers(const GrainStresses& g) {
+  std::size_t whole = 0;
+  for (const auto w : g.whole) whole += w;
+  Numbers j{{"whole", whole}};
+  for (const auto& [name, mean] : g.mean) statistics::put(j["mean_stress_Pa"], name, mean, "Pa", "Mean stress of whole grains, tension positive");
+  Numbers centres = Numbers::list();
+  for (const Vec2 c : g.centre) centres.push_back({c.x, c.y});
+  j["by_grain"] = {{"nodes", g.nodes}, {"whole", g.whole}, {"centre_m", centres}, {"sigma_Pa", g.stress}};
+  return j;
+}
+
 GrainComparison compare(const PhaseMap& map, const GrainStresses& grains, const std::vector<Tensor2>& contact_stress) {
   if (contact_stress.size() != map.grain_class.size() || grains.stress.size() != map.grain_class.size())
     throw InputError(fmt::format("{} grains have a contact stress, {} a mean stress, and the phase map has {}; all three must be of the same packing",
