@@ -30,7 +30,7 @@ statistics::Curve density(const std::vector<double>& sorted) {
   const double width = std::max(0.1, top / 100);
   std::vector<double> count(static_cast<std::size_t>(top / width) + 1, 0.0);
   for (const double x : sorted)
-    if (x >= 0) count[static_cast<std::size_t>(x / width)] += 1;
+    if (x >= 0) count[x / width] += 1;
   for (std::size_t k = 0; k < count.size(); ++k) {
     curve.x.push_back((static_cast<double>(k) + 0.5) * width);
     curve.y.push_back(count[k] / (n * width));

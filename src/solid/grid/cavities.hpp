@@ -38,15 +38,9 @@ struct Percolation {
 
 Percolation find_percolation(const PhaseMap& map, bool eight_connected_voids = false);
 
-struct BinRule {
-  bool logarithmic = true;  ///< bins of like width in the logarithm of the volume; otherwise from 0, like width
-  int bins = 30;            ///< at most; edges lie half-way between whole numbers of nodes, so narrow ones merge
-  bool operator==(const BinRule&) const = default;
-};
-
-/// Probability density of the volumes; integrates to 1 over the bins.
+/// Probability density of the volumes; integrates to 1 over the bins, at most 30 of like width in the logarithm. Edges lie half-way between whole numbers
+/// of nodes, so that narrow bins merge.
 struct VolumeDensity {
-  BinRule rule;
   std::vector<double> edge;  ///< one more than bins, rising
   std::vector<std::size_t> count;
   std::vector<double> density, error;  ///< standard error by counting: sqrt(k (1 - k/n))/(n width)
@@ -64,8 +58,8 @@ struct CavityStatistics {
   VolumeDensity density;
 };
 
-/// `nodes` a cavity, of dx by dx, over pi large_radius^2. Throws InputError for a radius or spacing that is not positive, or no bins.
-CavityStatistics cavity_statistics(const Cavities& cavities, double dx, double large_radius, const BinRule& bins = {});
+/// `nodes` a cavity, of dx by dx, over pi large_radius^2. Throws InputError for a radius or spacing that is not positive.
+CavityStatistics cavity_statistics(const Cavities& cavities, double dx, double large_radius);
 
 /// Shares of the nodes of a map (P II.A), by counting.
 struct PhaseFractions {

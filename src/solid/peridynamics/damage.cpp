@@ -61,7 +61,7 @@ FailureTest::FailureTest(const PhaseMap& map, const DamageOptions& options)
 
 /// Set-up for the bonds as they are; false if nothing ties the clamps any more.
 bool FailureTest::prepare() {
-  copy(bonds_.words, words_at_setup_);
+  words_at_setup_ = bonds_.words;
   auto aggregates = cut_into_aggregates(map_, bonds_, prescribed_);
   Buffer<Tie> tie;
   if (prune(bonds_, aggregates, prescribed_, tie).carrying == 0) return false;
@@ -134,9 +134,8 @@ void FailureTest::strain_to(double next) {
 
 void FailureTest::remember() {
   result_.strength = now_.stress;
-  put(bonds_.words, held_.strongest_words);
-  put(u_.x, held_.strongest_ux);
-  put(u_.y, held_.strongest_uy);
+  held_.strongest_words = bonds_.words;
+  held_.strongest_u = u_;
   held_.strongest_strain = now_.strain;
 }
 
@@ -191,11 +190,10 @@ void FailureTest::run() {
 
 DamageResult FailureTest::finish() {
   if (result_.strength > 0) {
-    for (auto* component : {&held_.strongest_ux, &held_.strongest_uy})
+    bonds_.words = held_.strongest_words;
+    for (auto* component : {&held_.strongest_u.x, &held_.strongest_u.y})
       for (double& u : *component) u *= held_.strongest_strain;
-    put(held_.strongest_words, bonds_.words);
-    put(held_.strongest_ux, u_.x);
-    put(held_.strongest_uy, u_.y);
+    u_ = held_.strongest_u;
     result_.at_strength = node_stress(bonds_, map_.dx, u_, false);
   }
   result_.sentence = sentence_of(result_);

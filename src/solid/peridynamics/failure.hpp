@@ -32,7 +32,7 @@ class FailureCriterion {
     std::visit(
         [&](const auto& law) {
           for (int y = 0; y < bonds_.grid.height; ++y) {
-            double& worst = by_row_[static_cast<std::size_t>(y)] = 0;
+            double& worst = by_row_[y] = 0;
             each_bond_of_row(bonds_, y, [&](const Bond& b) { worst = std::max(worst, ratio(law, b)); });
           }
         },
@@ -45,7 +45,7 @@ class FailureCriterion {
     std::visit(
         [&](const auto& law) {
           for (int y = 0; y < bonds_.grid.height; ++y)
-            if (by_row_[static_cast<std::size_t>(y)] >= limit)
+            if (by_row_[y] >= limit)
               each_bond_of_row(bonds_, y, [&](const Bond& b) {
                 if (const double r = ratio(law, b); r >= limit) visit(b, r);
               });

@@ -43,12 +43,9 @@ TEST(CavityStatistics, OfNoneOneOrEqualOnesAreFinite) {
 
 RC_GTEST_PROP(CavityStatistics, DensityCountsEveryCavityOnceAndIntegratesToOne, ()) {
   const auto nodes = *rc::gen::nonEmpty(rc::gen::container<std::vector<std::int64_t>>(rc::gen::inRange<std::int64_t>(1, 4000)));
-  BinRule rule;
-  rule.logarithmic = *rc::gen::arbitrary<bool>();
-  rule.bins = *rc::gen::inRange(1, 60);
-  const auto pdf = cavity_statistics(with_nodes(nodes), 0.1, 1.5, rule).density;
+  const auto pdf = cavity_statistics(with_nodes(nodes), 0.1, 1.5).density;
   RC_ASSERT(pdf.edge.size() == pdf.count.size() + 1);
-  RC_ASSERT(static_cast<int>(pdf.count.size()) <= rule.bins);
+  RC_ASSERT(static_cast<int>(pdf.count.size()) <= 30);
   RC_ASSERT(std::accumulate(pdf.count.begin(), pdf.count.end(), std::size_t{0}) == nodes.size());
   double integral = 0;
   for (std::size_t k = 0; k < pdf.count.size(); ++k) {
@@ -82,7 +79,6 @@ TEST(CavityStatistics, BadInputIsNamed) {
   EXPECT_THROW(cavity_statistics({}, 0, 1), InputError);
   EXPECT_THROW(cavity_statistics({}, 1, -1), InputError);
   EXPECT_THROW(cavity_statistics({}, 1, INFINITY), InputError);
-  EXPECT_THROW(cavity_statistics({}, 1, 1, {true, 0}), InputError);
 }
 
 TEST(PhaseFractions, AreSharesOfNodes) {
