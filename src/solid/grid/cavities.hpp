@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "model/phase_map.hpp"
+#include "statistics/estimate.hpp"
 
 namespace arenite::grid {
 
@@ -50,9 +51,8 @@ struct VolumeDensity {
 struct CavityStatistics {
   CavityRules rules;
   std::size_t count = 0, specks = 0, cut = 0;
-  double mean = 0, deviation = 0, cv = 0;  ///< deviation with n - 1; 0 where fewer than two cavities count
-  /// Standard errors from the moments of the sample; those of deviation and cv hold for many cavities.
-  double mean_error = 0, deviation_error = 0, cv_error = 0;
+  /// Errors from the moments of the sample; those of deviation (with n - 1) and cv hold for many cavities. 0 where fewer than two cavities count.
+  statistics::Estimate mean{0, 0}, deviation{0, 0}, cv{0, 0};
   double peak = 0;               ///< where the density is highest (density_peak)
   double tenth = 0, median = 0;  ///< volumes that a tenth and half of the cavities stay below
   VolumeDensity density;

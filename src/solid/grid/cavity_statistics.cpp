@@ -57,18 +57,18 @@ void add_moments(const std::vector<std::int64_t>& nodes, double unit, CavityStat
     m2 += d * d, m3 += d * d * d, m4 += d * d * d * d;
   }
   m2 /= n, m3 /= n, m4 /= n;
-  s.mean = mean * unit;
+  s.mean.value = mean * unit;
   if (nodes.size() < 2 || m2 == 0) return;
   const double deviation = std::sqrt(m2 * n / (n - 1));
-  s.deviation = deviation * unit;
-  s.cv = deviation / mean;
-  s.mean_error = s.deviation / std::sqrt(n);
+  s.deviation.value = deviation * unit;
+  s.cv.value = deviation / mean;
+  s.mean.error = s.deviation.value / std::sqrt(n);
   // Variances of mean and deviation and their covariance to leading order in 1/n; cv by propagation.
   const double variance_mean = m2 / n, variance_deviation = std::max(0.0, (m4 - m2 * m2) / (4 * m2 * n));
   const double covariance = m3 / (2 * deviation * n);
-  s.deviation_error = std::sqrt(variance_deviation) * unit;
+  s.deviation.error = std::sqrt(variance_deviation) * unit;
   const double relative = variance_deviation / m2 + variance_mean / (mean * mean) - 2 * covariance / (deviation * mean);
-  s.cv_error = s.cv * std::sqrt(std::max(0.0, relative));
+  s.cv.error = s.cv.value * std::sqrt(std::max(0.0, relative));
 }
 
 void add_ranks(const std::vector<std::int64_t>& nodes, double unit, CavityStatistics& s) {

@@ -34,22 +34,11 @@ GrainStresses measure_grains(const PhaseMap& map, const StressField& field, int 
 /// How many are whole, the means, and the rows by grain.
 Numbers numbers(const GrainStresses& grains);
 
-/// How two stresses of the same grains agree, each over the mean of its own set: slope and rms of
-/// (field over its mean) against (contacts over their mean).
-struct Agreement {
-  std::size_t grains = 0;
-  Estimate correlation;  ///< Pearson's; error by leaving out one grain at a time
-  Estimate slope;
-  double rms = unknown;  ///< of the difference
-};
-
-struct GrainComparison {
-  ByName<Agreement> yy, hydrostatic;  ///< "all", "large", "small"
-};
-
-/// Compares the mean stresses of whole grains with stresses of the same grains from contact forces (one tensor a grain of the map, any unit;
-/// texture's per_grain.sigma). Grains without contact stress (zero or NaN) are left out. Throws InputError where the numbers of grains differ.
-GrainComparison compare(const PhaseMap& map, const GrainStresses& grains, const std::vector<Tensor2>& contact_stress);
+/// How the mean stresses of whole grains agree with those of the same grains from contact forces (one tensor a grain of the map, any unit, such as
+/// texture's per_grain.sigma): of "sigma_yy" and "sigma_hyd", and of "all", "large" and "small" grains, Pearson's correlation, and slope and root mean
+/// square difference of (field over its mean) against (contacts over their mean). Grains without contact stress (zero or NaN) are left out. Throws
+/// InputError where the numbers of grains differ.
+Numbers compare(const PhaseMap& map, const GrainStresses& grains, const std::vector<Tensor2>& contact_stress);
 
 /// Names of sets: "all" (particles and matrix), "particle", "large", "small" (where the map has classes), "matrix"; sets without nodes are left out.
 struct Statistics {
