@@ -38,6 +38,8 @@ Tensor2 block_error(const std::vector<Tensor2>& density) {
   return {component(&Tensor2::xx), component(&Tensor2::xy), component(&Tensor2::yx), component(&Tensor2::yy)};
 }
 
+/// Sum over contacts, walls included, and over bonds and cohesive pairs that are apart, of f (x) l over the volume of the box (T eq. 1.10), with f on
+/// grain i and l from i to j (or to the wall).
 statistics::TensorEstimate whole_stress(const View& view) {
   const Domain& domain = view.packing.domain;
   const BlockGrid blocks{box_of(domain), std::max(2, view.blocks.per_side)};
@@ -46,8 +48,10 @@ statistics::TensorEstimate whole_stress(const View& view) {
   for (std::size_t c = 0; c < view.pairs().size(); ++c) density[blocks.block_of(view.contact_point(c))] += blocks.count() / volume * moment_of(view.pairs(), c);
   each_link(view.packing,
             [&](const auto& link) { density[blocks.block_of(middle_of(view.packing, link))] += blocks.count() / volume * moment_of(view.packing, link); });
-  Tensor2 sum = internal_moment(view.pairs());
-  sum += link_moment(view.packing);
+  Tensor2 sum, links;
+  for (std::size_t c = 0; c < view.pairs().size(); ++c) sum += moment_of(view.pairs(), c);
+  each_link(view.packing, [&](const auto& link) { links += moment_of(view.packing, link); });
+  sum += links;
   return {1 / volume * sum, block_error(density)};
 }
 
@@ -66,6 +70,19 @@ statistics::TensorEstimate inner_stress(const View& view, const std::vector<Tens
   Tensor2 mean;
   for (const Tensor2& d : density) mean += 1.0 / blocks.count() * d;
   return {mean, block_error(density)};
+}
+
+/// What the internal moment must be at rest by the forces on walls and by weight: sum over wall contacts of f (x) x_c plus sum over grains of m g (x)
+/// x.
+Tensor2 wall_moment(const Packing& packing, Vec2 gravity) {
+  const auto& contacts = packing.contacts;
+  const Grains& grains = packing.grains;
+  Tensor2 sum;
+  for (std::size_t c = 0; c < contacts.size(); ++c)
+    if (contacts.is_wall(c)) sum += outer(contacts.force_on_i(c), grains.position[contacts.i[c]] + contacts.lever_i(c));
+  if (gravity.x == 0 && gravity.y == 0) return sum;
+  for (std::size_t g = 0; g < grains.size(); ++g) sum += mass_of(packing, g) * outer(gravity, grains.position[g]);
+  return sum;
 }
 
 /// Share of the mean stress and of the deviatoric stress (along its own direction) that strong contacts carry.
@@ -119,18 +136,6 @@ void take_measured(const View& view, PerGrain& rows) {
 
 }  // namespace
 
-Tensor2 internal_moment(const Contacts& contacts) {
-  Tensor2 sum;
-  for (std::size_t c = 0; c < contacts.size(); ++c) sum += moment_of(contacts, c);
-  return sum;
-}
-
-Tensor2 link_moment(const Packing& packing) {
-  Tensor2 sum;
-  each_link(packing, [&](const auto& link) { sum += moment_of(packing, link); });
-  return sum;
-}
-
 std::vector<Tensor2> grain_moments(const Packing& packing) {
   const auto& contacts = packing.contacts;
   std::vector<Tensor2> moments(packing.grains.size());
@@ -152,17 +157,6 @@ double mass_of(const Packing& packing, std::size_t g) {
   const double r = packing.grains.radius[g];
   const double density = packing.materials.at(packing.grains.material[g]).density;
   return density * std::numbers::pi * r * r * packing.domain.thickness;
-}
-
-Tensor2 wall_moment(const Packing& packing, Vec2 gravity) {
-  const auto& contacts = packing.contacts;
-  const Grains& grains = packing.grains;
-  Tensor2 sum;
-  for (std::size_t c = 0; c < contacts.size(); ++c)
-    if (contacts.is_wall(c)) sum += outer(contacts.force_on_i(c), grains.position[contacts.i[c]] + contacts.lever_i(c));
-  if (gravity.x == 0 && gravity.y == 0) return sum;
-  for (std::size_t g = 0; g < grains.size(); ++g) sum += mass_of(packing, g) * outer(gravity, grains.position[g]);
-  return sum;
 }
 
 double deviator(const Tensor2& s) { return 0.5 * std::hypot(s.xx - s.yy, s.xy + s.yx); }

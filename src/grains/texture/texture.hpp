@@ -85,12 +85,6 @@ Numbers numbers(const Texture& texture, bool curves = false);
 /// The main statistics as a table: name, value +- error, unit, meaning.
 std::string to_text(const Texture& texture);
 
-/// Sum over contacts, walls included, of f (x) l, with f on grain i and l from i to j (or to the wall), N m. Divided by the volume of the box it is
-/// the stress, tension positive (T eq. 1.10).
-Tensor2 internal_moment(const Contacts& contacts);
-/// The same sum over the bonds of a packing, and over its cohesive pairs that are apart.
-Tensor2 link_moment(const Packing& packing);
-
 /// Internal moment of every grain about its centre, N m (T eq. 1.9). Their sum is the sum over contacts, bonds and pulls across gaps.
 std::vector<Tensor2> grain_moments(const Packing& packing);
 /// Mean stress of every grain over its own volume, Pa, tension positive (T eq. 1.11).
@@ -100,10 +94,6 @@ double deviator(const Tensor2& stress);
 
 /// Mass of a grain by its material's density, kg.
 double mass_of(const Packing& packing, std::size_t grain);
-
-/// What the internal moment must be at rest by the forces on walls and by weight: sum over wall contacts of f (x) x_c plus sum over grains of m g (x)
-/// x.
-Tensor2 wall_moment(const Packing& packing, Vec2 gravity);
 
 /// Numbers of grains of two classes, large and small, and mean numbers of neighbours a grain, which are grains whose surfaces are no farther apart than a
 /// given gap (P eqs. 8, 9 and Fig. 5; there the gap is the peridynamic horizon): "Z_ls" small neighbours of a large grain, Z_l = Z_ll + Z_ls, Z_s = Z_sl +

@@ -81,23 +81,22 @@ FailureState failure_state_of(const std::vector<std::uint8_t>& bytes) {
 /// Notes what the solve of a round changes, where somebody may ask for the state before it.
 void FailureTest::hold() {
   if (!options_.keep) return;
-  held_.width = map_.width;
-  held_.height = map_.height;
-  held_.rounds = rounds_;
-  held_.solves = result_.solves;
-  held_.iterations = result_.iterations;
-  held_.share = share_;
-  held_.words = bonds_.words;
-  held_.words_at_setup = words_at_setup_;
-  held_.u = u_;
+  before_.words = bonds_.words;
+  before_.words_at_setup = state_.words_at_setup;
+  before_.u = state_.u;
+  before_.solves = state_.solves;
+  before_.iterations = state_.iterations;
+  before_.share = state_.share;
 }
 
 FailureState FailureTest::state() const {
-  FailureState s = held_;
-  static_cast<FailureRecord&>(s) = result_;
-  s.solves = held_.solves;  // this round's solve will be done again
-  s.iterations = held_.iterations;
-  s.now = now_;
+  FailureState s = state_;  // this round's solve will be done again
+  s.words = before_.words;
+  s.words_at_setup = before_.words_at_setup;
+  s.u = before_.u;
+  s.solves = before_.solves;
+  s.iterations = before_.iterations;
+  s.share = before_.share;
   return s;
 }
 
@@ -108,16 +107,11 @@ void FailureTest::resume(const FailureState& s) {
     bonds_.words = words;
     classify_groups(bonds_, 0, map_.height - 1);
   };
+  state_ = s;
   // The set-up lags behind the bonds: it is that of the bonds that it was once made for.
   take(s.words_at_setup);
   if (!prepare()) throw InputError("the stored state of a test ties no clamps; run the load again from its start");
   take(s.words);
-  u_ = s.u;
-  rounds_ = s.rounds;
-  share_ = s.share;
-  now_ = s.now;
-  static_cast<FailureRecord&>(result_) = s;
-  held_ = s;
 }
 
 }  // namespace arenite::peridynamics
