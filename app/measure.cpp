@@ -97,9 +97,9 @@ void measure(const MeasureArguments& a) {
   texture::Options options = a.texture;
   if (a.contacts.empty()) propose_contacts(a, sample, options);
   if (a.load_axis_deg >= 0) options.load_axis = a.load_axis_deg * std::numbers::pi / 180;
+  options.doubled_rows = sample.doubled_rows;
   texture::Texture t = texture::measure(sample.packing, options);
   if (a.contacts.empty()) texture::forget_forces(t);
-  t.quality.doubled_rows = sample.doubled_rows;
   t.notes.insert(t.notes.begin(), sample.notes.begin(), sample.notes.end());
   if (sample.doubled_rows > 0)
     t.notes.insert(t.notes.begin(), std::to_string(sample.doubled_rows) + " rows repeat a contact that is already listed, and were merged with it.");

@@ -14,5 +14,4 @@ function(compile_cold target)
 endfunction()
 
 # GCC 12 suspects its own std::string of reading too far in these.
-set_source_files_properties(src/grains/texture/distribution.cpp src/io/table/laboratory_table.cpp
-  src/solid/stress/numbers.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
+set_source_files_properties(src/grains/texture/distribution.cpp src/io/table/laboratory_table.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON)

@@ -42,8 +42,9 @@ void stretch(const Packing& packing) {
   options.stiffness = recipe::StiffnessSection{}.resolved();
   const auto loaded = peridynamics::load(map, options);
   std::printf("matrix saturation %.3f, modulus %.3f GPa\n", report.saturation, loaded.report.modulus / 1e9);
-  for (const auto& [phase, found] : stress::measure(map, loaded.field).components.front().sets)
-    std::printf("sigma_yy, %s: mean %.0f +- %.0f Pa\n", phase.c_str(), found.mean.value, found.mean.error);
+  const Numbers stresses = stress::measure(map, loaded.field).numbers;
+  for (const auto& [phase, found] : stresses["sigma_yy"]["sets"].items())
+    std::printf("sigma_yy, %s: mean %.0f +- %.0f Pa\n", phase.c_str(), found["mean_Pa"]["value"].get<double>(), found["mean_Pa"]["error"].get<double>());
 }
 
 }  // namespace
@@ -58,8 +59,8 @@ int main() try {
     std::printf("%s: %s\n", stage.name.c_str(), result.outcome.c_str());
   }
   const texture::Texture texture = texture::measure(packing);
-  const auto* z = statistics::find(texture.coordination.mean, "all");
-  std::printf("%zu grains, z = %.2f +- %.2f\n", packing.grains.size(), z->value, z->error);
+  const Numbers& z = texture.numbers["coordination"]["all"];
+  std::printf("%zu grains, z = %.2f +- %.2f\n", packing.grains.size(), z["value"].get<double>(), z["error"].get<double>());
 
   io::write_stage("compacted.h5", result);
   stretch(io::read_stage("compacted.h5").frames.back().packing);

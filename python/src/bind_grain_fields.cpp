@@ -153,11 +153,7 @@ py::dict discharge(const ArrayLike& time, const ArrayLike& passed) {
 py::dict free_surface(const Packing& packing, const Quantity& gravity_angle, double gap) {
   const double turned = gravity_angle.si(dimension::none, "gravity_angle");
   Call call;
-  auto found = call.without_lock([&] {
-    fields::SurfaceOptions options;
-    options.gap = gap;
-    return fields::find_free_surface(packing, {std::sin(turned), -std::cos(turned)}, options);
-  });
+  auto found = call.without_lock([&] { return fields::find_free_surface(packing, {std::sin(turned), -std::cos(turned)}, gap); });
   const auto angle = [](const statistics::Estimate& e) { return py::make_tuple(e.value, e.error); };
   py::dict d;
   d["place"] = taken_over(std::move(found.place));

@@ -29,12 +29,7 @@ double mean_large_radius(const PhaseMap& map) {
 }
 
 Numbers volumes_of(const grid::CavityStatistics& s) {
-  return {{"mean", {{"value", s.mean}, {"error", s.mean_error}}},
-          {"deviation", {{"value", s.deviation}, {"error", s.deviation_error}}},
-          {"cv", {{"value", s.cv}, {"error", s.cv_error}}},
-          {"edge", s.density.edge},
-          {"density", s.density.density},
-          {"error", s.density.error}};
+  return {{"mean", s.mean}, {"deviation", s.deviation}, {"cv", s.cv}, {"edge", s.density.edge}, {"density", s.density.density}, {"error", s.density.error}};
 }
 
 /// Labels from 1 on of the nodes that are drawn; 0 where there is none (-1 in the map).

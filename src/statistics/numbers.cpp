@@ -215,6 +215,14 @@ std::vector<NamedNumber> named_numbers(const Numbers& tree) {
   return all;
 }
 
+void erase_if(Numbers& tree, const std::function<bool(std::string_view, const Numbers&)>& which) {
+  std::vector<std::string> names;
+  for (const auto& [name, node] : tree.items())
+    if (which(name, node)) names.push_back(name);
+    else erase_if(node, which);
+  for (const std::string& name : names) tree.erase(name);
+}
+
 std::string to_json(const Numbers& numbers, int indent) { return json_of(numbers).dump(indent, ' ', false, Json::error_handler_t::replace); }
 
 std::optional<Numbers> from_json(std::string_view text) {
@@ -234,6 +242,13 @@ Numbers described(Numbers value, const char* unit, const char* sentence) {
 
 void put(Numbers& to, const std::string& name, Numbers value, const char* unit, const char* sentence) {
   if (value.is_known()) to[name] = described(std::move(value), unit, sentence);
+}
+
+void erase_curves(Numbers& tree, std::string_view names) {
+  const auto is_list = [](const Numbers& node) { return node.is_list(); };
+  erase_if(tree, [&](std::string_view name, const Numbers& node) {
+    return std::ranges::count(split_blanks(names), name) > 0 && (node.is_list() || std::ranges::all_of(node, is_list));
+  });
 }
 
 }  // namespace arenite::statistics

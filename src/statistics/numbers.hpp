@@ -2,6 +2,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <initializer_list>
 #include <map>
 #include <memory>
@@ -11,7 +12,6 @@
 #include <string_view>
 #include <type_traits>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "statistics/estimate.hpp"
@@ -162,6 +162,9 @@ struct NamedNumber {
 /// All that the tree holds, in its order, without lists; it must outlive them.
 std::vector<NamedNumber> named_numbers(const Numbers& tree);
 
+/// Takes out the nodes, at any depth, for which `which` holds.
+void erase_if(Numbers& tree, const std::function<bool(std::string_view name, const Numbers& node)>& which);
+
 /// As JSON, in one line or with `indent` spaces a level. Text that is not UTF-8 is written with marks in its place.
 std::string to_json(const Numbers& numbers, int indent = -1);
 /// Nothing where the text is not JSON.
@@ -188,20 +191,7 @@ Numbers described(Numbers value, const char* unit, const char* sentence);
 /// Adds a value, with its unit and what it is, unless it is not known.
 void put(Numbers& to, const std::string& name, Numbers value, const char* unit, const char* sentence);
 
-/// A number of a statistic S, declared once: its name in files and tables, its unit (empty: it has none), what it is, and where it stands.
-template <class S> struct Declared {
-  const char *name, *unit, *sentence;
-  std::variant<Estimate S::*, double S::*, std::size_t S::*, bool S::*, TensorEstimate S::*, Tensor2 S::*, ByName<Estimate> S::*> member;
-};
-
-/// Adds all of a statistic's numbers that are known, in the order of their declaration.
-template <class S, std::size_t N> void put(Numbers& to, const S& statistic, const Declared<S> (&declared)[N]) {
-  for (const Declared<S>& d : declared) std::visit([&](const auto member) { put(to, d.name, statistic.*member, d.unit, d.sentence); }, d.member);
-}
-template <class S, std::size_t N> Numbers tree_of(const S& statistic, const Declared<S> (&declared)[N]) {
-  Numbers out = Numbers::tree();
-  put(out, statistic, declared);
-  return out;
-}
+/// Takes out the curves of these names, separated by blanks, at any depth: lists, and trees of lists. A set that somebody gave such a name stays.
+void erase_curves(Numbers& tree, std::string_view names);
 
 }  // namespace arenite::statistics

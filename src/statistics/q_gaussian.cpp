@@ -174,4 +174,13 @@ QGaussian fit_q_gaussian(const BlockCounts& counts, const std::vector<double>& r
   return fit;
 }
 
+Numbers numbers(const QGaussian& fit) {
+  Numbers j = Numbers::tree();
+  put(j, "q", fit.q, "", "Exponent of the tails; 1: a Gaussian");
+  put(j, "beta", fit.beta, "", "Width, 1/(2 variance) of a Gaussian");
+  put(j, "centre", fit.centre, "", "mu, where the pdf is highest");
+  put(j, "r2", fit.r2, "", "Share of the pdf's variance over the bins that the fit explains");
+  return j;
+}
+
 }  // namespace arenite::statistics

@@ -29,15 +29,7 @@ struct TailFit {
   Estimate slope, line_slope;
   double line_r2 = unknown, likelihood_ratio = unknown, p_value = unknown;
 };
-inline constexpr Declared<TailFit> tail_numbers[] = {
-    {"slope", "", "s by maximum likelihood of the exponential cut at both ends", &TailFit::slope},
-    {"line_slope", "", "s by a straight line through ln pdf in the bins", &TailFit::line_slope},
-    {"line_r2", "", "Share of the variance of ln pdf that the line explains", &TailFit::line_r2},
-    {"low", "", "x from which the pdf stays below 0.1 of its peak", &TailFit::low},
-    {"high", "", "x where the pdf first falls below 0.001 of its peak", &TailFit::high},
-    {"count", "", "Values between low and high", &TailFit::count},
-    {"log_likelihood_ratio", "", "ln L(exponential) - ln L(Gaussian about the mean), both cut at both ends", &TailFit::likelihood_ratio},
-    {"p_value", "", "That the exponential's lead is chance, by its scatter between blocks, one-sided", &TailFit::p_value}};
+Numbers numbers(const TailFit& fit);
 
 /// The range of the rule above; {NaN, NaN} where there are no bins.
 struct TailRange {
@@ -67,10 +59,7 @@ struct QGaussian {
   Estimate q, beta, centre;
   double r2 = unknown;
 };
-inline constexpr Declared<QGaussian> q_gaussian_numbers[] = {{"q", "", "Exponent of the tails; 1: a Gaussian", &QGaussian::q},
-                                                             {"beta", "", "Width, 1/(2 variance) of a Gaussian", &QGaussian::beta},
-                                                             {"centre", "", "mu, where the pdf is highest", &QGaussian::centre},
-                                                             {"r2", "", "Share of the pdf's variance over the bins that the fit explains", &QGaussian::r2}};
+Numbers numbers(const QGaussian& fit);
 
 /// The density above, q < 3, beta > 0.
 double q_gaussian_density(double x, double centre, double beta, double q);

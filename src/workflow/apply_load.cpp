@@ -74,7 +74,8 @@ void measure_stress(const recipe::Load& load, FieldResult& result) {
     result.numbers["stress"] = stress::numbers(statistics);
     const auto contacts = contact_stresses(result);
     if (contacts.size() == result.map.grain_class.size() && load.loading != peridynamics::Loading::shear)
-      add_agreement(result.numbers, stress::compare(result.map, statistics.grains, contacts));
+      if (Numbers agreement = stress::compare(result.map, statistics.grains, contacts); !agreement.empty())
+        result.numbers["grain_stress_against_contacts"] = std::move(agreement);
   } catch (const InputError& error) { result.numbers["notes"].push_back(fmt::format("no statistics of stress: {}", error.what())); }
 }
 

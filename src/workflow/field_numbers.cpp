@@ -14,22 +14,16 @@ namespace {
 
 using statistics::described;
 
-Numbers estimate(const statistics::Estimate& e) {
-  Numbers j{{"value", e.value}};
-  if (std::isfinite(e.error)) j["error"] = e.error;
-  return j;
-}
-
 const char* const parameter_names[] = {"", "width", "", "thickness_m", "volume_m2"};
 
 /// Volumes of pores or voids over pi radius^2 with their density, and what the rules left out.
 Numbers volumes(const PhaseMap& map, grid::Cavity kind, const grid::CavityRules& rules, double radius) {
   const auto s = grid::cavity_statistics(find_cavities(map, kind, rules), map.dx, radius);
   Numbers j{{"count", described(s.count, "", kind == grid::Cavity::pore ? "Spaces between grains, matrix or not" : "Spaces that nothing fills")}};
-  if (s.count > 0) j["mean"] = described(estimate({s.mean, s.mean_error}), "", "Mean volume over pi times the reference radius squared");
+  if (s.count > 0) j["mean"] = described(s.mean, "", "Mean volume over pi times the reference radius squared");
   if (s.count > 1) {
-    j["deviation"] = described(estimate({s.deviation, s.deviation_error}), "", "Standard deviation of these volumes");
-    j["cv"] = described(estimate({s.cv, s.cv_error}), "", "Their standard deviation over their mean");
+    j["deviation"] = described(s.deviation, "", "Standard deviation of these volumes");
+    j["cv"] = described(s.cv, "", "Their standard deviation over their mean");
     if (s.peak > 0) j["peak"] = described(s.peak, "", "Volume where their density is highest");
     j["tenth"] = described(s.tenth, "", "Volume below which a tenth of them lies");
     j["median"] = described(s.median, "", "Median of these volumes");
@@ -56,21 +50,6 @@ Numbers grains(const PhaseMap& map) {
   const auto of = [&](GrainClass one) { return static_cast<std::size_t>(std::count(map.grain_class.begin(), map.grain_class.end(), one)); };
   Numbers j{{"all", map.grain_class.size()}};
   if (has_classes(map)) j.update({{"large", of(GrainClass::large)}, {"small", of(GrainClass::small)}});
-  return j;
-}
-
-Numbers coordination(const texture::GapCoordination& z, double gap) {
-  Numbers j{{"gap_m", described(gap, "m", "Largest distance of the surfaces of neighbours")},
-            {"large_grains", described(z.large, "", "Large grains that count")},
-            {"small_grains", described(z.small, "", "Small grains that count")}};
-  const auto add = [&](const char* name, const statistics::Estimate& e, const char* sentence) { j[name] = described(estimate(e), "", sentence); };
-  add("Z", z.mean, "Neighbours Z of a grain, mean of Z_l and Z_s");
-  add("Z_l", z.l, "Neighbours of a large grain");
-  add("Z_s", z.s, "Neighbours of a small grain");
-  add("Z_ll", z.ll, "Large neighbours of a large grain");
-  add("Z_ls", z.ls, "Small neighbours of a large grain");
-  add("Z_sl", z.sl, "Large neighbours of a small grain");
-  add("Z_ss", z.ss, "Small neighbours of a small grain");
   return j;
 }
 
@@ -146,7 +125,7 @@ void add_reports(Numbers& j, const SampleReports& reports) {
                {"lost_area_m2", described(r.lost_area, "m^2", "Their area")},
                {"thinnest_neck_nodes", described(r.thinnest_neck, "", "Nodes across the thinnest neck")},
                {"smallest_grain_nodes", described(r.smallest_grain, "", "Nodes across the smallest grain")}};
-  if (reports.coordination) j["coordination"] = coordination(*reports.coordination, *reports.law.gap);
+  if (!reports.coordination.empty()) j["coordination"] = reports.coordination;
 }
 
 void add_load(Numbers& j, const recipe::Load& load, const peridynamics::LoadReport& report, const std::optional<peridynamics::EffectiveModuli>& moduli) {
@@ -199,20 +178,6 @@ void add_failure(Numbers& j, const recipe::Load& load, const peridynamics::Damag
                     {"bond_energy_J_per_m", described(last.bond_energy, "J/m", "Of that, what the broken bonds held")}});
   }
   j["failure"] = failure;
-}
-
-void add_agreement(Numbers& j, const stress::GrainComparison& comparison) {
-  const auto add = [&](const char* component, const stress::ByName<stress::Agreement>& sets) {
-    for (const auto& [name, a] : sets) {
-      Numbers& one = j["grain_stress_against_contacts"][component][name];
-      one = {{"grains", described(a.grains, "", "Grains that are compared")},
-             {"correlation", described(estimate(a.correlation), "", "Pearson's correlation of both stresses")},
-             {"slope", described(estimate(a.slope), "", "Of the field's stress over its mean against that of the contacts")}};
-      if (std::isfinite(a.rms)) one["rms"] = described(a.rms, "", "Root mean square of their difference");
-    }
-  };
-  add("sigma_yy", comparison.yy);
-  add("sigma_hyd", comparison.hydrostatic);
 }
 
 }  // namespace arenite::workflow

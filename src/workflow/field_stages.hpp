@@ -90,7 +90,7 @@ struct SampleReports {
   cement::CementParameters law;  ///< with the gap at which grains are neighbours
   cement::CementReport cement;
   grid::GridReport grid;
-  std::optional<texture::GapCoordination> coordination;  ///< where there are two classes
+  Numbers coordination;  ///< of large and small grains, where there are two classes
 };
 
 /// Size, phases, S_m, grains, pores and voids of any map. Volumes of pores and voids are over pi reference_radius^2.
@@ -102,8 +102,5 @@ void add_reports(Numbers& numbers, const SampleReports& reports);
 /// Add numbers of a load to those of its sample.
 void add_load(Numbers& numbers, const recipe::Load& load, const peridynamics::LoadReport& report, const std::optional<peridynamics::EffectiveModuli>& moduli);
 void add_failure(Numbers& numbers, const recipe::Load& load, const peridynamics::DamageResult& result);
-
-/// Adds how mean stresses of grains agree with those from the contact forces that pressed the packing.
-void add_agreement(Numbers& numbers, const stress::GrainComparison& comparison);
 
 }  // namespace arenite::workflow

@@ -16,4 +16,21 @@ inline std::vector<Numbers> numbers_of(std::initializer_list<const char*> json) 
   return all;
 }
 
+/// A number of a tree by its path, as "fabric/a_c", alone or the value of an estimate; NaN where it is not known.
+inline double value_of(const Numbers& tree, const std::string& path) {
+  const Numbers* node = tree.at_path("/" + path);
+  if (node && node->is_tree() && node->contains("value")) node = &node->at("value");
+  return node && node->is_number() ? node->get<double>() : statistics::unknown;
+}
+
+inline double error_of(const Numbers& tree, const std::string& path) { return value_of(tree, path + "/error"); }
+
+/// A tensor or the value of its estimate.
+inline Tensor2 tensor_of(const Numbers& tree, const std::string& path) {
+  const std::string at = tree.at_path("/" + path + "/value") ? path + "/value/" : path + "/";
+  return {value_of(tree, at + "0/0"), value_of(tree, at + "0/1"), value_of(tree, at + "1/0"), value_of(tree, at + "1/1")};
+}
+
+inline std::vector<double> list_of(const Numbers& tree, const std::string& path) { return tree.at_path("/" + path)->get<std::vector<double>>(); }
+
 }  // namespace arenite::test

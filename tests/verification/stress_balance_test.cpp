@@ -5,6 +5,7 @@
 
 #include "grains/texture/texture.hpp"
 #include "support.hpp"
+#include "support/numbers_of.hpp"
 
 namespace arenite::verification {
 namespace {
@@ -32,6 +33,9 @@ Packing pressed_sample() {
   return engine.packing();
 }
 
+using test::tensor_of;
+using test::value_of;
+
 double largest_difference(const Tensor2& a, const Tensor2& b) {
   return std::max({std::abs(a.xx - b.xx), std::abs(a.xy - b.xy), std::abs(a.yx - b.yx), std::abs(a.yy - b.yy)});
 }
@@ -39,17 +43,18 @@ double largest_difference(const Tensor2& a, const Tensor2& b) {
 TEST(StressBalance, OfContactsGrainsAndWallsAgreeAtRest) {
   texture::Options options;
   options.gravity = {0, -gravity};
-  const texture::Stress stress = texture::measure(pressed_sample(), options).stress;
-  const double size = stress.pressure;
+  const Numbers j = texture::measure(pressed_sample(), options).numbers;
+  const Tensor2 whole = tensor_of(j, "stress");
+  const double size = value_of(j, "stress_details/pressure_Pa");
   EXPECT_GT(size, 1e5);
-  EXPECT_LT(largest_difference(stress.whole.value, stress.grains), 1e-12 * size);
-  EXPECT_LT(largest_difference(stress.whole.value, stress.walls), 1e-5 * size);  // the residual, times the distance across
-  EXPECT_NEAR(stress.whole.value.xy, stress.whole.value.yx, 1e-5 * size);        // no torque is left on any grain
+  EXPECT_LT(largest_difference(whole, tensor_of(j, "stress_details/sum_over_grains")), 1e-12 * size);
+  EXPECT_LT(largest_difference(whole, tensor_of(j, "stress_details/from_walls_and_weight")), 1e-5 * size);  // the residual, times the distance across
+  EXPECT_NEAR(whole.xy, whole.yx, 1e-5 * size);                                                             // no torque is left on any grain
 }
 
 TEST(StressBalance, NeedsTheWeight) {
-  const texture::Stress stress = texture::measure(pressed_sample()).stress;
-  EXPECT_GT(largest_difference(stress.whole.value, stress.walls), 1e-3 * stress.pressure);
+  const Numbers j = texture::measure(pressed_sample()).numbers;
+  EXPECT_GT(largest_difference(tensor_of(j, "stress"), tensor_of(j, "stress_details/from_walls_and_weight")), 1e-3 * value_of(j, "stress_details/pressure_Pa"));
 }
 
 }  // namespace

@@ -17,6 +17,8 @@ namespace {
 
 constexpr std::size_t blocks = 8;         // of neighbouring columns, for the error of a slope
 constexpr std::size_t least_columns = 8;  // that a line is laid through
+constexpr double low = 0.2, high = 0.8;   // part of a flank's height that it is laid through: neither the rounded top nor the thin toe
+constexpr double least_drop = 4;          // mean diameters that a flank falls at least
 
 /// Grains that hang together, turned so that gravity points down.
 struct Body {
@@ -66,20 +68,21 @@ void trace_rim(const Body& body, double width, FreeSurface& surface) {
 }
 
 /// Angle by which the profile falls along `sign` x between two columns, first and last of a flank.
-Flank flank_between(const FreeSurface& s, std::size_t first, std::size_t last, double sign, const SurfaceOptions& options) {
+Flank flank_between(const FreeSurface& s, std::size_t first, std::size_t last, double sign) {
   Flank flank;
-  const auto [low, high] = std::minmax_element(s.height.begin() + static_cast<std::ptrdiff_t>(first), s.height.begin() + static_cast<std::ptrdiff_t>(last) + 1);
-  const double drop = *high - *low;
-  if (drop < options.least_drop * s.diameter) return flank;
+  const auto [foot, apex] =
+      std::minmax_element(s.height.begin() + static_cast<std::ptrdiff_t>(first), s.height.begin() + static_cast<std::ptrdiff_t>(last) + 1);
+  const double drop = *apex - *foot;
+  if (drop < least_drop * s.diameter) return flank;
   // From the last column above the part to the first below it, so that a bump of one grain does not tear it.
-  const auto share = [&](std::size_t c) { return (s.height[c] - *low) / drop; };
+  const auto share = [&](std::size_t c) { return (s.height[c] - *foot) / drop; };
   const std::size_t from = sign > 0 ? first : last, to = sign > 0 ? last : first;
   const auto next = [&](std::size_t c) { return sign > 0 ? c + 1 : c - 1; };
   std::size_t begin = from, end = to;
   for (std::size_t c = from; c != to; c = next(c))
-    if (share(c) > options.high) begin = c;
+    if (share(c) > high) begin = c;
   for (std::size_t c = begin; c != to; c = next(c))
-    if (share(c) < options.low) {
+    if (share(c) < low) {
       end = c;
       break;
     }
@@ -98,13 +101,13 @@ Flank flank_between(const FreeSurface& s, std::size_t first, std::size_t last, d
   return flank;
 }
 
-void measure_flanks(FreeSurface& s, const SurfaceOptions& options) {
+void measure_flanks(FreeSurface& s) {
   const auto begin = s.height.begin(), top = std::max_element(begin, s.height.end());
   const auto apex = static_cast<std::size_t>(top - begin);
   const auto foot_left = static_cast<std::size_t>(std::min_element(begin, top + 1) - begin);
   const auto foot_right = static_cast<std::size_t>(std::min_element(top, s.height.end()) - begin);
-  if (foot_left < apex) s.left_flank = flank_between(s, foot_left, apex, -1, options);
-  if (foot_right > apex) s.right_flank = flank_between(s, apex, foot_right, 1, options);
+  if (foot_left < apex) s.left_flank = flank_between(s, foot_left, apex, -1);
+  if (foot_right > apex) s.right_flank = flank_between(s, apex, foot_right, 1);
   double sum = 0, value = 0, square = 0;
   for (const Flank* flank : {&s.left_flank, &s.right_flank}) {
     if (!std::isfinite(flank->angle.value)) continue;
@@ -118,16 +121,14 @@ void measure_flanks(FreeSurface& s, const SurfaceOptions& options) {
 
 }  // namespace
 
-FreeSurface find_free_surface(const Packing& packing, Vec2 gravity, const SurfaceOptions& options) {
+FreeSurface find_free_surface(const Packing& packing, Vec2 gravity, double gap) {
   const double g = norm(gravity);
   if (!(g > 0) || !std::isfinite(g)) throw InputError("gravity has no direction, so there is no surface; give one, for example straight down");
   if (packing.grains.size() == 0) throw InputError("there are no grains that could have a surface");
-  if (!(options.low >= 0 && options.low < options.high && options.high <= 1) || !(options.gap >= 0))
-    throw InputError(fmt::format("a line through {:g} to {:g} of a flank and grains that hang together up to {:g} diameters make no sense", options.low,
-                                 options.high, options.gap));
+  if (!(gap >= 0)) throw InputError(fmt::format("grains that hang together up to a gap of {:g} diameters make no sense; give 0 or more", gap));
   FreeSurface surface;
   for (const double r : packing.grains.radius) surface.diameter += 2 * r / static_cast<double>(packing.grains.size());
-  const Body body = body_of(packing, -1.0 / g * gravity, options.gap * surface.diameter);
+  const Body body = body_of(packing, -1.0 / g * gravity, gap * surface.diameter);
   surface.grains = body.centre.size();
   surface.left = surface.bottom = HUGE_VAL;
   surface.right = surface.top = -HUGE_VAL;
@@ -138,7 +139,7 @@ FreeSurface find_free_surface(const Packing& packing, Vec2 gravity, const Surfac
     surface.top = std::max(surface.top, body.centre[k].y + body.radius[k]);
   }
   trace_rim(body, surface.diameter, surface);
-  if (!surface.place.empty()) measure_flanks(surface, options);
+  if (!surface.place.empty()) measure_flanks(surface);
   return surface;
 }
 

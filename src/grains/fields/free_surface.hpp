@@ -26,16 +26,10 @@ struct FreeSurface {
   statistics::Estimate angle;         ///< of both flanks by their columns, rad; unknown where there is none
 };
 
-/// Choices that the definition of a surface leaves open.
-struct SurfaceOptions {
-  double gap = 0.1;              ///< mean diameters between surfaces up to which two grains hang together: single grains that roll ahead do not
-  double low = 0.2, high = 0.8;  ///< part of a flank's height that the line is laid through: neither the rounded top nor the thin toe
-  double least_drop = 4;         ///< mean diameters that a flank falls at least
-};
-
 /// The largest set of grains that hang together, its upper rim column by column, and the slope of its flanks by a straight line through the middle
 /// of their height, with the error by leaving out one of eight blocks of neighbouring columns at a time. Periodic sides do not count as neighbours.
-/// Throws InputError where gravity has no direction, there are no grains, and for ranges that make no sense.
-FreeSurface find_free_surface(const Packing& packing, Vec2 gravity, const SurfaceOptions& options = {});
+/// `gap`: mean diameters between surfaces up to which two grains hang together; single grains that roll ahead do not. Throws InputError where gravity
+/// has no direction, there are no grains, and for a gap below 0.
+FreeSurface find_free_surface(const Packing& packing, Vec2 gravity, double gap = 0.1);
 
 }  // namespace arenite::fields

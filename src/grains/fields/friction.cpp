@@ -36,7 +36,7 @@ std::vector<int> blocks_of(const Packing& packing) {
 
 statistics::Curve density_of(const FrictionState& state, const statistics::Items& known, int bins) {
   std::vector<double> count(static_cast<std::size_t>(bins), 0);
-  for (const std::size_t c : known) ++count[static_cast<std::size_t>(std::min<double>(bins - 1, state.mobilisation[c] * bins))];
+  for (const std::size_t c : known) ++count[std::min<double>(bins - 1, state.mobilisation[c] * bins)];
   statistics::Curve curve;
   for (int k = 0; k < bins && !known.empty(); ++k) {
     const double scale = bins / static_cast<double>(known.size()), n = count[k];

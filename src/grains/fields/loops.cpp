@@ -75,13 +75,6 @@ double half_the_cell(const Domain& domain) {
 
 }  // namespace
 
-double Loops::share(std::size_t n, bool or_more) const {
-  if (edges.empty()) return statistics::unknown;
-  std::size_t count = 0;
-  for (std::size_t k = n; k < (or_more ? histogram.size() : std::min(n + 1, histogram.size())); ++k) count += histogram[k];
-  return static_cast<double>(count) / static_cast<double>(edges.size());
-}
-
 Loops find_loops(const Packing& packing, bool bearing_only) {
   const Network net = network_of(packing, bearing_only);
   Loops loops;

@@ -18,9 +18,6 @@ struct Loops {
   std::vector<double> area;              ///< of each loop's polygon of centres, m^2
   std::vector<std::size_t> histogram;    ///< number of loops by number of contacts (index)
   double mean_edges = 0;                 ///< NaN without loops
-
-  /// Share of loops with so many contacts, NaN without loops; the last of a series may take in all larger ones.
-  double share(std::size_t contacts_of_loop, bool or_more = false) const;
 };
 
 /// The network is that of contacts between grains that carry a normal force, without rattlers: grains with fewer than two such contacts,

@@ -11,6 +11,7 @@
 namespace arenite::fields {
 namespace {
 
+constexpr std::size_t batch = 5;         // samples averaged before the search for the end of the transient
 constexpr std::size_t least_blocks = 6;  // an error from fewer is known to a third at best
 
 /// Sums of samples, counted from their mean to keep digits.
@@ -56,14 +57,6 @@ double variance_ratio(const Sums& sums, std::size_t length, double plain_error) 
   return ratio * ratio;
 }
 
-void check(std::span<const double> samples, const SteadyOptions& options) {
-  if (const auto bad = std::find_if(samples.begin(), samples.end(), [](double v) { return !std::isfinite(v); }); bad != samples.end())
-    throw InputError(fmt::format("sample {} of the time series is {}; give finite numbers", bad - samples.begin(), *bad));
-  if (options.batch < 1) throw InputError("batches of no sample; give at least 1");
-  if (!(options.most_cut > 0 && options.most_cut < 1))
-    throw InputError(fmt::format("a transient of {:g} of the series at most; give a share between 0 and 1", options.most_cut));
-}
-
 }  // namespace
 
 SteadyState block_average(std::span<const double> samples) {
@@ -89,13 +82,13 @@ SteadyState block_average(std::span<const double> samples) {
   return state;
 }
 
-SteadyState find_steady_state(std::span<const double> samples, const SteadyOptions& options) {
-  check(samples, options);
-  const std::size_t batches = samples.size() / options.batch;
-  const auto limit = static_cast<std::size_t>(options.most_cut * static_cast<double>(batches));
+SteadyState find_steady_state(std::span<const double> samples) {
+  if (const auto bad = std::find_if(samples.begin(), samples.end(), [](double v) { return !std::isfinite(v); }); bad != samples.end())
+    throw InputError(fmt::format("sample {} of the time series is {}; give finite numbers", bad - samples.begin(), *bad));
+  const std::size_t batches = samples.size() / batch, limit = batches / 2;
   // Batches fill the series from its end; what is left over at the start goes with the transient.
-  const std::size_t cut = batches > 0 ? transient(Sums(samples).block_means(options.batch), limit) : 0;
-  const std::size_t twice = std::min(2 * cut, limit), first = twice > 0 ? samples.size() % options.batch + twice * options.batch : 0;
+  const std::size_t cut = batches > 0 ? transient(Sums(samples).block_means(batch), limit) : 0;
+  const std::size_t twice = std::min(2 * cut, limit), first = twice > 0 ? samples.size() % batch + twice * batch : 0;
   SteadyState state = block_average(samples.subspan(first));
   state.first = first;
   state.settled = cut < limit;

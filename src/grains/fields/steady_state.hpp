@@ -6,12 +6,6 @@
 
 namespace arenite::fields {
 
-/// Choices that the definitions leave open.
-struct SteadyOptions {
-  std::size_t batch = 5;  ///< samples averaged before the search for the end of the transient
-  double most_cut = 0.5;  ///< share of the series that a transient may take at most
-};
-
 /// The part of a time series, evenly sampled, in which a quantity only fluctuates: the critical state of a sheared sample, say.
 struct SteadyState {
   bool settled = false;                ///< the transient ends early enough
@@ -33,9 +27,8 @@ SteadyState block_average(std::span<const double> samples);
 
 /// Finds where the standard error of what remains, taken as if its batches were independent, is least (MSER-5: K. P. White, M. J. Cobb and
 /// S. C. Spratt, Proc. Winter Simulation Conf. 2000, 755), cuts twice as much, for what an exponential transient leaves there is a few
-/// tenths of the error still, and averages the rest. A series that drifts to its end is best cut at the limit, `most_cut`, and so has not
-/// reached a steady state: its numbers are those of the part after the limit. Throws InputError for samples that are not finite, no batch,
-/// and a limit outside (0, 1).
-SteadyState find_steady_state(std::span<const double> samples, const SteadyOptions& options = {});
+/// tenths of the error still, and averages the rest. A series that drifts to its end is best cut at the limit, half of it, and so has not
+/// reached a steady state: its numbers are those of the part after the limit. Throws InputError for samples that are not finite.
+SteadyState find_steady_state(std::span<const double> samples);
 
 }  // namespace arenite::fields

@@ -30,11 +30,11 @@ CutNormal law_of(const BidisperseParameters& p, double mean) {
   return {mean, p.deviation * mean, (1 - spread) * small, (1 + spread) * p.large_radius};
 }
 
-void add_class(const BidisperseParameters& p, double mean, FreeSpace& space, std::vector<Disk>& disks, RandomStream random) {
+void add_class(const BidisperseParameters& p, double mean, FreeSpace& space, RandomStream random) {
   space.open_store(2 * mean);
   const CutNormal law = law_of(p, mean);
-  if (p.hold_radius) fill_holding(space, disks, law, random);
-  else fill_redrawing(space, disks, law, p.trials, p.maximal ? (1 - p.cut * p.deviation) * mean : 0, random);
+  if (p.hold_radius) fill_holding(space, law, random);
+  else fill_redrawing(space, law, p.trials, p.maximal ? (1 - p.cut * p.deviation) * mean : 0, random);
 }
 
 double mean_radius(const std::vector<Disk>& disks, std::size_t from, std::size_t to) {
@@ -87,10 +87,11 @@ TwoClasses sample_two_classes(const BidisperseParameters& p, const geometry::Box
   TwoClasses classes;
   classes.gap = gap;
   FreeSpace space(box, gap);
-  add_class(p, p.large_radius, space, classes.disks, RandomStream(seed, Purpose::position, 2 * attempt));
-  classes.large = classes.disks.size();
+  add_class(p, p.large_radius, space, RandomStream(seed, Purpose::position, 2 * attempt));
+  classes.large = space.disks().size();
   space.set_gap(0);
-  add_class(p, p.large_radius / p.size_ratio, space, classes.disks, RandomStream(seed, Purpose::position, 2 * attempt + 1));
+  add_class(p, p.large_radius / p.size_ratio, space, RandomStream(seed, Purpose::position, 2 * attempt + 1));
+  classes.disks = space.disks();
   for (std::size_t i = 0; i < classes.disks.size(); ++i)
     (i < classes.large ? classes.area_large : classes.area_small) += pi * classes.disks[i].radius * classes.disks[i].radius;
   return classes;

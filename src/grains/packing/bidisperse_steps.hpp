@@ -68,7 +68,12 @@ class FreeSpace {
 
   /// Disks of different size live in cells of their own: a new store for disks about as wide as `size`, m.
   void open_store(double size) { stores_.emplace_back(box_, size); }
-  void add(const Disk& disk) { stores_.back().add(disk); }  ///< to the newest store
+  /// To the newest store.
+  void add(const Disk& disk) {
+    stores_.back().add(disk);
+    disks_.push_back(disk);
+  }
+  const std::vector<Disk>& disks() const { return disks_; }  ///< of all stores, as they were added
   void set_gap(double gap) { gap_ = gap; }
   double gap() const { return gap_; }
   const geometry::Box<2>& box() const { return box_; }
@@ -90,6 +95,7 @@ class FreeSpace {
   geometry::Box<2> box_;
   double gap_;
   std::vector<DiskCells> stores_;
+  std::vector<Disk> disks_;
 };
 
 /// Normal law of radii that keeps only those in [low, high], m.
@@ -103,12 +109,12 @@ struct CutNormal {
 /// Fast Poisson disk sampling (P Appendix): disks are tried at random angles round random disks, at the least distance that the space allows, until
 /// all have been given up after so many trials in a row; the radius is drawn anew at each trial, which favours small ones. With `least` > 0 every
 /// place where a disk of that radius, m, still fits is then found exactly and filled, with a radius of the law between that and what fits there: at
-/// the end it fits nowhere. The space holds `disks` already, and new ones are appended to both.
-void fill_redrawing(FreeSpace& space, std::vector<Disk>& disks, const CutNormal& law, int trials, double least, RandomStream& random);
+/// the end it fits nowhere.
+void fill_redrawing(FreeSpace& space, const CutNormal& law, int trials, double least, RandomStream& random);
 
 /// The same with radii that are held until they are placed, so that those placed follow the law without bias: every radius of the sequence goes
 /// beside a random disk where it fits, found exactly; the first that fits nowhere in the box ends the sampling, and is returned, m.
-double fill_holding(FreeSpace& space, std::vector<Disk>& disks, const CutNormal& law, RandomStream& random);
+double fill_holding(FreeSpace& space, const CutNormal& law, RandomStream& random);
 
 /// Throws InputError with everything that is wrong with the parameters.
 void check(const BidisperseParameters& parameters);

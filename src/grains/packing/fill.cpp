@@ -42,7 +42,6 @@ struct Relaxation {
   void list_pairs() {
     const geometry::Box<2> box{domain.corner(), domain.size(), domain.periodic};
     pairs = geometry::close_pairs(grains.position, grains.radius, box, skin);
-    listed_at.resize(grains.size());
     listed_at = grains.position;
   }
 
@@ -101,7 +100,7 @@ struct Relaxation {
   }
 
   void wrap() {
-    for (std::size_t i = 0; i < grains.size(); ++i) { grains.position[i] = wrapped(domain, grains.position[i]); }
+    for (Vec2& p : grains.position) p = wrapped(domain, p);
   }
 };
 
@@ -138,8 +137,7 @@ struct Inertia {
 RelaxReport relax(Grains& grains, const Domain& domain, double tolerance, int max_iterations) {
   RelaxReport report;
   if (grains.size() == 0) return report;
-  std::vector<Vec2> start(grains.size());
-  start = grains.position;
+  const std::vector<Vec2> start = grains.position;
 
   Relaxation relaxation(grains, domain);
   Inertia inertia;

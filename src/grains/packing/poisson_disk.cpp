@@ -27,19 +27,14 @@ double CutNormal::draw(RandomStream& random, double below) const {
 
 namespace {
 
-void add(FreeSpace& space, std::vector<Disk>& disks, const Disk& disk) {
-  space.add(disk);
-  disks.push_back(disk);
-}
-
 /// The first disk of an empty box, anywhere; false if the radius does not fit into the box at all.
-bool place_first(FreeSpace& space, std::vector<Disk>& disks, double radius, RandomStream& random) {
+bool place_first(FreeSpace& space, double radius, RandomStream& random) {
   const geometry::Box<2>& box = space.box();
   const double mx = box.periodic[0] ? 0 : radius, my = box.periodic[1] ? 0 : radius;
   const double x = random.uniform(box.corner.x + mx, box.end().x - mx);
   const double y = random.uniform(box.corner.y + my, box.end().y - my);
   if (!space.fits({{x, y}, radius})) return false;
-  add(space, disks, {{x, y}, radius});
+  space.add({{x, y}, radius});
   return true;
 }
 
@@ -49,12 +44,12 @@ std::vector<std::size_t> all_of(const std::vector<Disk>& disks) {
   return indices;
 }
 
-bool try_beside(FreeSpace& space, std::vector<Disk>& disks, std::size_t k, const CutNormal& law, int trials, RandomStream& random) {
+bool try_beside(FreeSpace& space, std::size_t k, const CutNormal& law, int trials, RandomStream& random) {
   for (int trial = 0; trial < trials; ++trial) {
     const double radius = law.draw(random);
-    const Vec2 place = space.place_beside(disks[k], radius, random.uniform(0, 2 * std::numbers::pi));
+    const Vec2 place = space.place_beside(space.disks()[k], radius, random.uniform(0, 2 * std::numbers::pi));
     if (!space.fits({place, radius})) continue;
-    add(space, disks, {place, radius});
+    space.add({place, radius});
     return true;
   }
   return false;
@@ -62,59 +57,59 @@ bool try_beside(FreeSpace& space, std::vector<Disk>& disks, std::size_t k, const
 
 /// One more disk beside disk k where `least` still fits; false if it does not. Drawing again below each radius that fails gives the law's part that
 /// fits, in few draws however small that part is.
-bool fill_beside(FreeSpace& space, std::vector<Disk>& disks, std::size_t k, CutNormal law, double least, RandomStream& random) {
-  auto place = space.free_place_beside(disks[k], least, random);
+bool fill_beside(FreeSpace& space, std::size_t k, CutNormal law, double least, RandomStream& random) {
+  auto place = space.free_place_beside(space.disks()[k], least, random);
   if (!place) return false;
   double radius = least, below = law.high;
   law.low = least;
   for (int draws = 0; draws < 60; ++draws) {
     const double drawn = law.draw(random, below);
-    if (const auto other = space.free_place_beside(disks[k], drawn, random)) {
+    if (const auto other = space.free_place_beside(space.disks()[k], drawn, random)) {
       place = other;
       radius = drawn;
       break;
     }
     below = drawn;
   }
-  add(space, disks, {*place, radius});
+  space.add({*place, radius});
   return true;
 }
 
 }  // namespace
 
-void fill_redrawing(FreeSpace& space, std::vector<Disk>& disks, const CutNormal& law, int trials, double least, RandomStream& random) {
-  if (disks.empty() && !place_first(space, disks, law.draw(random), random)) return;
-  std::vector<std::size_t> active = all_of(disks);
+void fill_redrawing(FreeSpace& space, const CutNormal& law, int trials, double least, RandomStream& random) {
+  if (space.disks().empty() && !place_first(space, law.draw(random), random)) return;
+  std::vector<std::size_t> active = all_of(space.disks());
   while (!active.empty()) {
     const std::size_t pick = random.below(active.size());
-    if (try_beside(space, disks, active[pick], law, trials, random)) {
-      active.push_back(disks.size() - 1);
+    if (try_beside(space, active[pick], law, trials, random)) {
+      active.push_back(space.disks().size() - 1);
     } else {
       active[pick] = active.back();
       active.pop_back();
     }
   }
-  for (std::size_t k = 0; least > 0 && k < disks.size(); ++k)
-    while (fill_beside(space, disks, k, law, least, random)) {}
+  for (std::size_t k = 0; least > 0 && k < space.disks().size(); ++k)
+    while (fill_beside(space, k, law, least, random)) {}
 }
 
-double fill_holding(FreeSpace& space, std::vector<Disk>& disks, const CutNormal& law, RandomStream& random) {
+double fill_holding(FreeSpace& space, const CutNormal& law, RandomStream& random) {
   double radius = law.draw(random);
-  if (disks.empty()) {
-    if (!place_first(space, disks, radius, random)) return radius;
+  if (space.disks().empty()) {
+    if (!place_first(space, radius, random)) return radius;
     radius = law.draw(random);
   }
-  std::vector<std::size_t> active = all_of(disks);
+  std::vector<std::size_t> active = all_of(space.disks());
   // A radius that once did not fit beside a disk never will, nor will a larger one: room only shrinks.
-  std::vector<double> too_large(disks.size(), 2 * law.high);
+  std::vector<double> too_large(space.disks().size(), 2 * law.high);
   for (std::size_t tried = 0; tried < active.size();) {
     std::swap(active[tried], active[tried + random.below(active.size() - tried)]);
     const std::size_t k = active[tried];
     ++tried;
     if (radius >= too_large[k]) continue;
-    if (const auto place = space.free_place_beside(disks[k], radius, random)) {
-      add(space, disks, {*place, radius});
-      active.push_back(disks.size() - 1);
+    if (const auto place = space.free_place_beside(space.disks()[k], radius, random)) {
+      space.add({*place, radius});
+      active.push_back(space.disks().size() - 1);
       too_large.push_back(2 * law.high);
       radius = law.draw(random);
       tried = 0;

@@ -62,66 +62,64 @@ Estimate neighbours(const View& view) {
   return mean(view.grains, view.grain_block, [&](std::size_t g) { return static_cast<double>(touched[g].size()); });
 }
 
-/// Every considered grain brings the ends of its own contacts, so that N_AB is half the number of such ends and z of a sample without border is 2
-/// N_c/N_p; contacts with walls are not counted.
-void measure_coordination(const View& view, Texture& texture) {
-  const Partners partners(view);
-  Coordination& z = texture.coordination;
-  for (std::size_t g = 0; g < view.packing.grains.size(); ++g) texture.per_grain.contacts.push_back(static_cast<std::int32_t>(partners.all(g)));
-  if (view.grains.empty()) return;
-  const auto all = [&](std::size_t g) { return partners.all(g); };
+constexpr const char* mean_number = "Mean number of contacts a grain, of the pair or set that the name says";
 
-  z.mean.emplace_back("all", grain_mean(view, -1, all));
-  z.mean.emplace_back("all without rattlers", ratio(
-                                                  view, [&](std::size_t g) { return view.rattler[g] ? 0.0 : partners.bearing[g]; },
-                                                  [&](std::size_t g) { return view.rattler[g] ? 0.0 : 1.0; }));
-  if (!view.packing.grains.shapes.empty()) z.mean.emplace_back("all, neighbours", neighbours(view));
+/// Of every material with every other one: neighbours of the second a grain of the first, and "POM-ANY" = (2 N_XX + N_XY)/N_X.
+void put_by_material(Numbers& j, const View& view, const Partners& partners) {
   const std::vector<int> materials = view.materials();
+  ByName<Estimate> doubled, parts, share;
+  const auto all = [&](std::size_t g) { return partners.all(g); };
   for (const int x : materials)
     for (const int y : materials)
-      z.mean.emplace_back(view.material_name(x) + "-" + view.material_name(y), grain_mean(view, x, [&](std::size_t g) { return partners.with(g, y); }));
+      put(j, view.material_name(x) + "-" + view.material_name(y), grain_mean(view, x, [&](std::size_t g) { return partners.with(g, y); }), "", mean_number);
   for (const int x : materials) {
     const std::string any = view.material_name(x) + "-ANY";
-    z.mean.emplace_back(any, grain_mean(view, x, all));
-    z.doubled.emplace_back(any, grain_mean(view, x, [&](std::size_t g) { return 2 * partners.all(g) - partners.with(g, x); }));
+    put(j, any, grain_mean(view, x, all), "", mean_number);
+    doubled.emplace_back(any, grain_mean(view, x, [&](std::size_t g) { return 2 * partners.all(g) - partners.with(g, x); }));
   }
-  for (std::size_t a = 0; a < materials.size(); ++a) {
+  for (std::size_t a = 0; a < materials.size(); ++a)
     for (std::size_t b = a; b < materials.size(); ++b) {
       const int x = materials[a], y = materials[b];
       const auto ends = [&](std::size_t g) {
         return (view.material(g) == x ? partners.with(g, y) : 0.0) + (x != y && view.material(g) == y ? partners.with(g, x) : 0.0);
       };
       const std::string name = view.material_name(x) + "-" + view.material_name(y);
-      z.parts.emplace_back(name, grain_mean(view, -1, ends));
-      z.share.emplace_back(name, ratio(view, ends, all));
+      parts.emplace_back(name, grain_mean(view, -1, ends));
+      share.emplace_back(name, ratio(view, ends, all));
     }
-  }
-  z.rattlers = grain_mean(view, -1, [&](std::size_t g) { return view.rattler[g] ? 1.0 : 0.0; });
-  for (const std::size_t g : view.grains) {
-    const auto k = static_cast<std::size_t>(texture.per_grain.contacts[g]);
-    if (z.histogram.size() <= k) z.histogram.resize(k + 1, 0.0);
-    z.histogram[k] += 1.0 / static_cast<double>(view.grains.size());
-  }
-}
-
-constexpr Declared<Coordination> coordination_numbers[] = {
-    {"rattlers", "", "Share of grains with fewer than two contacts that carry force", &Coordination::rattlers},
-    {"unlike_contacts_twice", "", "2 (N_XX + N_XY)/N_X (T 4.3.1)", &Coordination::doubled},
-    {"parts_of_z", "", "2 N_AB over all grains (T 5.3.1); the parts add up to z", &Coordination::parts},
-    {"share_of_contacts", "", "N_AB over all contacts", &Coordination::share}};
-
-void put_coordination(const Texture& t, Numbers& to, bool /*curves*/) {
-  const Coordination& z = t.coordination;
-  Numbers j = Numbers::tree();
-  for (const auto& [name, value] : z.mean)
-    put(j, name == "all without rattlers" ? "without_rattlers" : name, value, "", "Mean number of contacts a grain, of the pair or set that the name says");
-  put(j, z, coordination_numbers);
-  j["histogram"] = z.histogram;
-  to["coordination"] = j;
+  put(j, "rattlers", grain_mean(view, -1, [&](std::size_t g) { return view.rattler[g] ? 1.0 : 0.0; }), "",
+      "Share of grains with fewer than two contacts that carry force");
+  put(j, "unlike_contacts_twice", doubled, "", "2 (N_XX + N_XY)/N_X (T 4.3.1)");
+  put(j, "parts_of_z", parts, "", "2 N_AB over all grains (T 5.3.1); the parts add up to z");
+  put(j, "share_of_contacts", share, "", "N_AB over all contacts");
 }
 
 }  // namespace
 
-extern const Statistic coordination{measure_coordination, put_coordination};
+/// Every considered grain brings the ends of its own contacts, so that N_AB is half the number of such ends and z of a sample without border is 2
+/// N_c/N_p; contacts with walls are not counted. Of grains that are no disks "all, neighbours" as well, which counts two grains that meet in several
+/// contacts once.
+void coordination(const View& view, Texture& texture) {
+  const Partners partners(view);
+  Numbers& j = texture.numbers["coordination"] = Numbers::tree();
+  std::vector<double> histogram;  // share of grains with 0, 1, 2, ... contacts
+  for (std::size_t g = 0; g < view.packing.grains.size(); ++g) texture.per_grain.contacts.push_back(static_cast<std::int32_t>(partners.all(g)));
+  for (const std::size_t g : view.grains) {
+    const auto k = static_cast<std::size_t>(texture.per_grain.contacts[g]);
+    if (histogram.size() <= k) histogram.resize(k + 1, 0.0);
+    histogram[k] += 1.0 / static_cast<double>(view.grains.size());
+  }
+  if (!view.grains.empty()) {
+    const auto bears = [&](std::size_t g) { return view.rattler[g] ? 0.0 : 1.0; };
+    put(j, "all", grain_mean(view, -1, [&](std::size_t g) { return partners.all(g); }), "", mean_number);
+    put(j, "without_rattlers",
+        ratio(
+            view, [&](std::size_t g) { return bears(g) * partners.bearing[g]; }, bears),
+        "", mean_number);
+    if (!view.packing.grains.shapes.empty()) put(j, "all, neighbours", neighbours(view), "", mean_number);
+    put_by_material(j, view, partners);
+  }
+  j["histogram"] = histogram;
+}
 
 }  // namespace arenite::texture

@@ -75,61 +75,77 @@ std::vector<double> evaluate(const std::vector<double>& s, double load_axis) {
   return r;
 }
 
-void fill_sectors(const View& view, const Items& items, Fabric& f) {
+/// How many contacts point into each of as many sectors over [0, 180) as asked, and their mean F_n, N; 0 where there are none.
+void put_sectors(Numbers& to, const View& view, const Items& items) {
   const auto sectors = static_cast<std::size_t>(view.options.sectors);
-  f.sectors.assign(sectors, 0.0);
-  f.sector_force.assign(sectors, 0.0);
+  std::vector<double> count(sectors, 0.0), force(sectors, 0.0);
   for (const std::size_t c : items) {
     double angle = std::atan2(view.pairs().normal[c].y, view.pairs().normal[c].x) * degrees;
     if (angle < 0) angle += 180;
     // A direction on an edge, as in a lattice, goes to the sector above it whatever its last bit says.
     const auto s = static_cast<std::size_t>(std::floor((angle + 1e-9) / (180.0 / view.options.sectors))) % sectors;
-    f.sectors[s] += 1;
-    f.sector_force[s] += view.pairs().fn[c];
+    count[s] += 1;
+    force[s] += view.pairs().fn[c];
   }
   for (std::size_t s = 0; s < sectors; ++s)
-    if (f.sectors[s] > 0) f.sector_force[s] /= f.sectors[s];
+    if (count[s] > 0) force[s] /= count[s];
+  to["sectors"] = count;
+  to["sector_force_N"] = force;
 }
 
-Fabric fabric_of(const View& view, const Items& items) {
+/// Directions of one set of contacts, mirrored beyond half a turn. Directions in degrees from x, in [0, 180).
+Numbers fabric_of(const View& view, const Items& items) {
   const auto r = jackknife_of_sums(
       items, view.contact_block, terms, [&](std::size_t c, double* sums) { add_contact(view.pairs(), c, sums); },
       [&](const std::vector<double>& s) { return evaluate(s, view.load_axis); }, periods);
-  Fabric f;
-  f.contacts = items.size();
-  f.phi.value = {r[phi_xx].value, r[phi_xy].value, r[phi_xy].value, r[phi_yy].value};
-  f.phi.error = {r[phi_xx].error, r[phi_xy].error, r[phi_xy].error, r[phi_yy].error};
-  f.a_c = r[a_c];
-  f.theta_c_deg = r[theta_c];
-  f.a_c_signed = r[a_c_signed];
-  f.a_n = r[a_n];
-  f.theta_n_deg = r[theta_n];
-  f.a_t = r[a_t];
   const double noise = resultant_noise(items.size());
-  f.noise = 2 * noise;
-  for (std::size_t k = 0; k < 3; ++k) f.modes[k] = {2 * static_cast<int>(k + 1), r[amplitude2 + 2 * k], r[phase2 + 2 * k], noise};
-  fill_sectors(view, items, f);
-  return f;
+  const auto tensor = [&](double Estimate::*part) { return Tensor2{r[phi_xx].*part, r[phi_xy].*part, r[phi_xy].*part, r[phi_yy].*part}; };
+  Numbers j = Numbers::tree();
+  put(j, "contacts", items.size(), "", "Contacts of the set");
+  put(j, "a_c", r[a_c], "", "Contact anisotropy a_c, 2 (phi_1 - phi_2), T eq. 1.8; 0: contacts in all directions alike");
+  put(j, "theta_c_deg", r[theta_c], "deg", "Direction of most contacts, from x");
+  put(j, "phi", statistics::TensorEstimate{tensor(&Estimate::value), tensor(&Estimate::error)}, "", "Fabric tensor <n (x) n>, T eq. 1.6");
+  put(j, "a_c_signed", r[a_c_signed], "", "a_c cos 2(theta_c - theta_load): positive along the load");
+  put(j, "a_c_noise", 2 * noise, "", "a_c that as many random directions give");
+  put(j, "a_n", r[a_n], "", "Anisotropy of the mean normal force");
+  put(j, "theta_n_deg", r[theta_n], "deg", "Direction of the largest normal forces, from x");
+  put(j, "a_t", r[a_t], "", "Anisotropy of the mean tangential force");
+  for (int k = 0; k < 3; ++k) {
+    Numbers& mode = j["modes"][std::to_string(2 * (k + 1))] = Numbers::tree();
+    put(mode, "amplitude", r[amplitude2 + 2 * k], "", "|<exp(i m theta)>| of contact orientations");
+    put(mode, "phase_deg", r[phase2 + 2 * k], "deg", "Direction of its maximum, in [0, 360/m)");
+    put(mode, "noise", noise, "", "Amplitude that as many random directions give");
+  }
+  put_sectors(j, view, items);
+  return j;
 }
 
 /// The set itself and its strong and weak contacts; empty ones are left out.
-void add_sets(const View& view, const std::string& name, const Items& items, ByName<Fabric>& fabric) {
+void put_sets(Numbers& to, const View& view, const std::string& name, const Items& items) {
   Items strong, weak;
   for (const std::size_t c : items) (view.strong(c) ? strong : weak).push_back(c);
   const std::string prefix = name == "all" ? "" : name + " ";
-  if (!items.empty()) fabric.emplace_back(name, fabric_of(view, items));
-  if (!strong.empty()) fabric.emplace_back(prefix + "strong", fabric_of(view, strong));
-  if (!weak.empty()) fabric.emplace_back(prefix + "weak", fabric_of(view, weak));
+  const auto put_set = [&](const std::string& set, const Items& members) {
+    if (!members.empty()) place_of(set, to, "sets").update(fabric_of(view, members));
+  };
+  put_set(name, items);
+  put_set(prefix + "strong", strong);
+  put_set(prefix + "weak", weak);
 }
 
+}  // namespace
+
 /// Strong and weak are told apart by the mean force of the whole network; a contact that pulls is weak.
-void measure_fabric(const View& view, Texture& texture) {
-  add_sets(view, "all", view.contacts, texture.fabric);
-  for (const auto& [name, items] : contacts_by_type(view)) add_sets(view, name, items, texture.fabric);
+void fabric(const View& view, Texture& texture) {
+  if (view.contacts.empty()) return;
+  Numbers& j = texture.numbers["fabric"];
+  put_sets(j, view, "all", view.contacts);
+  for (const auto& [name, items] : contacts_by_type(view)) put_sets(j, view, name, items);
+  put(j, "load_axis_deg", view.load_axis * 180 / std::numbers::pi, "deg", "Direction of the load, from x, that signs refer to");
 }
 
 /// Signed a_c of the contacts that carry at most, and more than, a multiple of the mean force, from 0 to 4 by 0.1.
-void measure_threshold(const View& view, Texture& texture) {
+void threshold(const View& view, Texture& texture) {
   if (view.contacts.empty() || view.mean_force <= 0) return;
   constexpr std::size_t fewest = 10;
   const auto& contacts = view.pairs();
@@ -140,65 +156,22 @@ void measure_threshold(const View& view, Texture& texture) {
     const Vec2 n = contacts.normal[c], load{std::cos(view.load_axis), std::sin(view.load_axis)};
     sum.push_back(sum.back() + 2 * dot(n, load) * dot(n, load) - 1);
   }
-  ThresholdCurve& curve = texture.threshold;
+  std::vector<double> force, below, noise_below, above, noise_above;  // over the mean force; unknown where fewer contacts are left
   const auto push = [](std::vector<double>& a, std::vector<double>& noise, double total, std::size_t n) {
     a.push_back(n < fewest ? unknown : 2 * total / static_cast<double>(n));
     noise.push_back(n < fewest ? unknown : 2 * 0.886 / std::sqrt(static_cast<double>(n)));
   };
   for (int k = 0; k <= 40; ++k) {
     const double threshold = 0.1 * k;
-    const auto below = static_cast<std::size_t>(
-        std::upper_bound(sorted.begin(), sorted.end(), threshold * view.mean_force, [&](double force, std::size_t c) { return force < contacts.fn[c]; }) -
+    const auto weaker = static_cast<std::size_t>(
+        std::upper_bound(sorted.begin(), sorted.end(), threshold * view.mean_force, [&](double limit, std::size_t c) { return limit < contacts.fn[c]; }) -
         sorted.begin());
-    curve.threshold.push_back(threshold);
-    push(curve.below, curve.below_noise, sum[below], below);
-    push(curve.above, curve.above_noise, sum.back() - sum[below], sorted.size() - below);
+    force.push_back(threshold);
+    push(below, noise_below, sum[weaker], weaker);
+    push(above, noise_above, sum.back() - sum[weaker], sorted.size() - weaker);
   }
+  texture.numbers["fabric"]["threshold"] = {
+      {"force", force}, {"a_c_below", below}, {"noise_below", noise_below}, {"a_c_above", above}, {"noise_above", noise_above}};
 }
-
-constexpr Declared<Fabric> fabric_numbers[] = {
-    {"contacts", "", "Contacts of the set", &Fabric::contacts},
-    {"a_c", "", "Contact anisotropy a_c, 2 (phi_1 - phi_2), T eq. 1.8; 0: contacts in all directions alike", &Fabric::a_c},
-    {"theta_c_deg", "deg", "Direction of most contacts, from x", &Fabric::theta_c_deg},
-    {"phi", "", "Fabric tensor <n (x) n>, T eq. 1.6", &Fabric::phi},
-    {"a_c_signed", "", "a_c cos 2(theta_c - theta_load): positive along the load", &Fabric::a_c_signed},
-    {"a_c_noise", "", "a_c that as many random directions give", &Fabric::noise},
-    {"a_n", "", "Anisotropy of the mean normal force", &Fabric::a_n},
-    {"theta_n_deg", "deg", "Direction of the largest normal forces, from x", &Fabric::theta_n_deg},
-    {"a_t", "", "Anisotropy of the mean tangential force", &Fabric::a_t}};
-
-constexpr Declared<Mode> mode_numbers[] = {{"amplitude", "", "|<exp(i m theta)>| of contact orientations", &Mode::amplitude},
-                                           {"phase_deg", "deg", "Direction of its maximum, in [0, 360/m)", &Mode::phase_deg},
-                                           {"noise", "", "Amplitude that as many random directions give", &Mode::noise}};
-
-Numbers set_numbers(const Fabric& f, bool curves) {
-  Numbers j = tree_of(f, fabric_numbers);
-  for (const Mode& mode : f.modes) j["modes"][std::to_string(mode.m)] = tree_of(mode, mode_numbers);
-  if (curves) {
-    j["sectors"] = f.sectors;
-    j["sector_force_N"] = f.sector_force;
-  }
-  return j;
-}
-
-void put_fabric(const Texture& t, Numbers& to, bool curves) {
-  if (t.fabric.empty()) return;
-  to["fabric"] = by_set(t.fabric, "sets", [&](const Fabric& f) { return set_numbers(f, curves); });
-  put(to["fabric"], "load_axis_deg", t.load_axis_deg, "deg", "Direction of the load, from x, that signs refer to");
-}
-
-void put_threshold(const Texture& t, Numbers& to, bool curves) {
-  const ThresholdCurve& curve = t.threshold;
-  if (!curves || curve.threshold.empty()) return;
-  to["fabric"]["threshold"] = {{"force", curve.threshold},
-                               {"a_c_below", curve.below},
-                               {"noise_below", curve.below_noise},
-                               {"a_c_above", curve.above},
-                               {"noise_above", curve.above_noise}};
-}
-
-}  // namespace
-
-extern const Statistic fabric{measure_fabric, put_fabric}, threshold{measure_threshold, put_threshold};
 
 }  // namespace arenite::texture

@@ -25,28 +25,23 @@ struct Six {
   double psi(std::size_t g) const { return count[g] > 0 ? std::abs(sum[g]) / count[g] : 0; }
 };
 
+}  // namespace
+
 /// psi_6 over contacts, and the share of grains that stand in a triangular lattice of their own material (T 4.3).
-void measure_local_order(const View& view, Texture& texture) {
+void local_order(const View& view, Texture& texture) {
   const Six any(view, [](std::size_t, std::size_t) { return true; });
   Items touching;
   for (std::size_t g = 0; g < view.packing.grains.size(); ++g) texture.per_grain.psi6.push_back(any.psi(g));
   for (const std::size_t g : view.grains)
     if (any.count[g] > 0) touching.push_back(g);
-  texture.order.psi6 = mean(touching, view.grain_block, [&](std::size_t g) { return any.psi(g); });
-
   const Six like(view, [&](std::size_t i, std::size_t j) { return view.material(i) == view.material(j); });
-  const auto ordered = [&](std::size_t g) { return like.count[g] >= 5 && like.psi(g) > 0.9 ? 1.0 : 0.0; };
-  for (const int m : view.materials()) texture.order.ordered.emplace_back(view.material_name(m), mean(view.grains_of(m), view.grain_block, ordered));
+  const auto stands_in_lattice = [&](std::size_t g) { return like.count[g] >= 5 && like.psi(g) > 0.9 ? 1.0 : 0.0; };
+  ByName<Estimate> ordered;
+  for (const int m : view.materials()) ordered.emplace_back(view.material_name(m), mean(view.grains_of(m), view.grain_block, stands_in_lattice));
+
+  Numbers& j = texture.numbers["local_order"] = Numbers::tree();
+  put(j, "psi6", mean(touching, view.grain_block, [&](std::size_t g) { return any.psi(g); }), "", "Mean |<exp(6 i theta)>| over a grain's contacts");
+  put(j, "triangular_share", ordered, "", "Share of grains with five or more like neighbours and psi_6 of these above 0.9");
 }
-
-constexpr Declared<LocalOrder> order_numbers[] = {
-    {"psi6", "", "Mean |<exp(6 i theta)>| over a grain's contacts", &LocalOrder::psi6},
-    {"triangular_share", "", "Share of grains with five or more like neighbours and psi_6 of these above 0.9", &LocalOrder::ordered}};
-
-void put_local_order(const Texture& t, Numbers& to, bool /*curves*/) { to["local_order"] = tree_of(t.order, order_numbers); }
-
-}  // namespace
-
-extern const Statistic local_order{measure_local_order, put_local_order};
 
 }  // namespace arenite::texture

@@ -26,8 +26,11 @@ Vec2 doubled_axis(const Grains& grains, std::size_t g) {
   return turned(Vec2{difference, product} / apart, turned(by, by));
 }
 
-/// The fabric of the grains' own directions: the modulus and the phase of <exp(2 i theta)>, by which the tensor <a (x) a> is known.
-void measure_long_axes(const View& view, Texture& texture) {
+}  // namespace
+
+/// The fabric of the grains' own directions: the modulus and the phase of <exp(2 i theta)>, by which the tensor <a (x) a> is known. The modulus is half
+/// the difference of the principal values of <2 a (x) a>.
+void long_axes(const View& view, Texture& texture) {
   const Grains& grains = view.packing.grains;
   if (grains.shapes.empty()) return;
   std::vector<Vec2> axis(grains.size());
@@ -36,8 +39,6 @@ void measure_long_axes(const View& view, Texture& texture) {
     axis[g] = doubled_axis(grains, g);
     if (axis[g] != Vec2{}) longish.push_back(g);
   }
-  LongAxes& found = texture.long_axes;
-  found.grains = longish.size();
   if (longish.empty()) return;
   const auto add = [&](std::size_t g, double* sums) {
     sums[0] += axis[g].x;
@@ -49,22 +50,11 @@ void measure_long_axes(const View& view, Texture& texture) {
     return std::vector<double>{s[2] > 0 ? std::hypot(s[0], s[1]) / s[2] : unknown, half < 0 ? half + 180 : half};
   };
   const auto both = jackknife_of_sums(longish, view.grain_block, 3, add, of_sums, {0, 180});
-  found.order = both[0];
-  found.direction_deg = both[1];
-  found.noise = 0.886 / std::sqrt(static_cast<double>(longish.size()));
+  Numbers& j = texture.numbers["long_axes"];
+  put(j, "grains", longish.size(), "", "Grains with a long axis");
+  put(j, "noise", 0.886 / std::sqrt(static_cast<double>(longish.size())), "", "Order that as many random directions give");
+  put(j, "order", both[0], "", "|<exp(2 i theta)>| of long axes; 0 at random, 1 all alike");
+  put(j, "direction_deg", both[1], "deg", "Direction of most long axes, from x");
 }
-
-constexpr Declared<LongAxes> long_axes_numbers[] = {{"grains", "", "Grains with a long axis", &LongAxes::grains},
-                                                    {"noise", "", "Order that as many random directions give", &LongAxes::noise},
-                                                    {"order", "", "|<exp(2 i theta)>| of long axes; 0 at random, 1 all alike", &LongAxes::order},
-                                                    {"direction_deg", "deg", "Direction of most long axes, from x", &LongAxes::direction_deg}};
-
-void put_long_axes(const Texture& t, Numbers& to, bool /*curves*/) {
-  if (t.long_axes.grains > 0) to["long_axes"] = tree_of(t.long_axes, long_axes_numbers);
-}
-
-}  // namespace
-
-extern const Statistic long_axes{measure_long_axes, put_long_axes};
 
 }  // namespace arenite::texture

@@ -5,29 +5,36 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/text.hpp"
 #include "grains/texture/view.hpp"
 
 namespace arenite::texture {
 
 // Each in its own file.
-extern const Statistic grain_stress, solid_fraction, coordination, fabric, threshold, stress, forces, sigma_norm, local_order, long_axes, rev, quality;
+Statistic grain_stress, solid_fraction, coordination, fabric, threshold, stress, forces, sigma_norm, local_order, long_axes, rev, quality;
 
 namespace {
 
-void describe_sample(const View& view, Texture& texture) {
-  texture.grains = view.packing.grains.size();
-  for (std::size_t c = 0; c < view.pairs().size(); ++c) ++(view.pairs().is_wall(c) ? texture.wall_contacts : texture.contacts);
+void sample(const View& view, Texture& texture) {
+  const Contacts& contacts = view.pairs();
+  const auto walls = static_cast<std::size_t>(std::ranges::count_if(contacts.j, arenite::is_wall));
   texture.considered_grains = view.grains.size();
-  texture.considered_contacts = view.contacts.size();
   texture.window = view.window;
   texture.mean_diameter = view.mean_diameter;
-  texture.load_axis_deg = view.load_axis * 180 / std::numbers::pi;
   texture.per_grain.considered = view.considered;
   texture.per_grain.rattler = view.rattler;
+  texture.numbers = {{"grains", described(view.packing.grains.size(), "", "Grains of the sample")},
+                     {"contacts", described(contacts.size() - walls, "", "Contacts between grains")},
+                     {"wall_contacts", described(walls, "", "Contacts with walls")},
+                     {"considered",
+                      {{"grains", described(view.grains.size(), "", "Grains in the window that statistics are of")},
+                       {"contacts", described(view.contacts.size(), "", "Contacts in that window")},
+                       {"border_m", described(view.window.border, "m", "Strip left out along walls")}}},
+                     {"mean_diameter_m", described(view.mean_diameter, "m", "Mean diameter of grains")}};
   if (!view.has_box)
     texture.notes.push_back("The box is not known, so solid fraction, REV and the stress of the assembly are left out and no border is cut off.");
   if (!view.has_thickness) texture.notes.push_back("The out-of-plane length is not known, so stresses in Pa are left out.");
-  if (!view.options.load_axis && texture.considered_contacts > 0)
+  if (!view.options.load_axis && !view.contacts.empty())
     texture.notes.push_back(
         "The direction of the load is not given: signed anisotropies refer to the sample's own axis of greatest compression, "
         "about which even chance has a positive sign.");
@@ -37,22 +44,9 @@ void describe_sample(const View& view, Texture& texture) {
         fmt::format("The sample is too small to leave out {:g} mean diameters along its walls, so it is taken whole.", view.options.border));
 }
 
-void put_sample(const Texture& t, Numbers& to, bool /*curves*/) {
-  to.update({{"grains", described(t.grains, "", "Grains of the sample")},
-             {"contacts", described(t.contacts, "", "Contacts between grains")},
-             {"wall_contacts", described(t.wall_contacts, "", "Contacts with walls")},
-             {"considered",
-              {{"grains", described(t.considered_grains, "", "Grains in the window that statistics are of")},
-               {"contacts", described(t.considered_contacts, "", "Contacts in that window")},
-               {"border_m", described(t.window.border, "m", "Strip left out along walls")}}},
-             {"mean_diameter_m", described(t.mean_diameter, "m", "Mean diameter of grains")}});
-}
-
-constexpr Statistic sample{describe_sample, put_sample};
-
 /// Every statistic that there is, in the order of their numbers. Grain stress comes first, because the normalised stress builds on it.
-constexpr const Statistic* statistics[] = {&sample, &grain_stress, &solid_fraction, &coordination, &fabric, &threshold, &stress,
-                                           &forces, &sigma_norm,   &local_order,    &long_axes,    &rev,    &quality};
+constexpr Statistic* statistics[] = {sample, grain_stress, solid_fraction, coordination, fabric, threshold, stress,
+                                     forces, sigma_norm,   local_order,    long_axes,    rev,    quality};
 
 Numbers rows(const PerGrain& g) {
   Numbers j{{"considered", g.considered}, {"rattler", g.rattler}, {"contacts", g.contacts}, {"sigma_norm", g.sigma_norm}, {"psi6", g.psi6}};
@@ -82,15 +76,13 @@ Texture measure(const Packing& packing, const Options& options) {
     throw InputError(fmt::format("sigma_hyd has {} values for {} grains; give one a grain, NaN where it is not known", measured, packing.grains.size()));
   Texture texture;
   const View view(packing, options);
-  for (const Statistic* statistic : statistics) statistic->measure(view, texture);
+  for (Statistic* statistic : statistics) statistic(view, texture);
   return texture;
 }
 
 Numbers numbers(const Texture& t, bool curves) {
-  Numbers j = Numbers::tree();
-  for (const Statistic* statistic : statistics)
-    if (statistic->put) statistic->put(t, j, curves);
-  j.update(t.more);
+  Numbers j = t.numbers;
+  if (!curves) statistics::erase_curves(j, "sectors sector_force_N threshold pdf pdf_over_all cumulative");
   j["notes"] = t.notes;
   if (curves) j["by_grain"] = rows(t.per_grain);
   return j;
@@ -105,20 +97,13 @@ std::string to_text(const Texture& t) {
 }
 
 void forget_forces(Texture& t) {
-  const auto by_strength = [](const auto& named) { return named.first.ends_with("strong") || named.first.ends_with("weak"); };
-  std::erase_if(t.fabric, by_strength);
-  for (auto& [name, set] : t.fabric) {
-    set.a_n = set.theta_n_deg = set.a_t = set.a_c_signed = {};
-    set.sector_force.assign(set.sector_force.size(), 0);
-  }
-  std::erase_if(t.coordination.mean, [](const auto& named) { return named.first == "all without rattlers"; });
-  t.coordination.rattlers = {};
-  t.load_axis_deg = unknown;
-  t.threshold = {};
-  t.force = {};
-  t.stress = {};
-  t.sigma_norm = {};
-  t.quality = {};
+  for (const char* name : {"force", "stress", "stress_details", "sigma_norm"}) t.numbers.erase(name);
+  constexpr std::string_view by_force = "without_rattlers rattlers a_n theta_n_deg a_t a_c_signed load_axis_deg threshold strong weak";
+  for (const char* group : {"coordination", "fabric"})
+    if (t.numbers.contains(group))
+      erase_if(t.numbers[group], [&](std::string_view name, const Numbers&) {
+        return std::ranges::count(split_blanks(by_force), name) > 0 || name.ends_with(" strong") || name.ends_with(" weak");
+      });
   std::fill(t.per_grain.rattler.begin(), t.per_grain.rattler.end(), std::uint8_t{0});
   t.per_grain.sigma.clear();
   t.per_grain.sigma_hyd.clear();

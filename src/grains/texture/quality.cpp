@@ -52,52 +52,44 @@ const char* why_they_pull(Pull pull) {
   return "measured in a sample without cohesion that is an error of measurement";
 }
 
-void measure_friction(const View& view, Quality& quality) {
+/// Largest |F_t|/F_n of contacts that push, and the share of contacts that come within 0.001 of it.
+void put_friction(Numbers& to, const View& view) {
   std::vector<double> ratios;
   for (const std::size_t c : view.contacts)
     if (view.pairs().fn[c] > 0) ratios.push_back(std::abs(view.pairs().ft[c]) / view.pairs().fn[c]);
   if (ratios.empty()) return;
   const double largest = *std::max_element(ratios.begin(), ratios.end());
-  quality.friction_ratio_max = largest;
   const auto sliding = std::count_if(ratios.begin(), ratios.end(), [&](double r) { return r > 0 && r >= (1 - 1e-3) * largest; });
-  quality.sliding_share = static_cast<double>(sliding) / static_cast<double>(ratios.size());
+  put(to, "friction_ratio_max", largest, "", "Largest |F_t|/F_n of contacts that push");
+  put(to, "sliding_share", static_cast<double>(sliding) / static_cast<double>(ratios.size()), "", "Share of contacts within 0.001 of the largest |F_t|/F_n");
 }
-
-/// What tells measured networks from packings at rest: reported, never repaired.
-void measure_quality(const View& view, Texture& texture) {
-  Quality& quality = texture.quality;
-  if (view.contacts.empty()) return;
-  quality.negative_forces =
-      static_cast<std::size_t>(std::count_if(view.contacts.begin(), view.contacts.end(), [&](std::size_t c) { return view.pairs().fn[c] < 0; }));
-  quality.negative_share = static_cast<double>(quality.negative_forces) / static_cast<double>(view.contacts.size());
-  if (view.mean_force > 0) quality.median_imbalance = median_resultant(view) / view.mean_force;
-  measure_friction(view, quality);
-  if (quality.negative_forces > 0)
-    texture.notes.push_back(fmt::format("{} of {} normal forces pull; {}.", quality.negative_forces, view.contacts.size(), why_they_pull(view.options.pull)));
-  double largest = 0;
-  for (const std::size_t c : view.contacts) largest = std::max(largest, view.pairs().fn[c]);
-  if (largest > 50 * view.mean_force && view.mean_force > 0)
-    texture.notes.push_back(
-        fmt::format("The largest force is {:.3g} times the mean, so a few rows decide the mean and all that hangs on it.", largest / view.mean_force));
-  if (quality.median_imbalance > 0.1)
-    texture.notes.push_back(
-        fmt::format("Grains are not in balance: the median resultant is {:.2g} of the mean force, so stresses "
-                    "depend on where moments are taken.",
-                    quality.median_imbalance));
-}
-
-constexpr Declared<Quality> quality_numbers[] = {
-    {"doubled_rows", "", "Contacts that stood twice and were merged", &Quality::doubled_rows},
-    {"negative_forces", "", "Contacts with negative normal force", &Quality::negative_forces},
-    {"negative_share", "", "Share of contacts with negative normal force", &Quality::negative_share},
-    {"median_imbalance", "", "Median |sum F| of grains with at least 3 contacts over the mean force", &Quality::median_imbalance},
-    {"friction_ratio_max", "", "Largest |F_t|/F_n of contacts that push", &Quality::friction_ratio_max},
-    {"sliding_share", "", "Share of contacts within 0.001 of the largest |F_t|/F_n", &Quality::sliding_share}};
-
-void put_quality(const Texture& t, Numbers& to, bool /*curves*/) { to["quality"] = tree_of(t.quality, quality_numbers); }
 
 }  // namespace
 
-extern const Statistic quality{measure_quality, put_quality};
+/// What tells measured networks from packings at rest: reported, never repaired.
+void quality(const View& view, Texture& texture) {
+  const std::vector<double>& force = view.pairs().fn;
+  const std::size_t contacts = view.contacts.size();
+  const auto negative = static_cast<std::size_t>(std::count_if(view.contacts.begin(), view.contacts.end(), [&](std::size_t c) { return force[c] < 0; }));
+  const double imbalance = view.mean_force > 0 ? median_resultant(view) / view.mean_force : unknown;
+  Numbers& j = texture.numbers["quality"];
+  put(j, "doubled_rows", view.options.doubled_rows, "", "Contacts that stood twice and were merged");
+  put(j, "negative_forces", negative, "", "Contacts with negative normal force");
+  put(j, "negative_share", contacts > 0 ? static_cast<double>(negative) / static_cast<double>(contacts) : 0.0, "",
+      "Share of contacts with negative normal force");
+  put(j, "median_imbalance", imbalance, "", "Median |sum F| of grains with at least 3 contacts over the mean force");
+  put_friction(j, view);
+  if (negative > 0) texture.notes.push_back(fmt::format("{} of {} normal forces pull; {}.", negative, contacts, why_they_pull(view.options.pull)));
+  double largest = 0;
+  for (const std::size_t c : view.contacts) largest = std::max(largest, force[c]);
+  if (largest > 50 * view.mean_force && view.mean_force > 0)
+    texture.notes.push_back(
+        fmt::format("The largest force is {:.3g} times the mean, so a few rows decide the mean and all that hangs on it.", largest / view.mean_force));
+  if (imbalance > 0.1)
+    texture.notes.push_back(
+        fmt::format("Grains are not in balance: the median resultant is {:.2g} of the mean force, so stresses "
+                    "depend on where moments are taken.",
+                    imbalance));
+}
 
 }  // namespace arenite::texture

@@ -5,10 +5,8 @@
 #include "grains/texture/view.hpp"
 
 namespace arenite::texture {
-namespace {
-
 /// Disk areas cut by the window over the window's area; an overlap counts in both disks. Error from equal blocks.
-void measure_solid_fraction(const View& view, Texture& texture) {
+void solid_fraction(const View& view, Texture& texture) {
   if (!view.has_box) return;
   const Domain& domain = view.packing.domain;
   const Grains& grains = view.packing.grains;
@@ -25,11 +23,10 @@ void measure_solid_fraction(const View& view, Texture& texture) {
     }
   }
   texture.solid_fraction = {covered / blocks.bounds.area(), standard_error(fraction)};
+  put(texture.numbers, "solid_fraction", texture.solid_fraction, "", "Solid fraction, area of grains over area of the sample");
 }
 
-void put_solid_fraction(const Texture& t, Numbers& to, bool /*curves*/) {
-  put(to, "solid_fraction", t.solid_fraction, "", "Solid fraction, area of grains over area of the sample");
-}
+namespace {
 
 /// Solid fractions of windows of the box's shape, `side` of its side long, at random places in the whole box.
 std::vector<double> fractions(const Packing& packing, double side, int places, RandomStream random) {
@@ -73,15 +70,11 @@ void measure_rev(const View& view, Texture& texture) {
   }
 }
 
-namespace {
-
-void put_rev(const Texture& t, Numbers& to, bool /*curves*/) {
-  if (!t.rev.mean.empty()) to["rev"] = {{"area_share", t.rev.area_share}, {"mean", t.rev.mean}, {"deviation", t.rev.deviation}, {"error", t.rev.error}};
+void rev(const View& view, Texture& texture) {
+  measure_rev(view, texture);
+  const Rev& r = texture.rev;
+  if (!r.mean.empty()) texture.numbers["rev"] = {{"area_share", r.area_share}, {"mean", r.mean}, {"deviation", r.deviation}, {"error", r.error}};
 }
-
-}  // namespace
-
-extern const Statistic solid_fraction{measure_solid_fraction, put_solid_fraction}, rev{measure_rev, put_rev};
 
 std::vector<double> window_fractions(const Packing& packing, double area_share, int places, std::uint64_t seed) {
   const geometry::Rectangle box = box_of(packing.domain);

@@ -1,5 +1,6 @@
 #include "grains/texture/view.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -37,7 +38,9 @@ Tensor2 block_error(const std::vector<Tensor2>& density) {
   return {component(&Tensor2::xx), component(&Tensor2::xy), component(&Tensor2::yx), component(&Tensor2::yy)};
 }
 
-TensorEstimate whole_stress(const View& view) {
+/// Sum over contacts, walls included, and over bonds and cohesive pairs that are apart, of f (x) l over the volume of the box (T eq. 1.10), with f on
+/// grain i and l from i to j (or to the wall).
+statistics::TensorEstimate whole_stress(const View& view) {
   const Domain& domain = view.packing.domain;
   const BlockGrid blocks{box_of(domain), std::max(2, view.blocks.per_side)};
   const double volume = domain.area() * domain.thickness;
@@ -45,13 +48,15 @@ TensorEstimate whole_stress(const View& view) {
   for (std::size_t c = 0; c < view.pairs().size(); ++c) density[blocks.block_of(view.contact_point(c))] += blocks.count() / volume * moment_of(view.pairs(), c);
   each_link(view.packing,
             [&](const auto& link) { density[blocks.block_of(middle_of(view.packing, link))] += blocks.count() / volume * moment_of(view.packing, link); });
-  Tensor2 sum = internal_moment(view.pairs());
-  sum += link_moment(view.packing);
+  Tensor2 sum, links;
+  for (std::size_t c = 0; c < view.pairs().size(); ++c) sum += moment_of(view.pairs(), c);
+  each_link(view.packing, [&](const auto& link) { links += moment_of(view.packing, link); });
+  sum += links;
   return {1 / volume * sum, block_error(density)};
 }
 
 /// Grains bring their moment in proportion to the area that lies in the window.
-TensorEstimate inner_stress(const View& view, const std::vector<Tensor2>& moments) {
+statistics::TensorEstimate inner_stress(const View& view, const std::vector<Tensor2>& moments) {
   const Domain& domain = view.packing.domain;
   const Grains& grains = view.packing.grains;
   const BlockGrid blocks{view.blocks.bounds, std::max(2, view.blocks.per_side)};
@@ -67,8 +72,21 @@ TensorEstimate inner_stress(const View& view, const std::vector<Tensor2>& moment
   return {mean, block_error(density)};
 }
 
+/// What the internal moment must be at rest by the forces on walls and by weight: sum over wall contacts of f (x) x_c plus sum over grains of m g (x)
+/// x.
+Tensor2 wall_moment(const Packing& packing, Vec2 gravity) {
+  const auto& contacts = packing.contacts;
+  const Grains& grains = packing.grains;
+  Tensor2 sum;
+  for (std::size_t c = 0; c < contacts.size(); ++c)
+    if (contacts.is_wall(c)) sum += outer(contacts.force_on_i(c), grains.position[contacts.i[c]] + contacts.lever_i(c));
+  if (gravity.x == 0 && gravity.y == 0) return sum;
+  for (std::size_t g = 0; g < grains.size(); ++g) sum += mass_of(packing, g) * outer(gravity, grains.position[g]);
+  return sum;
+}
+
 /// Share of the mean stress and of the deviatoric stress (along its own direction) that strong contacts carry.
-void split_by_strength(const View& view, Stress& stress) {
+void put_strong_shares(Numbers& to, const View& view) {
   if (view.contacts.empty()) return;
   const auto add = [&](std::size_t c, double* sums) {
     const Tensor2 m = moment_of(view.pairs(), c);
@@ -83,8 +101,30 @@ void split_by_strength(const View& view, Stress& stress) {
     return std::vector<double>{s[0] != 0 ? s[3] / s[0] : unknown, deviator2 > 0 ? (s[1] * s[4] + s[2] * s[5]) / deviator2 : unknown};
   };
   const auto r = jackknife_of_sums(view.contacts, view.contact_block, 6, add, shares);
-  stress.strong_pressure_share = r[0];
-  stress.strong_deviator_share = r[1];
+  put(to, "strong_share_of_pressure", r[0], "", "Share of the pressure that contacts above the mean force carry");
+  put(to, "strong_share_of_deviator", r[1], "", "Share of the deviator that contacts above the mean force carry");
+}
+
+/// The stress of the whole sample by itself, and in `details` what else is known of it.
+void put_whole_stress(Numbers& to, Numbers& details, const View& view) {
+  const Domain& domain = view.packing.domain;
+  const double volume = domain.area() * domain.thickness;
+  const statistics::TensorEstimate whole = whole_stress(view);
+  const std::vector<Tensor2> moments = grain_moments(view.packing);
+  Tensor2 sum;
+  for (const Tensor2& m : moments) sum += 1 / volume * m;
+  const bool walled = !domain.periodic[0] && !domain.periodic[1] && std::ranges::any_of(view.pairs().j, is_wall);
+  const Tensor2& s = whole.value;
+  const double axis = 0.5 * std::atan2(-(s.xy + s.yx), -(s.xx - s.yy)) * 180 / std::numbers::pi;
+  put(to, "stress", whole, "Pa", "Mean stress of the sample, tension positive");
+  put(details, "in_window", inner_stress(view, moments), "Pa", "Stress of the grains in the window, tension positive");
+  put(details, "sum_over_grains", sum, "Pa", "Stress as the sum over grains");
+  if (walled)
+    put(details, "from_walls_and_weight", 1 / volume * wall_moment(view.packing, view.options.gravity), "Pa",
+        "Stress from the forces on walls and from weight; the same in equilibrium");
+  put(details, "pressure_Pa", -0.5 * trace(s), "Pa", "Pressure p, mean of the principal stresses, compression positive");
+  put(details, "deviator_Pa", deviator(s), "Pa", "Deviator q, half the difference of the principal stresses");
+  put(details, "axis_of_compression_deg", axis < 0 ? axis + 180 : axis, "deg", "Direction of greatest compression, from x");
 }
 
 /// What a laboratory could not measure is NaN, and no part of the mean.
@@ -95,18 +135,6 @@ void take_measured(const View& view, PerGrain& rows) {
 }
 
 }  // namespace
-
-Tensor2 internal_moment(const Contacts& contacts) {
-  Tensor2 sum;
-  for (std::size_t c = 0; c < contacts.size(); ++c) sum += moment_of(contacts, c);
-  return sum;
-}
-
-Tensor2 link_moment(const Packing& packing) {
-  Tensor2 sum;
-  each_link(packing, [&](const auto& link) { sum += moment_of(packing, link); });
-  return sum;
-}
 
 std::vector<Tensor2> grain_moments(const Packing& packing) {
   const auto& contacts = packing.contacts;
@@ -131,17 +159,6 @@ double mass_of(const Packing& packing, std::size_t g) {
   return density * std::numbers::pi * r * r * packing.domain.thickness;
 }
 
-Tensor2 wall_moment(const Packing& packing, Vec2 gravity) {
-  const auto& contacts = packing.contacts;
-  const Grains& grains = packing.grains;
-  Tensor2 sum;
-  for (std::size_t c = 0; c < contacts.size(); ++c)
-    if (contacts.is_wall(c)) sum += outer(contacts.force_on_i(c), grains.position[contacts.i[c]] + contacts.lever_i(c));
-  if (gravity.x == 0 && gravity.y == 0) return sum;
-  for (std::size_t g = 0; g < grains.size(); ++g) sum += mass_of(packing, g) * outer(gravity, grains.position[g]);
-  return sum;
-}
-
 double deviator(const Tensor2& s) { return 0.5 * std::hypot(s.xx - s.yy, s.xy + s.yx); }
 
 /// By the internal moment of a grain.
@@ -156,30 +173,15 @@ std::vector<Tensor2> grain_stresses(const Packing& packing) {
   return stresses;
 }
 
-namespace {
-
-void measure_stress(const View& view, Texture& texture) {
-  Stress& stress = texture.stress;
-  split_by_strength(view, stress);
-  if (!view.has_box || !view.has_thickness) return;
-  const Domain& domain = view.packing.domain;
-  const double volume = domain.area() * domain.thickness;
-  stress.whole = whole_stress(view);
-  const std::vector<Tensor2> moments = grain_moments(view.packing);
-  stress.inner = inner_stress(view, moments);
-  stress.grains = {};
-  for (const Tensor2& m : moments) stress.grains += 1 / volume * m;
-  if (!domain.periodic[0] && !domain.periodic[1] && texture.wall_contacts > 0) stress.walls = 1 / volume * wall_moment(view.packing, view.options.gravity);
-  const Tensor2& s = stress.whole.value;
-  const double difference = s.xx - s.yy, shear = s.xy + s.yx;
-  stress.pressure = -0.5 * trace(s);
-  stress.deviator = deviator(s);
-  const double axis = 0.5 * std::atan2(-shear, -difference) * 180 / std::numbers::pi;
-  stress.axis_deg = axis < 0 ? axis + 180 : axis;
+void stress(const View& view, Texture& texture) {
+  Numbers details = Numbers::tree();
+  if (view.has_box && view.has_thickness) put_whole_stress(texture.numbers, details, view);
+  put_strong_shares(details, view);
+  if (!details.empty()) texture.numbers["stress_details"] = std::move(details);
 }
 
 /// Stress of every grain over its own volume (T eq. 1.11). The normalised stress needs no length, since it cancels.
-void measure_grain_stress(const View& view, Texture& texture) {
+void grain_stress(const View& view, Texture& texture) {
   if (!view.options.grain_sigma_hyd.empty()) return take_measured(view, texture.per_grain);
   const Grains& grains = view.packing.grains;
   const std::vector<Tensor2> moments = grain_moments(view.packing);
@@ -200,39 +202,16 @@ void measure_grain_stress(const View& view, Texture& texture) {
 
 /// Hydrostatic stress over the mean of the considered grains: of all, of one material, of one zone (T eq. 3.2). Values are kept relative to the mean
 /// of all, so that without a length only the mean in Pa is unknown. Grains whose stress is not known are left out.
-void measure_sigma_norm(const View& view, Texture& texture) {
+void sigma_norm(const View& view, Texture& texture) {
   const bool measured = !view.options.grain_sigma_hyd.empty();
   if ((view.contacts.empty() && !measured) || view.grains.empty()) return;
   double mean = unknown;  // Pa, tension positive
   if (view.has_thickness || measured) mean = mean_of_known(view.grains, texture.per_grain.sigma_hyd);
+  constexpr DistributionNames names{"mean_Pa", "Pa", "P0", "Mean stress of the set's grains", "Share of grains above the set's own mean, P_0"};
   for (const auto& [name, all] : grains_by_type(view))
     if (const Items items = known(all, texture.per_grain.sigma_norm); !items.empty())
-      texture.sigma_norm.sets.emplace_back(name, distribution(items, view.grain_block, texture.per_grain.sigma_norm, 1.0, mean));
+      place_of(name, texture.numbers["sigma_norm"], "by_material")
+          .update(distribution(items, view.grain_block, texture.per_grain.sigma_norm, 1.0, names, mean));
 }
-
-constexpr Declared<Stress> stress_numbers[] = {
-    {"in_window", "Pa", "Stress of the grains in the window, tension positive", &Stress::inner},
-    {"sum_over_grains", "Pa", "Stress as the sum over grains", &Stress::grains},
-    {"from_walls_and_weight", "Pa", "Stress from the forces on walls and from weight; the same in equilibrium", &Stress::walls},
-    {"pressure_Pa", "Pa", "Pressure p, mean of the principal stresses, compression positive", &Stress::pressure},
-    {"deviator_Pa", "Pa", "Deviator q, half the difference of the principal stresses", &Stress::deviator},
-    {"axis_of_compression_deg", "deg", "Direction of greatest compression, from x", &Stress::axis_deg},
-    {"strong_share_of_pressure", "", "Share of the pressure that contacts above the mean force carry", &Stress::strong_pressure_share},
-    {"strong_share_of_deviator", "", "Share of the deviator that contacts above the mean force carry", &Stress::strong_deviator_share}};
-
-void put_stress(const Texture& t, Numbers& to, bool /*curves*/) {
-  put(to, "stress", t.stress.whole, "Pa", "Mean stress of the sample, tension positive");
-  if (Numbers details = tree_of(t.stress, stress_numbers); !details.empty()) to["stress_details"] = std::move(details);
-}
-
-void put_sigma_norm(const Texture& t, Numbers& to, bool curves) {
-  if (!t.sigma_norm.sets.empty())
-    to["sigma_norm"] = numbers(
-        t.sigma_norm.sets, {"mean_Pa", "Pa", "P0", "by_material", "Mean stress of the set's grains", "Share of grains above the set's own mean, P_0"}, curves);
-}
-
-}  // namespace
-
-extern const Statistic grain_stress{measure_grain_stress}, stress{measure_stress, put_stress}, sigma_norm{measure_sigma_norm, put_sigma_norm};
 
 }  // namespace arenite::texture

@@ -12,16 +12,14 @@
 
 namespace arenite::texture {
 
-using statistics::Declared;
+using statistics::ByName;
 using statistics::described;
-using statistics::exponential_tail;
 using statistics::Items;
 using statistics::jackknife;
 using statistics::jackknife_of_sums;
 using statistics::mean;
 using statistics::put;
 using statistics::standard_error;
-using statistics::tree_of;
 
 /// A rectangle cut into k x k equal blocks. Neighbouring grains and contacts are not independent, so errors come from the scatter between blocks, not
 /// between grains.
@@ -99,37 +97,27 @@ double covered_area(const Domain& domain, Vec2 centre, double radius, const geom
 /// The box as a rectangle.
 geometry::Rectangle box_of(const Domain& domain);
 
-/// Power law k x^-alpha of 0 < x < 1 by maximum likelihood.
-PowerLaw weak_power_law(const std::vector<double>& sorted);
-
-/// Statistics of `value` over the items, each over their mean. `mean_of_all` is the mean of the set that this one is part of. `scale` turns the mean
-/// into its unit, NaN where that cannot be known.
-Distribution distribution(const Items& items, const std::vector<int>& block_of, const std::vector<double>& value, double mean_of_all, double scale = 1);
-
-/// The numbers of the set "all" with those of the others in a group.
-template <class T, class Make> Numbers by_set(const ByName<T>& sets, const char* group, const Make& make) {
-  Numbers j = Numbers::tree();
-  for (const auto& [name, set] : sets)
-    if (name == "all") j.update(make(set));
-    else j[group][name] = make(set);
-  return j;
-}
+/// Exponent alpha of the power law k x^-alpha of the weak values, 0 < x < 1, by maximum likelihood, with its error (1 - alpha)/sqrt(n).
+Estimate weak_exponent(const std::vector<double>& sorted);
 
 /// What a kind of values calls its mean and the share above it.
 struct DistributionNames {
-  const char *mean, *unit, *share, *group, *mean_is, *share_is;
+  const char *mean, *unit, *share, *mean_is, *share_is;
 };
-Numbers numbers(const ByName<Distribution>& sets, const DistributionNames& names, bool curves);
+
+/// Numbers of one set of positive values (forces, stresses) over their own mean, x = F/<F>. `mean_of_all` is the mean of the set that this one is part
+/// of. `scale` turns the mean into its unit, NaN where that cannot be known.
+Numbers distribution(const Items& items, const std::vector<int>& block_of, const std::vector<double>& value, double mean_of_all, const DistributionNames& names,
+                     double scale = 1);
+
+/// Where the numbers of a set go: those of "all" stand by themselves, those of the others in a group.
+inline Numbers& place_of(const std::string& set, Numbers& to, const char* group) { return set == "all" ? to : to[group][set]; }
 
 /// The REV study of texture.hpp by itself.
 void measure_rev(const View& view, Texture& texture);
 
-/// A statistic, one file each; the list is in measure.cpp. What it cannot compute it leaves unknown, with a note that says why.
-struct Statistic {
-  /// Fills its part of the texture, or puts its numbers among Texture::more where nothing else needs them.
-  void (*measure)(const View& view, Texture& texture);
-  /// Puts what it has filled among the numbers, `curves` with histograms and lists; null where it has put them there itself.
-  void (*put)(const Texture& texture, Numbers& to, bool curves) = nullptr;
-};
+/// A statistic, one file each; the list is in measure.cpp. It puts its numbers among Texture::numbers, each with its unit and what it is. What it
+/// cannot compute it leaves out, with a note that says why.
+using Statistic = void(const View& view, Texture& texture);
 
 }  // namespace arenite::texture

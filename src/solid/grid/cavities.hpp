@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "model/phase_map.hpp"
+#include "statistics/estimate.hpp"
 
 namespace arenite::grid {
 
@@ -38,15 +39,9 @@ struct Percolation {
 
 Percolation find_percolation(const PhaseMap& map, bool eight_connected_voids = false);
 
-struct BinRule {
-  bool logarithmic = true;  ///< bins of like width in the logarithm of the volume; otherwise from 0, like width
-  int bins = 30;            ///< at most; edges lie half-way between whole numbers of nodes, so narrow ones merge
-  bool operator==(const BinRule&) const = default;
-};
-
-/// Probability density of the volumes; integrates to 1 over the bins.
+/// Probability density of the volumes; integrates to 1 over the bins, at most 30 of like width in the logarithm. Edges lie half-way between whole numbers
+/// of nodes, so that narrow bins merge.
 struct VolumeDensity {
-  BinRule rule;
   std::vector<double> edge;  ///< one more than bins, rising
   std::vector<std::size_t> count;
   std::vector<double> density, error;  ///< standard error by counting: sqrt(k (1 - k/n))/(n width)
@@ -56,16 +51,15 @@ struct VolumeDensity {
 struct CavityStatistics {
   CavityRules rules;
   std::size_t count = 0, specks = 0, cut = 0;
-  double mean = 0, deviation = 0, cv = 0;  ///< deviation with n - 1; 0 where fewer than two cavities count
-  /// Standard errors from the moments of the sample; those of deviation and cv hold for many cavities.
-  double mean_error = 0, deviation_error = 0, cv_error = 0;
+  /// Errors from the moments of the sample; those of deviation (with n - 1) and cv hold for many cavities. 0 where fewer than two cavities count.
+  statistics::Estimate mean{0, 0}, deviation{0, 0}, cv{0, 0};
   double peak = 0;               ///< where the density is highest (density_peak)
   double tenth = 0, median = 0;  ///< volumes that a tenth and half of the cavities stay below
   VolumeDensity density;
 };
 
-/// `nodes` a cavity, of dx by dx, over pi large_radius^2. Throws InputError for a radius or spacing that is not positive, or no bins.
-CavityStatistics cavity_statistics(const Cavities& cavities, double dx, double large_radius, const BinRule& bins = {});
+/// `nodes` a cavity, of dx by dx, over pi large_radius^2. Throws InputError for a radius or spacing that is not positive.
+CavityStatistics cavity_statistics(const Cavities& cavities, double dx, double large_radius);
 
 /// Shares of the nodes of a map (P II.A), by counting.
 struct PhaseFractions {

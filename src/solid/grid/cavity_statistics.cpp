@@ -1,43 +1,43 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <numbers>
 
+#include "core/error.hpp"
 #include "core/mapped.hpp"
-#include "core/problems.hpp"
 #include "solid/grid/cavities.hpp"
 
 namespace arenite::grid {
 namespace {
 
 /// Edges in nodes, half-way between whole numbers, each once.
-std::vector<double> edges_in_nodes(std::int64_t least, std::int64_t most, const BinRule& rule) {
-  const double low = rule.logarithmic ? static_cast<double>(least) - 0.5 : 0, high = static_cast<double>(most) + 0.5;
-  std::vector<double> edge{rule.logarithmic ? low : -0.5};
-  for (int k = 1; k < rule.bins; ++k) {
-    const double t = static_cast<double>(k) / rule.bins;
-    const double at = rule.logarithmic ? low * std::pow(high / low, t) : t * high;
-    const double half = std::floor(at) + 0.5;
+std::vector<double> edges_in_nodes(std::int64_t least, std::int64_t most) {
+  constexpr int bins = 30;
+  const double low = static_cast<double>(least) - 0.5, high = static_cast<double>(most) + 0.5;
+  std::vector<double> edge{low};
+  for (int k = 1; k < bins; ++k) {
+    const double half = std::floor(low * std::pow(high / low, static_cast<double>(k) / bins)) + 0.5;
     if (half > edge.back() && half < high) edge.push_back(half);
   }
   edge.push_back(high);
   return edge;
 }
 
-VolumeDensity density_of(const std::vector<std::int64_t>& nodes, double unit, const BinRule& rule) {
+VolumeDensity density_of(const std::vector<std::int64_t>& nodes, double unit) {
   VolumeDensity pdf;
-  pdf.rule = rule;
   if (nodes.empty()) return pdf;
   const auto [least, most] = std::minmax_element(nodes.begin(), nodes.end());
-  const auto edge = edges_in_nodes(*least, *most, rule);
+  const auto edge = edges_in_nodes(*least, *most);
   pdf.count.assign(edge.size() - 1, 0);
   for (const auto n : nodes) {
     const auto above = std::upper_bound(edge.begin(), edge.end(), static_cast<double>(n));
     ++pdf.count[static_cast<std::size_t>(above - edge.begin()) - 1];
   }
   const double all = static_cast<double>(nodes.size());
-  for (const double e : edge) pdf.edge.push_back(std::max(0.0, e) * unit);
+  for (const double e : edge) pdf.edge.push_back(e * unit);
   for (std::size_t k = 0; k < pdf.count.size(); ++k) {
     const double n = static_cast<double>(pdf.count[k]), width = pdf.edge[k + 1] - pdf.edge[k];
     pdf.density.push_back(n / (all * width));
@@ -57,18 +57,18 @@ void add_moments(const std::vector<std::int64_t>& nodes, double unit, CavityStat
     m2 += d * d, m3 += d * d * d, m4 += d * d * d * d;
   }
   m2 /= n, m3 /= n, m4 /= n;
-  s.mean = mean * unit;
+  s.mean.value = mean * unit;
   if (nodes.size() < 2 || m2 == 0) return;
   const double deviation = std::sqrt(m2 * n / (n - 1));
-  s.deviation = deviation * unit;
-  s.cv = deviation / mean;
-  s.mean_error = s.deviation / std::sqrt(n);
+  s.deviation.value = deviation * unit;
+  s.cv.value = deviation / mean;
+  s.mean.error = s.deviation.value / std::sqrt(n);
   // Variances of mean and deviation and their covariance to leading order in 1/n; cv by propagation.
   const double variance_mean = m2 / n, variance_deviation = std::max(0.0, (m4 - m2 * m2) / (4 * m2 * n));
   const double covariance = m3 / (2 * deviation * n);
-  s.deviation_error = std::sqrt(variance_deviation) * unit;
+  s.deviation.error = std::sqrt(variance_deviation) * unit;
   const double relative = variance_deviation / m2 + variance_mean / (mean * mean) - 2 * covariance / (deviation * mean);
-  s.cv_error = s.cv * std::sqrt(std::max(0.0, relative));
+  s.cv.error = s.cv.value * std::sqrt(std::max(0.0, relative));
 }
 
 void add_ranks(const std::vector<std::int64_t>& nodes, double unit, CavityStatistics& s) {
@@ -94,19 +94,16 @@ double kernel_width(const std::vector<double>& sorted) {
 
 }  // namespace
 
-CavityStatistics cavity_statistics(const Cavities& cavities, double dx, double large_radius, const BinRule& bins) {
-  Problems problems;
-  problems.unless(dx > 0 && large_radius > 0 && std::isfinite(dx) && std::isfinite(large_radius),
-                  "volumes need a positive node spacing and mean large radius, not {:g} and {:g} m", dx, large_radius);
-  problems.unless(bins.bins >= 1, "{} bins hold nothing; give at least one", bins.bins);
-  problems.raise();
+CavityStatistics cavity_statistics(const Cavities& cavities, double dx, double large_radius) {
+  if (!(dx > 0 && large_radius > 0 && std::isfinite(dx) && std::isfinite(large_radius)))
+    throw InputError(fmt::format("volumes need a positive node spacing and mean large radius, not {:g} and {:g} m", dx, large_radius));
   CavityStatistics s;
   s.rules = cavities.rules;
   s.count = cavities.nodes.size(), s.specks = cavities.specks, s.cut = cavities.cut;
   const double unit = dx * dx / (std::numbers::pi * large_radius * large_radius);
   add_moments(cavities.nodes, unit, s);
   add_ranks(cavities.nodes, unit, s);
-  s.density = density_of(cavities.nodes, unit, bins);
+  s.density = density_of(cavities.nodes, unit);
   return s;
 }
 

@@ -19,8 +19,7 @@ struct GridParameters {
 struct GridReport {
   geometry::Rectangle window;                             ///< the crop in the packing's coordinates, m
   double dx = 0;                                          ///< distance between nodes, m
-  double particle_area = 0, matrix_area = 0;              ///< counted, m^2
-  double exact_particle_area = 0, exact_matrix_area = 0;  ///< by geometry, m^2
+  double exact_matrix_area = 0;                           ///< by geometry, m^2
   double particle_area_error = 0, matrix_area_error = 0;  ///< counted over exact, less one; 0 where there is none
   /// Bridges and menisci the middle of whose gap lies in the crop. `thinnest` is the fewest nodes that one of them has on a
   /// line of the lattice across its gap, its grains' included (0: a gap without a node); lost are those without

@@ -142,14 +142,11 @@ void draw_matrix(const PlacedCement& placed, const Lattice& lattice, PhaseMap& m
 void measure_areas(const PlacedCement& placed, const PhaseMap& map, GridReport& report) {
   std::size_t particle = 0, matrix = 0;
   for (const Phase p : map.phase) particle += p == Phase::particle, matrix += p == Phase::matrix;
-  report.particle_area = static_cast<double>(particle) * report.dx * report.dx;
-  report.matrix_area = static_cast<double>(matrix) * report.dx * report.dx;
   const cement::Areas exact = cement::exact_areas(placed, report.window);
-  report.exact_particle_area = exact.particle;
+  const auto error = [&](std::size_t nodes, double area) { return area > 0 ? static_cast<double>(nodes) * report.dx * report.dx / area - 1 : 0; };
   report.exact_matrix_area = exact.matrix;
-  const auto error = [](double counted, double area) { return area > 0 ? counted / area - 1 : 0; };
-  report.particle_area_error = error(report.particle_area, report.exact_particle_area);
-  report.matrix_area_error = error(report.matrix_area, report.exact_matrix_area);
+  report.particle_area_error = error(particle, exact.particle);
+  report.matrix_area_error = error(matrix, exact.matrix);
 }
 
 int nodes_across_smallest(const PlacedCement& placed, const Lattice& lattice) {

@@ -10,9 +10,8 @@ namespace {
 /// Owner of every node, -1 for void: its grain; for matrix the grain that a flood through the matrix reaches it from
 /// first; for matrix that touches no grain, one number beyond the grains.
 Buffer<std::int32_t> owners(const PhaseMap& map, const Grid& grid) {
-  Buffer<std::int32_t> owner(grid.padded_size());
+  Buffer<std::int32_t> owner(grid.padded_size(), -1);
   constexpr std::int32_t unowned = -2;
-  std::fill_n(owner.data(), owner.size(), -1);
   std::size_t k = 0;
   grid.each([&](std::ptrdiff_t i, int) {
     owner[i] = map.phase[k] == Phase::particle ? map.grain[k] : map.phase[k] == Phase::matrix ? unowned : -1;
@@ -32,7 +31,7 @@ Buffer<std::int32_t> owners(const PhaseMap& map, const Grid& grid) {
     if (*phase++ == Phase::particle) flood_from(i);
   });
   for (std::size_t n = 0; n < front.size(); ++n) flood_from(front[n]);
-  std::replace(owner.data(), owner.data() + owner.size(), unowned, static_cast<std::int32_t>(map.grain_class.size()));
+  std::replace(owner.begin(), owner.end(), unowned, static_cast<std::int32_t>(map.grain_class.size()));
   return owner;
 }
 
@@ -53,7 +52,7 @@ void join_nodes(const Bonds& bonds, const Buffer<std::int32_t>& owner, const Cel
       const bool inside = bonds.group_at(c.x0 + x, c.y0 + y) == particle_bond;
       const std::uint32_t word = bonds.words[i];
       for (int d = 0; d < (inside ? 4 : bonds_per_node); d += inside ? 3 : 1) {
-        const Offset e = half_bonds[static_cast<unsigned>(d)];
+        const Offset e = half_bonds[d];
         if (!(word >> (2 * d) & 3u) || static_cast<unsigned>(x + e.x) >= static_cast<unsigned>(c.wide) || y + e.y >= c.high) continue;
         if (owner[i + bonds.step(d)] == owner[i]) sets.join(y * Aggregates::cell + x, (y + e.y) * Aggregates::cell + x + e.x);
       }
@@ -69,12 +68,12 @@ void add_aggregates(const Grid& grid, const Buffer<std::int32_t>& owner, const C
       if (owner[i] < 0) continue;
       const std::int32_t k = y * Aggregates::cell + x, root = sets.find(k);
       if (root == k) {
-        aggregate[static_cast<unsigned>(k)] = aggregates.count();
+        aggregate[k] = aggregates.count();
         aggregates.list.push_back({owner[i], c.x0 / Aggregates::cell, c.y0 / Aggregates::cell});
       }
-      const std::int32_t p = aggregate[static_cast<unsigned>(root)];
+      const std::int32_t p = aggregate[root];
       aggregates.of_node[i] = p;
-      ++aggregates.list[static_cast<std::size_t>(p)].nodes;
+      ++aggregates.list[p].nodes;
     }
 }
 
@@ -84,11 +83,10 @@ Aggregates cut_into_aggregates(const PhaseMap& map, const Bonds& bonds, const st
   const Grid& grid = bonds.grid;
   auto owner = owners(map, grid);
   for (int y = 0; y < grid.height; ++y)
-    if (prescribed[static_cast<std::size_t>(y)] == both_prescribed) std::fill_n(owner.data() + grid.row(y), grid.width, -1);
+    if (prescribed[y] == both_prescribed) std::fill_n(owner.data() + grid.row(y), grid.width, -1);
 
   Aggregates aggregates;
-  aggregates.of_node = Buffer<std::int32_t>(grid.padded_size());
-  std::fill_n(aggregates.of_node.data(), aggregates.of_node.size(), Aggregates::none);
+  aggregates.of_node.assign(grid.padded_size(), Aggregates::none);
   JoinedSets sets;
   for (int y0 = 0; y0 < grid.height; y0 += Aggregates::cell)
     for (int x0 = 0; x0 < grid.width; x0 += Aggregates::cell) {

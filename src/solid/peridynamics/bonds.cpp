@@ -70,10 +70,10 @@ void add_linear(const BondLaw auto& law, const Bonds& bonds, double dx, const Fi
     for (unsigned t = 1; t < 4; ++t) k[d][t] = bonds.modulus(t) / (2 * dx * std::pow(length(half_bonds[d]), 3));
   for (int y = 0; y < grid.height; ++y)
     for (int d = 0; d < bonds_per_node; ++d) {
-      const Offset e = half_bonds[static_cast<unsigned>(d)];
+      const Offset e = half_bonds[d];
       const double ex = e.x, ey = e.y;
       const std::ptrdiff_t step = bonds.step(d);
-      const auto& modulus = k[static_cast<unsigned>(d)];
+      const auto& modulus = k[d];
       for (std::ptrdiff_t i = grid.row(y), end = i + grid.width; i < end; ++i) {
         const std::ptrdiff_t j = i + step;
         const double tension = law.force(ex * (u.x[j] - u.x[i]) + ey * (u.y[j] - u.y[i]), modulus[bonds.type(i, d)]);

@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <new>
-#include <utility>
 #include <vector>
 
 #include "model/phase_map.hpp"
@@ -39,46 +38,21 @@ struct Grid {
   std::size_t padded_size() const { return static_cast<std::size_t>((height + 6) * stride + 3 * vector); }
 };
 
-/// A zeroed array of plain numbers straight from the system, in large pages where it gives them: the stencil walks over
-/// a dozen rows at once, and small pages would run it out of address translations.
-template <class T> class Buffer {
- public:
-  Buffer() = default;
-  explicit Buffer(std::size_t n) : size_(n), bytes_((n * sizeof(T) + page - 1) / page * page) {
-    if (n == 0) return;
-    void* p = mmap(nullptr, bytes_, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+/// Zeroed memory straight from the system, in large pages where it gives them: the stencil walks over a dozen rows at once, and small pages would run
+/// it out of address translations.
+template <class T> struct Pages {
+  using value_type = T;
+  bool operator==(const Pages&) const = default;
+  T* allocate(std::size_t n) {
+    void* p = mmap(nullptr, n * sizeof(T), PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     if (p == MAP_FAILED) throw std::bad_alloc();
-    if (bytes_ >= (std::size_t{1} << 21)) madvise(p, bytes_, MADV_HUGEPAGE);
-    data_ = static_cast<T*>(p);
+    if (n * sizeof(T) >= (std::size_t{1} << 21)) madvise(p, n * sizeof(T), MADV_HUGEPAGE);
+    return static_cast<T*>(p);
   }
-  Buffer(Buffer&& b) noexcept : data_(std::exchange(b.data_, nullptr)), size_(std::exchange(b.size_, 0)), bytes_(b.bytes_) {}
-  Buffer& operator=(Buffer&& b) noexcept {
-    std::swap(data_, b.data_);
-    std::swap(size_, b.size_);
-    std::swap(bytes_, b.bytes_);
-    return *this;
-  }
-  ~Buffer() {
-    if (data_) munmap(data_, bytes_);
-  }
-
-  T* data() { return data_; }
-  const T* data() const { return data_; }
-  std::size_t size() const { return size_; }
-  T& operator[](std::ptrdiff_t i) { return data_[i]; }
-  const T& operator[](std::ptrdiff_t i) const { return data_[i]; }
-
- private:
-  static constexpr std::size_t page = 4096;
-  T* data_ = nullptr;
-  std::size_t size_ = 0, bytes_ = 0;
+  void deallocate(T* p, std::size_t n) { munmap(p, n * sizeof(T)); }
+  void construct(T*) const {}  ///< zero as it is
 };
-
-template <class T> void copy(const Buffer<T>& from, Buffer<T>& to) { std::copy_n(from.data(), from.size(), to.data()); }
-
-/// Between a buffer and a list of the same length.
-template <class T> void put(const Buffer<T>& from, std::vector<T>& to) { to.assign(from.data(), from.data() + from.size()); }
-template <class T> void put(const std::vector<T>& from, Buffer<T>& to) { std::copy_n(from.data(), from.size(), to.data()); }
+template <class T> using Buffer = std::vector<T, Pages<T>>;
 
 /// A plane vector at every node of a grid.
 template <class T> struct Field {
@@ -88,11 +62,6 @@ template <class T> struct Field {
   Vec2 at(std::ptrdiff_t i) const { return {static_cast<double>(x[i]), static_cast<double>(y[i])}; }
   void set(std::ptrdiff_t i, Vec2 v) { x[i] = static_cast<T>(v.x), y[i] = static_cast<T>(v.y); }
 };
-
-template <class T> void copy(const Field<T>& from, Field<T>& to) {
-  copy(from.x, to.x);
-  copy(from.y, to.y);
-}
 
 template <class T> void set_zero(Field<T>& a) {
   std::fill_n(a.x.data(), a.x.size(), T(0));
@@ -124,7 +93,7 @@ struct Bonds {
   unsigned type(std::ptrdiff_t node, int d) const { return words[node] >> (2 * d) & 3u; }
   void break_bond(std::ptrdiff_t node, int d) { words[node] &= ~(3u << (2 * d)); }
   std::uint8_t group_at(int x, int y) const { return group[static_cast<std::ptrdiff_t>(y) * grid.groups + x / Grid::lanes]; }
-  std::ptrdiff_t step(int d) const { return half_bonds[static_cast<unsigned>(d)].x + half_bonds[static_cast<unsigned>(d)].y * grid.stride; }
+  std::ptrdiff_t step(int d) const { return half_bonds[d].x + half_bonds[d].y * grid.stride; }
   /// Force over e (e . du)/|e|^3 of a bond of this type, Pa.
   double modulus(unsigned t) const { return scale * static_cast<double>(relative[t]); }
 };
@@ -145,7 +114,7 @@ struct Bond {
   std::int32_t x, y;
   int d;
   unsigned type;
-  Offset step() const { return half_bonds[static_cast<unsigned>(d)]; }
+  Offset step() const { return half_bonds[d]; }
 };
 
 /// Every whole bond that starts in row y once, handed to `visit(Bond)`; a visitor may break the bond that it is handed.

@@ -52,16 +52,17 @@ FailureTest::FailureTest(const PhaseMap& map, const DamageOptions& options)
       bonds_(make_bonds(map, options.stiffness, options.law)),
       prescribed_(prescribed_rows(map.height, options.loading, options.lower)),
       critical_(critical_stretches(options, map.dx)),
-      words_at_setup_(bonds_.grid.padded_size()),
-      u_(bonds_.grid.padded_size()),
       f_(bonds_.grid.padded_size()),
-      criterion_(bonds_, map.dx, critical_, u_) {
+      criterion_(bonds_, map.dx, critical_, state_.u) {
+  state_.width = map.width;
+  state_.height = map.height;
+  state_.u = f_;
   make_cuts(bonds_, options.cuts);
 }
 
 /// Set-up for the bonds as they are; false if nothing ties the clamps any more.
 bool FailureTest::prepare() {
-  copy(bonds_.words, words_at_setup_);
+  state_.words_at_setup = bonds_.words;
   auto aggregates = cut_into_aggregates(map_, bonds_, prescribed_);
   Buffer<Tie> tie;
   if (prune(bonds_, aggregates, prescribed_, tie).carrying == 0) return false;
@@ -72,30 +73,31 @@ bool FailureTest::prepare() {
 void FailureTest::uniform_strain() {
   auto phase = map_.phase.begin();
   bonds_.grid.each([&](std::ptrdiff_t i, int y) {
-    if (*phase++ != Phase::empty) u_.set(i, y * map_.dx * way_);
+    if (*phase++ != Phase::empty) state_.u.set(i, y * map_.dx * way_);
   });
 }
 
 bool FailureTest::watched(int iterations, double residual) {
   if (!options_.watch) return true;
-  const double fallen = result_.strength > 0 ? (1 - now_.stress / result_.strength) / (1 - options_.end_stress) : 0;
-  share_ = std::clamp(std::max({fallen, now_.strain / options_.max_strain, static_cast<double>(result_.solves) / (options_.max_events + 1)}), share_, 1.0);
-  return options_.watch({share_, result_.iterations + iterations, residual, result_.broken.size(), now_.strain, now_.stress});
+  const double fallen = state_.strength > 0 ? (1 - state_.now.stress / state_.strength) / (1 - options_.end_stress) : 0;
+  state_.share = std::clamp(std::max({fallen, state_.now.strain / options_.max_strain, static_cast<double>(state_.solves) / (options_.max_events + 1)}),
+                            state_.share, 1.0);
+  return options_.watch({state_.share, state_.iterations + iterations, residual, state_.broken.size(), state_.now.strain, state_.now.stress});
 }
 
 StaticReport FailureTest::solve(int most) {
-  const StaticReport report = solver_->solve(bonds_, u_, options_.tolerance, most, [&](const Progress& p) { return watched(p.iterations, p.residual); });
-  result_.iterations += report.iterations;
-  if (report.stopped) result_.ending = Ending::stopped;
+  const StaticReport report = solver_->solve(bonds_, state_.u, options_.tolerance, most, [&](const Progress& p) { return watched(p.iterations, p.residual); });
+  state_.iterations += report.iterations;
+  if (report.stopped) ending_ = Ending::stopped;
   return report;
 }
 
 /// The field at unit strain from the last one. A set-up that the broken bonds have left behind is made anew. False where the test ends here.
 bool FailureTest::equilibrate() {
   constexpr int tired = 25;
-  result_.ending = Ending::not_converged;
+  ending_ = Ending::not_converged;
   StaticReport report = solve(2 * tired);
-  ++result_.solves;
+  ++state_.solves;
   if (report.stopped) return false;
   if (report.iterations > tired || !report.converged) {
     if (!prepare()) {
@@ -104,7 +106,7 @@ bool FailureTest::equilibrate() {
     }
     report = solve(100);
   }
-  unit_energy_ = -linear_force(bonds_, u_, f_) / 2;
+  unit_energy_ = -linear_force(bonds_, state_.u, f_) / 2;
   unit_force_ = 0;
   for (std::ptrdiff_t i = bonds_.grid.row(map_.height - 1), end = i + map_.width; i < end; ++i) unit_force_ -= dot(f_.at(i), way_);
   return report.converged;
@@ -112,44 +114,44 @@ bool FailureTest::equilibrate() {
 
 /// After a round of breaking, at the strain that it happened at.
 void FailureTest::settle() {
-  now_.released += now_.elastic - elastic(now_.strain);
-  now_.elastic = elastic(now_.strain);
-  now_.stress = stress(now_.strain);
-  now_.broken = result_.broken.size();
+  state_.now.released += state_.now.elastic - elastic(state_.now.strain);
+  state_.now.elastic = elastic(state_.now.strain);
+  state_.now.stress = stress(state_.now.strain);
+  state_.now.broken = state_.broken.size();
 }
 
 /// On to the strain at which the next bond breaks.
 void FailureTest::strain_to(double next) {
-  if (next > now_.strain) {
+  if (next > state_.now.strain) {
     const double to = std::min(next, options_.max_strain);
-    now_.work += unit_force_ * gauge() * (to * to - now_.strain * now_.strain) / 2;
-    now_.strain = to;
-    now_.elastic = elastic(to);
-    now_.stress = stress(to);
+    state_.now.work += unit_force_ * gauge() * (to * to - state_.now.strain * state_.now.strain) / 2;
+    state_.now.strain = to;
+    state_.now.elastic = elastic(to);
+    state_.now.stress = stress(to);
   }
-  result_.curve.push_back(now_);
-  if (now_.work > 0) result_.energy_defect = std::max(result_.energy_defect, std::abs(now_.work - now_.elastic - now_.released) / now_.work);
-  if (now_.stress > result_.strength) remember();
+  state_.curve.push_back(state_.now);
+  if (state_.now.work > 0)
+    state_.energy_defect = std::max(state_.energy_defect, std::abs(state_.now.work - state_.now.elastic - state_.now.released) / state_.now.work);
+  if (state_.now.stress > state_.strength) remember();
 }
 
 void FailureTest::remember() {
-  result_.strength = now_.stress;
-  put(bonds_.words, held_.strongest_words);
-  put(u_.x, held_.strongest_ux);
-  put(u_.y, held_.strongest_uy);
-  held_.strongest_strain = now_.strain;
+  state_.strength = state_.now.stress;
+  state_.strongest_words = bonds_.words;
+  state_.strongest_u = state_.u;
+  state_.strongest_strain = state_.now.strain;
 }
 
 /// Breaks what is stretched beyond the critical stretch, the worst of it.
 void FailureTest::break_worst(double largest) {
-  const double limit = std::max(1 - 1e-9, (1 - options_.band) * now_.strain * largest) / now_.strain;
+  const double limit = std::max(1 - 1e-9, (1 - options_.band) * state_.now.strain * largest) / state_.now.strain;
   int low = map_.height, high = -1;
   criterion_.each_above(limit, [&](const Bond& b, double ratio) {
-    const double stretch = now_.strain * ratio * critical_[b.type];
+    const double stretch = state_.now.strain * ratio * critical_[b.type];
     const double modulus = bonds_.modulus(b.type) * map_.dx * map_.dx * length(b.step());
-    now_.bond_energy += std::visit([&](const auto& law) { return law.energy(stretch, modulus); }, bonds_.law);
+    state_.now.bond_energy += std::visit([&](const auto& law) { return law.energy(stretch, modulus); }, bonds_.law);
     bonds_.break_bond(b.i, b.d);
-    result_.broken.push_back({b.x, b.y, static_cast<std::uint8_t>(b.d), static_cast<std::uint8_t>(b.type), now_.strain});
+    state_.broken.push_back({b.x, b.y, static_cast<std::uint8_t>(b.d), static_cast<std::uint8_t>(b.type), state_.now.strain});
     low = std::min(low, b.y);
     high = std::max(high, b.y);
   });
@@ -157,7 +159,7 @@ void FailureTest::break_worst(double largest) {
 }
 
 void FailureTest::run() {
-  result_.ending = Ending::no_path;
+  ending_ = Ending::no_path;
   if (!solver_) {
     if (!prepare()) return;
     uniform_strain();
@@ -165,24 +167,24 @@ void FailureTest::run() {
   const auto hand_out = [&] {
     if (options_.keep) options_.keep([&] { return state(); });
   };
-  for (;; ++rounds_) {
+  for (;; ++state_.rounds) {
     hold();
     hand_out();
     if (!equilibrate()) {
-      if (result_.ending == Ending::stopped) hand_out();
+      if (ending_ == Ending::stopped) hand_out();
       return;
     }
-    if (rounds_ == 0) result_.modulus = unit_force_ / (map_.width * map_.dx);
+    if (state_.rounds == 0) state_.modulus = unit_force_ / (map_.width * map_.dx);
     settle();
-    if (rounds_ > 0 && now_.stress <= options_.end_stress * result_.strength) {
-      result_.curve.push_back(now_);
-      result_.ending = prepare() ? Ending::dropped : Ending::severed;
+    if (state_.rounds > 0 && state_.now.stress <= options_.end_stress * state_.strength) {
+      state_.curve.push_back(state_.now);
+      ending_ = prepare() ? Ending::dropped : Ending::severed;
       return;
     }
     const double largest = criterion_.largest();
     strain_to(largest > 0 ? 1 / largest : options_.max_strain);
-    if (now_.strain >= options_.max_strain || rounds_ >= options_.max_events) {
-      result_.ending = now_.strain >= options_.max_strain ? Ending::strain_reached : Ending::events_reached;
+    if (state_.now.strain >= options_.max_strain || state_.rounds >= options_.max_events) {
+      ending_ = state_.now.strain >= options_.max_strain ? Ending::strain_reached : Ending::events_reached;
       return;
     }
     break_worst(largest);
@@ -190,16 +192,17 @@ void FailureTest::run() {
 }
 
 DamageResult FailureTest::finish() {
-  if (result_.strength > 0) {
-    for (auto* component : {&held_.strongest_ux, &held_.strongest_uy})
-      for (double& u : *component) u *= held_.strongest_strain;
-    put(held_.strongest_words, bonds_.words);
-    put(held_.strongest_ux, u_.x);
-    put(held_.strongest_uy, u_.y);
-    result_.at_strength = node_stress(bonds_, map_.dx, u_, false);
+  DamageResult result;
+  static_cast<FailureRecord&>(result) = std::move(state_);
+  result.ending = ending_;
+  if (result.strength > 0) {
+    bonds_.words = state_.strongest_words;
+    for (auto* component : {&state_.strongest_u.x, &state_.strongest_u.y})
+      for (double& u : *component) u *= state_.strongest_strain;
+    result.at_strength = node_stress(bonds_, map_.dx, state_.strongest_u, false);
   }
-  result_.sentence = sentence_of(result_);
-  return std::move(result_);
+  result.sentence = sentence_of(result);
+  return result;
 }
 
 DamageResult load_to_failure(const PhaseMap& map, const DamageOptions& options) {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "model/phase_map.hpp"
-#include "solid/peridynamics/options.hpp"
+#include "solid/peridynamics/bonds.hpp"
 
 namespace arenite::peridynamics {
 
@@ -40,16 +40,16 @@ struct FailureRecord {
 /// Where a test stands before a round of breaking: all that decides how it goes on, beside its map and options. Arrays by
 /// node are padded (grid.hpp); displacements are m at unit strain.
 struct FailureState : FailureRecord {
-  std::int32_t width = 0, height = 0;         ///< nodes of the map
-  std::int64_t rounds = 0;                    ///< of breaking so far
-  std::vector<std::uint32_t> words;           ///< Bonds::words as they are,
-  std::vector<std::uint32_t> words_at_setup;  ///< and when the solver was set up, which it is still
-  std::vector<double> ux, uy;                 ///< the last equilibrium: the next solve starts from it
+  std::int32_t width = 0, height = 0;    ///< nodes of the map
+  std::int64_t rounds = 0;               ///< of breaking so far
+  Buffer<std::uint32_t> words;           ///< Bonds::words as they are,
+  Buffer<std::uint32_t> words_at_setup;  ///< and when the solver was set up, which it is still
+  Field<double> u;                       ///< the last equilibrium: the next solve starts from it
   DamageState now;
   double share = 0;  ///< Progress::share
   /// Bonds and equilibrium when the stress was largest; empty before the first round.
-  std::vector<std::uint32_t> strongest_words;
-  std::vector<double> strongest_ux, strongest_uy;
+  Buffer<std::uint32_t> strongest_words;
+  Field<double> strongest_u;
   double strongest_strain = 0;
 };
 

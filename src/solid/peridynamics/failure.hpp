@@ -32,7 +32,7 @@ class FailureCriterion {
     std::visit(
         [&](const auto& law) {
           for (int y = 0; y < bonds_.grid.height; ++y) {
-            double& worst = by_row_[static_cast<std::size_t>(y)] = 0;
+            double& worst = by_row_[y] = 0;
             each_bond_of_row(bonds_, y, [&](const Bond& b) { worst = std::max(worst, ratio(law, b)); });
           }
         },
@@ -45,7 +45,7 @@ class FailureCriterion {
     std::visit(
         [&](const auto& law) {
           for (int y = 0; y < bonds_.grid.height; ++y)
-            if (by_row_[static_cast<std::size_t>(y)] >= limit)
+            if (by_row_[y] >= limit)
               each_bond_of_row(bonds_, y, [&](const Bond& b) {
                 if (const double r = ratio(law, b); r >= limit) visit(b, r);
               });
@@ -99,16 +99,13 @@ class FailureTest {
   std::vector<std::uint8_t> prescribed_;
   std::array<double, 4> critical_;
   std::optional<StaticSolver> solver_;
-  Buffer<std::uint32_t> words_at_setup_;
-  Field<double> u_, f_;
+  Field<double> f_;
+  FailureState state_;   ///< where the test stands, but for its words: these are in `bonds_`
+  FailureState before_;  ///< of this round's solve, what it changes; for those who keep states
   FailureCriterion criterion_;
-  DamageResult result_;
-  DamageState now_;
-  std::int64_t rounds_ = 0;  ///< of breaking so far
-  double unit_force_ = 0;    ///< of the clamp, N/m
-  double unit_energy_ = 0;   ///< of all bonds, J/m
-  double share_ = 0;         ///< Progress::share
-  FailureState held_;        ///< before this round, of what its solve changes; and the strongest state
+  Ending ending_ = Ending::no_path;
+  double unit_force_ = 0;   ///< of the clamp, N/m
+  double unit_energy_ = 0;  ///< of all bonds, J/m
 };
 
 }  // namespace arenite::peridynamics

@@ -42,7 +42,7 @@ template <class Archive> void transfer(Archive& a, FailureState& s) {
     *count = static_cast<int>(wide);
   }
   for (auto* words : {&s.words, &s.words_at_setup, &s.strongest_words}) a(*words);
-  for (auto* u : {&s.ux, &s.uy, &s.strongest_ux, &s.strongest_uy}) a(*u);
+  for (auto* u : {&s.u.x, &s.u.y, &s.strongest_u.x, &s.strongest_u.y}) a(*u);
   for (double* v : {&s.strength, &s.modulus, &s.energy_defect, &s.share, &s.strongest_strain}) a(*v);
   transfer(a, s.now);
   transfer(a, s.curve);
@@ -50,10 +50,10 @@ template <class Archive> void transfer(Archive& a, FailureState& s) {
 }
 
 bool fits(const FailureState& s, const PhaseMap& map, std::size_t padded) {
-  for (const std::size_t size : {s.words.size(), s.words_at_setup.size(), s.ux.size(), s.uy.size()})
+  for (const std::size_t size : {s.words.size(), s.words_at_setup.size(), s.u.x.size(), s.u.y.size()})
     if (size != padded) return false;
   const std::size_t strongest = s.strength > 0 ? padded : 0;
-  for (const std::size_t size : {s.strongest_words.size(), s.strongest_ux.size(), s.strongest_uy.size()})
+  for (const std::size_t size : {s.strongest_words.size(), s.strongest_u.x.size(), s.strongest_u.y.size()})
     if (size != strongest) return false;
   return s.width == map.width && s.height == map.height;
 }
@@ -81,45 +81,37 @@ FailureState failure_state_of(const std::vector<std::uint8_t>& bytes) {
 /// Notes what the solve of a round changes, where somebody may ask for the state before it.
 void FailureTest::hold() {
   if (!options_.keep) return;
-  held_.width = map_.width;
-  held_.height = map_.height;
-  held_.rounds = rounds_;
-  held_.solves = result_.solves;
-  held_.iterations = result_.iterations;
-  held_.share = share_;
-  put(bonds_.words, held_.words);
-  put(words_at_setup_, held_.words_at_setup);
-  put(u_.x, held_.ux);
-  put(u_.y, held_.uy);
+  before_.words = bonds_.words;
+  before_.words_at_setup = state_.words_at_setup;
+  before_.u = state_.u;
+  before_.solves = state_.solves;
+  before_.iterations = state_.iterations;
+  before_.share = state_.share;
 }
 
 FailureState FailureTest::state() const {
-  FailureState s = held_;
-  static_cast<FailureRecord&>(s) = result_;
-  s.solves = held_.solves;  // this round's solve will be done again
-  s.iterations = held_.iterations;
-  s.now = now_;
+  FailureState s = state_;  // this round's solve will be done again
+  s.words = before_.words;
+  s.words_at_setup = before_.words_at_setup;
+  s.u = before_.u;
+  s.solves = before_.solves;
+  s.iterations = before_.iterations;
+  s.share = before_.share;
   return s;
 }
 
 void FailureTest::resume(const FailureState& s) {
   if (!fits(s, map_, bonds_.words.size()))
     throw InputError("the stored state of a test belongs to a phase map of another size; run the load again from its start");
-  const auto take = [&](const std::vector<std::uint32_t>& words) {
-    put(words, bonds_.words);
+  const auto take = [&](const Buffer<std::uint32_t>& words) {
+    bonds_.words = words;
     classify_groups(bonds_, 0, map_.height - 1);
   };
+  state_ = s;
   // The set-up lags behind the bonds: it is that of the bonds that it was once made for.
   take(s.words_at_setup);
   if (!prepare()) throw InputError("the stored state of a test ties no clamps; run the load again from its start");
   take(s.words);
-  put(s.ux, u_.x);
-  put(s.uy, u_.y);
-  rounds_ = s.rounds;
-  share_ = s.share;
-  now_ = s.now;
-  static_cast<FailureRecord&>(result_) = s;
-  held_ = s;
 }
 
 }  // namespace arenite::peridynamics

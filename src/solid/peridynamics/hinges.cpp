@@ -29,7 +29,7 @@ struct Walk {
     at(upper_clamp).top = true;
   }
 
-  Visit& at(std::ptrdiff_t i) { return visits[static_cast<std::size_t>(i)]; }
+  Visit& at(std::ptrdiff_t i) { return visits[i]; }
   int row_of(std::ptrdiff_t i) const { return static_cast<int>((i - bonds.grid.row(0)) / bonds.grid.stride); }
   int ties_of(std::ptrdiff_t i) const { return i == upper_clamp ? bonds.grid.width : bonds_of_node + 1; }
   bool has_bonds(std::ptrdiff_t i) const {

@@ -39,7 +39,7 @@ struct Specimen {
     grid.each([&](std::ptrdiff_t i, int y) {
       if (*phase++ == Phase::empty) return;
       double share = static_cast<double>(y) / (grid.height - 1);
-      if (!prescribed[static_cast<std::size_t>(y)] && tie[i] != Tie::both) share = tie[i] == Tie::above ? 1 : 0;
+      if (!prescribed[y] && tie[i] != Tie::both) share = tie[i] == Tie::above ? 1 : 0;
       u.set(i, share * top_displacement);
     });
     return u;

@@ -15,7 +15,7 @@ struct Parts {
   const std::vector<std::uint8_t>& prescribed;
   int middle() const { return bonds.grid.height / 2; }
   std::int32_t of(std::ptrdiff_t i, int y) const {
-    if (y < 0 || y >= bonds.grid.height || prescribed[static_cast<std::size_t>(y)] != both_prescribed) return aggregates.of_node[i];
+    if (y < 0 || y >= bonds.grid.height || prescribed[y] != both_prescribed) return aggregates.of_node[i];
     return aggregates.count() + (y > middle());
   }
 };
@@ -27,13 +27,13 @@ std::vector<std::uint8_t> own_ties(const Bonds& bonds, const Aggregates& aggrega
   const std::int32_t below = aggregates.count();
   std::vector<std::uint8_t> ties(static_cast<std::size_t>(below), 0);
   grid.each([&](std::ptrdiff_t i, int y) {
-    if (prescribed[static_cast<std::size_t>(y)] == y_prescribed && aggregates.of_node[i] >= 0) ties[static_cast<std::size_t>(aggregates.of_node[i])] |= 1;
+    if (prescribed[y] == y_prescribed && aggregates.of_node[i] >= 0) ties[static_cast<std::size_t>(aggregates.of_node[i])] |= 1;
   });
   // The clamps themselves never join parts: a part tied to both is known by its own ties.
   const auto join = [&](std::int32_t a, std::int32_t b) {
     if (a < below && b < below) sets.join(a, b);
-    else if (a < below) ties[static_cast<std::size_t>(a)] |= b == below ? 1 : 2;
-    else if (b < below) ties[static_cast<std::size_t>(b)] |= a == below ? 1 : 2;
+    else if (a < below) ties[a] |= b == below ? 1 : 2;
+    else if (b < below) ties[b] |= a == below ? 1 : 2;
   };
   grid.each([&](std::ptrdiff_t i, int y) {
     if (!bonds.words[i]) return;
@@ -42,7 +42,7 @@ std::vector<std::uint8_t> own_ties(const Bonds& bonds, const Aggregates& aggrega
     const bool inside = bonds.group_at(static_cast<int>(i - grid.row(y)), y) != Bonds::mixed;
     for (int d = 0; d < (inside ? 4 : bonds_per_node); d += inside ? 3 : 1) {
       if (!bonds.type(i, d)) continue;
-      const std::int32_t other = parts.of(i + bonds.step(d), y + half_bonds[static_cast<unsigned>(d)].y);
+      const std::int32_t other = parts.of(i + bonds.step(d), y + half_bonds[d].y);
       if (other != own) join(own, other);
     }
   });
@@ -77,7 +77,7 @@ void keep_carrying(const Grid& grid, const std::vector<std::uint8_t>& ties, Aggr
     kept.push_back(aggregates.list[p]);
   }
   grid.each([&](std::ptrdiff_t i, int) {
-    if (std::int32_t& p = aggregates.of_node[i]; p >= 0) p = number[static_cast<std::size_t>(p)];
+    if (std::int32_t& p = aggregates.of_node[i]; p >= 0) p = number[p];
   });
   aggregates.list = std::move(kept);
 }
@@ -85,9 +85,7 @@ void keep_carrying(const Grid& grid, const std::vector<std::uint8_t>& ties, Aggr
 /// Leaves only bonds between nodes that carry, clamped ones among them.
 void cut_loose_bonds(Bonds& bonds, const std::vector<std::uint8_t>& prescribed, const Buffer<Tie>& tie) {
   const Grid& grid = bonds.grid;
-  const auto carries = [&](std::ptrdiff_t i, int y) {
-    return y >= 0 && y < grid.height && (prescribed[static_cast<std::size_t>(y)] == both_prescribed || tie[i] == Tie::both);
-  };
+  const auto carries = [&](std::ptrdiff_t i, int y) { return y >= 0 && y < grid.height && (prescribed[y] == both_prescribed || tie[i] == Tie::both); };
   each_bond(bonds, [&](const Bond& b) {
     if (!carries(b.i, b.y) || !carries(b.j, b.y + b.step().y)) bonds.break_bond(b.i, b.d);
   });

@@ -12,7 +12,8 @@
 namespace arenite::stress {
 namespace {
 
-using Items = statistics::Items;
+using statistics::Items;
+using statistics::put;
 
 /// Named sets of those grains that `wanted` holds for: "all", and "large", "small" where the map has both or one.
 template <class Wanted> ByName<Items> grains_by_class(const PhaseMap& map, Wanted&& wanted) {
@@ -46,24 +47,23 @@ TensorEstimate mean_tensor(const Items& items, const std::vector<int>& block_of,
   return {tensor(e, &Estimate::value), tensor(e, &Estimate::error)};
 }
 
-/// Both over their means; unknown where one of them is zero.
-Agreement agreement(std::vector<double> field, std::vector<double> contacts) {
-  Agreement result;
-  result.grains = field.size();
+/// Both over their means; nothing where one of them is zero.
+Numbers agreement(std::vector<double> field, std::vector<double> contacts) {
+  Numbers j{{"grains", statistics::described(field.size(), "", "Grains that are compared")}};
   const auto over_mean = [](std::vector<double>& v) {
     double mean = 0;
     for (const double x : v) mean += x / static_cast<double>(v.size());
     for (double& x : v) x /= mean;
     return mean != 0;
   };
-  if (field.size() < 3 || !over_mean(field) || !over_mean(contacts)) return result;
+  if (field.size() < 3 || !over_mean(field) || !over_mean(contacts)) return j;
   const statistics::Relation relation = statistics::relate(contacts, field);
-  result.correlation = relation.pearson;
-  result.slope = {relation.line.slope, relation.line.slope_error};
   double squares = 0;
   for (std::size_t k = 0; k < field.size(); ++k) squares += (field[k] - contacts[k]) * (field[k] - contacts[k]);
-  result.rms = std::sqrt(squares / static_cast<double>(field.size()));
-  return result;
+  put(j, "correlation", relation.pearson, "", "Pearson's correlation of both stresses");
+  put(j, "slope", Estimate{relation.line.slope, relation.line.slope_error}, "", "Of the field's stress over its mean against that of the contacts");
+  put(j, "rms", std::sqrt(squares / static_cast<double>(field.size())), "", "Root mean square of their difference");
+  return j;
 }
 
 }  // namespace
@@ -97,7 +97,18 @@ GrainStresses measure_grains(const PhaseMap& map, const StressField& field, int 
   return grains;
 }
 
-GrainComparison compare(const PhaseMap& map, const GrainStresses& grains, const std::vector<Tensor2>& contact_stress) {
+Numbers numbers(const GrainStresses& g) {
+  std::size_t whole = 0;
+  for (const auto w : g.whole) whole += w;
+  Numbers j{{"whole", whole}};
+  for (const auto& [name, mean] : g.mean) put(j["mean_stress_Pa"], name, mean, "Pa", "Mean stress of whole grains, tension positive");
+  Numbers centres = Numbers::list();
+  for (const Vec2 c : g.centre) centres.push_back({c.x, c.y});
+  j["by_grain"] = {{"nodes", g.nodes}, {"whole", g.whole}, {"centre_m", centres}, {"sigma_Pa", g.stress}};
+  return j;
+}
+
+Numbers compare(const PhaseMap& map, const GrainStresses& grains, const std::vector<Tensor2>& contact_stress) {
   if (contact_stress.size() != map.grain_class.size() || grains.stress.size() != map.grain_class.size())
     throw InputError(fmt::format("{} grains have a contact stress, {} a mean stress, and the phase map has {}; all three must be of the same packing",
                                  contact_stress.size(), grains.stress.size(), map.grain_class.size()));
@@ -106,14 +117,14 @@ GrainComparison compare(const PhaseMap& map, const GrainStresses& grains, const 
     const double size = std::abs(t.xx) + std::abs(t.yy) + std::abs(t.xy) + std::abs(t.yx);
     return grains.whole[g] != 0 && std::isfinite(size) && size > 0;
   };
-  GrainComparison result;
+  Numbers j = Numbers::tree();
   for (const auto& [name, items] : grains_by_class(map, known)) {
     const auto values = [&items = items](const std::vector<Tensor2>& stress, auto of) { return mapped(items, [&](std::size_t g) { return of(stress[g]); }); };
     const auto compared = [&](auto of) { return agreement(values(grains.stress, of), values(contact_stress, of)); };
-    result.yy.emplace_back(name, compared([](const Tensor2& t) { return t.yy; }));
-    result.hydrostatic.emplace_back(name, compared([](const Tensor2& t) { return 0.5 * trace(t); }));
+    j["sigma_yy"][name] = compared([](const Tensor2& t) { return t.yy; });
+    j["sigma_hyd"][name] = compared([](const Tensor2& t) { return 0.5 * trace(t); });
   }
-  return result;
+  return j;
 }
 
 }  // namespace arenite::stress

@@ -12,6 +12,8 @@ namespace arenite::stress {
 namespace {
 
 using statistics::BlockedSample;
+using statistics::described;
+using statistics::put;
 
 /// The sets that do not overlap; unclassed are particles without class.
 enum class NodeSet : std::uint8_t { left_out, matrix, small, large, unclassed };
@@ -28,11 +30,14 @@ constexpr NamedSet named_sets[] = {{"all", NodeSet::matrix, NodeSet::unclassed},
                                    {"matrix", NodeSet::matrix, NodeSet::matrix}};
 
 /// Which nodes count, and in which block each lies.
-struct Selection : NodeCounts {
-  std::vector<NodeSet> set;          ///< one a node
-  std::vector<std::uint16_t> block;  ///< one a node
-  int blocks = 1;                    ///< in all
-  std::vector<double> block_area;    ///< nodes of a block beyond the clamp rows, void included
+struct Selection {
+  std::size_t nodes = 0;                           ///< considered: particle or matrix
+  std::size_t clamp_nodes = 0, surface_nodes = 0;  ///< left out as clamp rows, as outermost ones
+  std::size_t unloaded_nodes = 0;                  ///< particle or matrix without any stress beyond the clamp rows
+  std::vector<NodeSet> set;                        ///< one a node
+  std::vector<std::uint16_t> block;                ///< one a node
+  int blocks = 1;                                  ///< in all
+  std::vector<double> block_area;                  ///< nodes of a block beyond the clamp rows, void included
 };
 
 void check(const PhaseMap& map, const StressField& field, const StressOptions& options) {
@@ -134,8 +139,8 @@ struct BlockSums {
   double n = 0, sum = 0, square = 0, area = 0;
 };
 
-/// Means of the sample and what divides its stresses, all and without each block.
-Normaliser normalise(const Selection& selection, const BlockedSample& all, const StressOptions& options, ComponentStatistics& result) {
+/// Puts the means of the sample; returns what divides its stresses, all and without each block.
+Normaliser normalise(const Selection& selection, const BlockedSample& all, const StressOptions& options, Component component, Numbers& to) {
   std::vector<BlockSums> blocks(static_cast<std::size_t>(selection.blocks));
   for (std::size_t i = 0; i < all.x.size(); ++i) {
     BlockSums& b = blocks[all.block[i]];
@@ -148,10 +153,9 @@ Normaliser normalise(const Selection& selection, const BlockedSample& all, const
     blocks[b].area = selection.block_area[b];
     total = {total.n + blocks[b].n, total.sum + blocks[b].sum, total.square + blocks[b].square, total.area + blocks[b].area};
   }
-  if (!(total.square > 0))
-    throw InputError(fmt::format("{} is zero in every node, so there is nothing to normalise by; load the sample", name_of(result.component)));
+  if (!(total.square > 0)) throw InputError(fmt::format("{} is zero in every node, so there is nothing to normalise by; load the sample", name_of(component)));
   Normaliser normaliser;
-  normaliser.over_mean = result.over_mean = !near_zero(total.sum / total.n, total.square / total.n);
+  normaliser.over_mean = !near_zero(total.sum / total.n, total.square / total.n);
   const auto values = [&](const BlockSums& s) {
     const double scale = !normaliser.over_mean ? std::sqrt(s.square / s.n) : s.sum / (options.mean_over_area ? s.area : s.n);
     return std::vector<double>{s.sum / s.n, s.sum / s.area, scale};
@@ -166,26 +170,26 @@ Normaliser normalise(const Selection& selection, const BlockedSample& all, const
   const auto whole = values(total);
   const auto e = statistics::with_errors(whole, replicates);
   normaliser.value = whole[2];
-  result.mean_over_nodes = e[0];
-  result.mean_over_area = e[1];
-  result.sample_mean = options.mean_over_area ? e[1] : e[0];
+  put(to, "sample_mean_Pa", options.mean_over_area ? e[1] : e[0], "Pa", "The mean that stresses are divided by");
+  put(to, "mean_over_nodes_Pa", e[0], "Pa", "Mean over nodes of particles and matrix");
+  put(to, "mean_over_area_Pa", e[1], "Pa", "Mean over the whole area, the void as zero");
+  to["normalised_by"] = normaliser.over_mean ? "mean" : "root mean square";
   return normaliser;
 }
 
-ComponentStatistics measure_component(const Selection& selection, const StressField& field, Component component, const StressOptions& options,
-                                      std::vector<std::string>& notes) {
-  ComponentStatistics result;
-  result.component = component;
+Numbers measure_component(const Selection& selection, const StressField& field, Component component, const StressOptions& options,
+                          std::vector<std::string>& notes) {
+  Numbers j = Numbers::tree();
   const std::string stress = name_of(component);
   BlockedSample all = gather(selection, field, component, named_sets[0]);
-  const Normaliser normaliser = normalise(selection, all, options, result);
-  if (!result.over_mean)
+  const Normaliser normaliser = normalise(selection, all, options, component, j);
+  if (!normaliser.over_mean)
     notes.push_back(fmt::format("the sample's mean of {} is near zero, below a tenth of its root mean square: stresses are given over the latter", stress));
   for (const NamedSet& set : named_sets) {
     BlockedSample sample = &set == named_sets ? std::move(all) : gather(selection, field, component, set);
-    if (!sample.x.empty()) result.sets.emplace_back(set.name, describe(fmt::format("{} in {}", stress, set.name), sample, normaliser, notes));
+    if (!sample.x.empty()) j["sets"][set.name] = describe(fmt::format("{} in {}", stress, set.name), sample, normaliser, notes);
   }
-  return result;
+  return j;
 }
 
 }  // namespace
@@ -197,10 +201,33 @@ const char* name_of(Component component) {
 
 Statistics measure(const PhaseMap& map, const StressField& field, const StressOptions& options) {
   const Selection selection = select(map, field, options);
-  Statistics result{selection, options, {}, {}, {}};
-  for (const Component component : options.components) result.components.push_back(measure_component(selection, field, component, options, result.notes));
-  result.grains = measure_grains(map, field, options.clamp_rows, options.blocks);
-  return result;
+  Numbers j{{"nodes", described(selection.nodes, "", "Nodes of particles and matrix that count")},
+            {"clamp_nodes", described(selection.clamp_nodes, "", "Nodes left out as clamp rows")},
+            {"surface_nodes", described(selection.surface_nodes, "", "Nodes left out that border another phase or grain")},
+            {"unloaded_nodes", described(selection.unloaded_nodes, "", "Nodes without any stress")},
+            {"options",
+             {{"clamp_rows", options.clamp_rows},
+              {"leave_out_surface", options.leave_out_surface},
+              {"leave_out_unloaded", options.leave_out_unloaded},
+              {"sample_mean_over", options.mean_over_area ? "area" : "particles and matrix"},
+              {"blocks", options.blocks}}}};
+  std::vector<std::string> notes;  // what could not be computed, and why
+  for (const Component component : options.components) j[name_of(component)] = measure_component(selection, field, component, options, notes);
+  GrainStresses grains = measure_grains(map, field, options.clamp_rows, options.blocks);
+  if (!grains.nodes.empty()) j["grains"] = numbers(grains);
+  j["notes"] = notes;
+  return {std::move(j), std::move(grains)};
+}
+
+Numbers numbers(const Statistics& s, bool curves) {
+  Numbers j = s.numbers;
+  if (!curves) statistics::erase_curves(j, "pdf own_pdf by_grain");
+  return j;
+}
+
+std::string to_text(const Statistics& s) {
+  return arenite::to_text(numbers(s), {"options quantiles own_variance mean_over_nodes_Pa mean_over_area_Pa line_slope line_r2 log_likelihood_ratio "
+                                       "p_value centre peak"});
 }
 
 }  // namespace arenite::stress

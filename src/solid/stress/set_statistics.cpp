@@ -8,6 +8,7 @@
 
 #include "core/mapped.hpp"
 #include "statistics/jackknife.hpp"
+#include "statistics/tails.hpp"
 
 namespace arenite::stress {
 namespace {
@@ -15,6 +16,7 @@ namespace {
 using statistics::BlockCounts;
 using statistics::BlockedSample;
 using statistics::Counts;
+using statistics::put;
 
 constexpr std::pair<const char*, double> quantile_shares[] = {{"0.01 %", 1e-4}, {"0.1 %", 1e-3},   {"1 %", 0.01},      {"5 %", 0.05},
                                                               {"25 %", 0.25},   {"50 %", 0.5},     {"75 %", 0.75},     {"95 %", 0.95},
@@ -80,25 +82,25 @@ Scaled scale(BlockedSample& sigma, const Normaliser& normaliser) {
   return s;
 }
 
-/// The statistics in the order of `store`; `unit` in units of Scaled::unit, `sample` in Pa.
+/// The statistics in the order of `put_moments`; `unit` in units of Scaled::unit, `sample` in Pa.
 std::vector<double> values_of(const Scaled& s, const Powers& powers, double unit, double sample) {
   const Moments m = moments_of(powers, s.centre);
   const double mean = m.mean * s.unit, variance = m.variance * s.unit * s.unit;
   return {mean, mean / sample, variance / (sample * sample), m.variance / (unit * unit), m.skewness, m.excess_kurtosis};
 }
 
-void describe_moments(const Scaled& s, const Normaliser& normaliser, Distribution& d) {
+void put_moments(Numbers& to, const Scaled& s, const Normaliser& normaliser, bool over_own_mean) {
   const std::vector<double> values = values_of(s, s.all, 1, normaliser.value);
   std::vector<std::vector<double>> replicates;
   for (std::size_t b = 0; b < s.powers.size(); ++b)
     if (const Powers rest = s.all - s.powers[b]; rest.n > 0) replicates.push_back(values_of(s, rest, s.unit_without[b], normaliser.without[b]));
   const auto e = statistics::with_errors(values, replicates);
-  d.mean = e[0];
-  d.relative_mean = e[1];
-  d.variance = e[2];
-  d.own_variance = e[3];
-  d.skewness = e[4];
-  d.excess_kurtosis = e[5];
+  put(to, "mean_Pa", e[0], "Pa", "Mean stress of the set, tension positive");
+  put(to, "mean_over_sample_mean", e[1], "", "Mean stress of the set over that of the sample");
+  put(to, "variance", e[2], "", "Variance of the stress over the sample's mean");
+  if (over_own_mean) put(to, "own_variance", e[3], "", "Variance of the stress over the set's own mean");
+  put(to, "skewness", e[4], "", "Skewness of the stress");
+  put(to, "excess_kurtosis", e[5], "", "Excess kurtosis of the stress; 0: as a Gaussian");
 }
 
 /// Rounding must not put the nodes of a uniform stress above their mean.
@@ -110,7 +112,7 @@ double share_beyond(const std::vector<double>& x, double threshold) {
 }
 
 /// Shares and quantiles by rank; their errors from the counts, straight within a bin.
-void describe_ranks(const Scaled& s, const BlockCounts& counts, const std::vector<double>& quantiles, const Normaliser& normaliser, Distribution& d) {
+void put_ranks(Numbers& to, const Scaled& s, const BlockCounts& counts, const std::vector<double>& quantiles, const Normaliser& normaliser) {
   const double r = s.unit / normaliser.value;  // from units of the set to those of the sample
   std::vector<double> values{share_beyond(s.x.x, s.centre), share_beyond(s.x.x, 1 / r)};
   for (const double q : quantiles) values.push_back(q * r);
@@ -125,60 +127,71 @@ void describe_ranks(const Scaled& s, const BlockCounts& counts, const std::vecto
     replicates.push_back(std::move(row));
   }
   const auto e = statistics::with_errors(values, replicates);
-  d.fraction_above_mean = e[0];
-  d.fraction_above_mean_of_all = e[1];
-  for (std::size_t k = 0; k < std::size(quantile_shares); ++k) d.quantiles.emplace_back(quantile_shares[k].first, e[k + 2]);
+  put(to, "fraction_above_own_mean", e[0], "", "Share of nodes above the set's own mean");
+  put(to, "fraction_above_sample_mean", e[1], "", "Share of nodes above the sample's mean");
+  statistics::ByName<statistics::Estimate> named;
+  for (std::size_t k = 0; k < std::size(quantile_shares); ++k) named.emplace_back(quantile_shares[k].first, e[k + 2]);
+  put(to, "quantiles", named, "", "Stress over the sample's mean below which this share of nodes lies");
 }
 
-Curve rescaled(Curve curve, double r) {
+/// Six digits are more than counting gives.
+Numbers rounded(const statistics::Histogram& pdf) {
+  Numbers density = Numbers::list();
+  for (const double y : pdf.density) density.push_back(std::round(y * 1e6) * 1e-6);
+  return {{"low", pdf.bins.low}, {"width", pdf.bins.width}, {"density", density}};
+}
+
+statistics::Curve rescaled(statistics::Curve curve, double r) {
   for (double& x : curve.x) x *= r;
   for (double& y : curve.y) y /= r;
   for (double& e : curve.error) e /= r;
   return curve;
 }
 
+/// Tail and fit of the stress over the set's own mean, and where its pdf is highest.
+void put_shape(Numbers& to, const Scaled& s, const BlockCounts& counts) {
+  if (const auto tail = statistics::fit_tail(s.x, counts, s.unit_without); tail.count > 0) to["tail"] = numbers(tail);
+  if (Numbers fit = numbers(statistics::fit_q_gaussian(counts, s.unit_without)); !fit.empty()) to["q_gaussian"] = std::move(fit);
+  if (const auto peak = statistics::peak_of(counts.bins, counts.all); std::isfinite(peak.at)) to["peak"] = {{"at", peak.at}, {"height", peak.height}};
+}
+
 }  // namespace
 
 bool near_zero(double mean, double mean_square) { return mean * mean <= 0.01 * mean_square; }
 
-Distribution describe(const std::string& name, BlockedSample& sigma, const Normaliser& normaliser, std::vector<std::string>& notes) {
-  Distribution d;
-  d.count = sigma.x.size();
+Numbers describe(const std::string& name, BlockedSample& sigma, const Normaliser& normaliser, std::vector<std::string>& notes) {
+  const std::size_t nodes = sigma.x.size();
   double square = 0;
   const double mean = mean_of(sigma);
-  for (const double v : sigma.x) square += v * v / static_cast<double>(d.count);
+  for (const double v : sigma.x) square += v * v / static_cast<double>(nodes);
   const bool opposite = mean * normaliser.value < 0, own = normaliser.over_mean && !opposite && !near_zero(mean, square);
   if (normaliser.over_mean && !own)
     notes.push_back(fmt::format("the mean of {} is {}: nothing is given over it", name,
                                 opposite ? "of the other sign than the sample's" : "near zero, below a tenth of its root mean square"));
   Normaliser by = normaliser;
   const Scaled s = scale(sigma, own ? normaliser : (by.over_mean = false, by));
-  describe_moments(s, normaliser, d);
   const auto quantiles = statistics::exact_quantiles(sigma.x, mapped(quantile_shares, [](const auto& share) { return share.second; }));
   const auto [low, high] = std::minmax_element(sigma.x.begin(), sigma.x.end());
-  const double r = s.unit / normaliser.value;
-  d.minimum = std::min(*low * r, *high * r);
-  d.maximum = std::max(*low * r, *high * r);
   const statistics::Spread spread{*low, quantiles.front(), quantiles[4], quantiles[6], quantiles.back(), *high};
-  const BlockCounts counts = statistics::count(sigma, statistics::pdf_bins(d.count, spread));
-  describe_ranks(s, counts, quantiles, normaliser, d);
-  if (counts.bins.count == 0) {
+  const BlockCounts counts = statistics::count(sigma, statistics::pdf_bins(nodes, spread));
+  const bool uniform = counts.bins.count == 0;
+  const double r = s.unit / normaliser.value;
+  Numbers j{{"count", statistics::described(nodes, "", "Nodes of the set")}};
+  put_moments(j, s, normaliser, own || uniform);
+  put_ranks(j, s, counts, quantiles, normaliser);
+  put(j, "minimum", std::min(*low * r, *high * r), "", "Least stress over the sample's mean");
+  put(j, "maximum", std::max(*low * r, *high * r), "", "Largest stress over the sample's mean");
+  if (uniform) {
     notes.push_back(fmt::format("{} is the same in every node: it has no distribution", name));
-    return d;
+    return j;
   }
-  d.histogram = statistics::histogram(sigma.x, r);
-  const Curve pdf = statistics::pdf(counts);
-  d.pdf = rescaled(pdf, std::abs(r));
-  if (!own) {
-    d.own_variance = {};
-    return d;
-  }
-  d.own_pdf = pdf;
-  d.own_histogram = statistics::histogram(sigma.x, 1);
-  d.peak = statistics::peak_of(counts.bins, counts.all);
-  d.tail = statistics::fit_tail(sigma, counts, s.unit_without);
-  d.q_gaussian = statistics::fit_q_gaussian(counts, s.unit_without);
-  return d;
+  if (own) put_shape(j, s, counts);
+  j["histogram"] = rounded(statistics::histogram(sigma.x, r));
+  if (own) j["own_histogram"] = rounded(statistics::histogram(sigma.x, 1));
+  const statistics::Curve pdf = statistics::pdf(counts);
+  j["pdf"] = rescaled(pdf, std::abs(r));
+  if (own) j["own_pdf"] = pdf;
+  return j;
 }
 
 }  // namespace arenite::stress

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "grains/texture/texture.hpp"
+#include "support/numbers_of.hpp"
 #include "support/page_sample.hpp"
 
 namespace arenite::workflow {
@@ -20,7 +21,8 @@ Packing pressed() {
 TEST(TransposedPacking, StressIsTransposedWithIt) {
   Packing packing = pressed();
   packing.contacts.ft[3] *= 5;  // so that xy and yx differ from zero and from each other
-  const Tensor2 before = texture::measure(packing).stress.whole.value, after = texture::measure(transposed(packing)).stress.whole.value;
+  const Tensor2 before = test::tensor_of(texture::measure(packing).numbers, "stress"),
+                after = test::tensor_of(texture::measure(transposed(packing)).numbers, "stress");
   const double scale = std::abs(before.xx) + std::abs(before.yy);
   EXPECT_NEAR(after.xx, before.yy, 1e-12 * scale);
   EXPECT_NEAR(after.yy, before.xx, 1e-12 * scale);

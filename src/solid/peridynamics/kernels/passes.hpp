@@ -162,49 +162,44 @@ template <class Machine, BondLaw Law> struct Passes {
     return sum.value();
   }
 
-  /// All nodes of a grid, pads between the rows included: these hold zeros and stay so.
-  struct Span {
-    std::ptrdiff_t begin, end;
-  };
-  static Span span_of(const Grid& grid) { return {grid.row(0), grid.row(grid.height)}; }
+  /// Every vector of nodes of a grid, pads between the rows included: these hold zeros and stay so.
+  template <class Visit> [[gnu::always_inline]] static void each_vector(const Grid& grid, const Visit& visit) {
+    for (std::ptrdiff_t i = grid.row(0), end = grid.row(grid.height); i < end; i += Floats::lanes) visit(i);
+  }
 
   static double conjugate_step(const Bonds& bonds, float alpha, Plane<const float> p, Plane<const float> f, Plane<double> u, Plane<float> r, BlockPlane inverse,
                                float b, Plane<float> z) {
     const Floats step = Floats::all(alpha), vb = Floats::all(b);
     const Doubles long_step = Doubles::all(static_cast<double>(alpha));
     Sum<Machine> sum;
-    const Span span = span_of(bonds.grid);
     const auto component = [&](std::ptrdiff_t i, const float* pp, const float* ff, double* uu, float* rr) {
       for (std::ptrdiff_t j = i; j < i + Floats::lanes; j += Doubles::lanes) fma(long_step, load_rough<Doubles>(pp + j), Doubles::load(uu + j)).store(uu + j);
       const Floats now = fma(step, Floats::load(ff + i), Floats::load(rr + i));
       now.store(rr + i);
       return now;
     };
-    for (std::ptrdiff_t i = span.begin; i < span.end; i += Floats::lanes) {
+    each_vector(bonds.grid, [&](std::ptrdiff_t i) {
       const Floats rx = component(i, p.x, f.x, u.x, r.x), ry = component(i, p.y, f.y, u.y, r.y);
       sum.add(rx, rx, ry, ry);
       const Floats xy = Floats::load(inverse.xy + i);
       (vb * fma(Floats::load(inverse.xx + i), rx, xy * ry)).store(z.x + i);
       (vb * fma(xy, rx, Floats::load(inverse.yy + i) * ry)).store(z.y + i);
-    }
+    });
     return sum.value();
   }
 
   static double dot(const Bonds& bonds, Plane<const float> a, Plane<const float> b) {
     Sum<Machine> sum;
-    const Span span = span_of(bonds.grid);
-    for (std::ptrdiff_t i = span.begin; i < span.end; i += Floats::lanes)
-      sum.add(Floats::load(a.x + i), Floats::load(b.x + i), Floats::load(a.y + i), Floats::load(b.y + i));
+    each_vector(bonds.grid, [&](std::ptrdiff_t i) { sum.add(Floats::load(a.x + i), Floats::load(b.x + i), Floats::load(a.y + i), Floats::load(b.y + i)); });
     return sum.value();
   }
 
   static void direct(const Bonds& bonds, float beta, Plane<const float> z, Plane<float> p) {
     const Floats keep = Floats::all(beta);
-    const Span span = span_of(bonds.grid);
-    for (std::ptrdiff_t i = span.begin; i < span.end; i += Floats::lanes) {
+    each_vector(bonds.grid, [&](std::ptrdiff_t i) {
       fma(keep, Floats::load(p.x + i), Floats::load(z.x + i)).store(p.x + i);
       fma(keep, Floats::load(p.y + i), Floats::load(z.y + i)).store(p.y + i);
-    }
+    });
   }
 
   static constexpr Kernels table(const char* name) {

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 #include "solid/peridynamics/kernels/kernels.hpp"
 
@@ -82,30 +83,14 @@ template <class V, BondLaw Law> class Stencil {
       __builtin_prefetch(words + k + stride);
       const auto word = typename V::Words(words + k);
       const V x = V::load(ux + k), y = V::load(uy + k);
-      const auto one = [&]<int d>(V own) __attribute__((always_inline)) {
+      const auto one = [&]<int d>() __attribute__((always_inline)) {
         constexpr Offset e = half_bonds[d];
         const std::ptrdiff_t j = k + e.x + e.y * stride;
-        V other;
-        if constexpr (e.y == 0) other = V::load(ux + j);
-        else if constexpr (e.x == 0) other = V::load(uy + j);
-        else other = along<d>(V::load(ux + j), V::load(uy + j), two);
-        law_.force(other - own, table.template find<2 * d>(word)).store(in<d>(rows) + k);
+        const V other = along<d>(V::load(ux + j), V::load(uy + j), two);
+        law_.force(other - along<d>(x, y, two), table.template find<2 * d>(word)).store(in<d>(rows) + k);
       };
-      one.template operator()<0>(x);
-      one.template operator()<1>(x);
-      one.template operator()<2>(x);
-      one.template operator()<3>(y);
-      one.template operator()<4>(y);
-      one.template operator()<5>(y);
-      const V rising = x + y, falling = y - x;
-      one.template operator()<6>(rising);
-      one.template operator()<7>(rising);
-      one.template operator()<8>(falling);
-      one.template operator()<9>(falling);
-      one.template operator()<10>(along<10>(x, y, two));
-      one.template operator()<11>(along<11>(x, y, two));
-      one.template operator()<12>(along<12>(x, y, two));
-      one.template operator()<13>(along<13>(x, y, two));
+      [&]<int... d>(std::integer_sequence<int, d...>) __attribute__((always_inline)) { (one.template operator()<d>(), ...); }
+      (std::make_integer_sequence<int, bonds_per_node>());
     }
   }
 

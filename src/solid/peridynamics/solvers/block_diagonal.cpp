@@ -45,7 +45,7 @@ BlockDiagonal<double> block_diagonal(const Bonds& bonds) {
       for (std::ptrdiff_t i = grid.row(y) + g * Grid::lanes, end = i + Grid::lanes; i < end; ++i) {
         Block b = kind == Bonds::mixed ? Block{} : bulk[kind];
         for (int d = 0; kind == Bonds::mixed && d < bonds_per_node; ++d) {
-          const auto& of_type = blocks[static_cast<unsigned>(d)];
+          const auto& of_type = blocks[d];
           b = b + (of_type[bonds.type(i, d)] + of_type[bonds.type(i - bonds.step(d), d)]);
         }
         sum.set(i, b);
@@ -60,7 +60,7 @@ InverseDiagonal inverse_diagonal(const Bonds& bonds, const BlockDiagonal<double>
   grid.each([&](std::ptrdiff_t i, int y) {
     if (!(diagonal.xx[i] + diagonal.yy[i] > 0)) return;
     bool loose = false;
-    inverse.blocks.set(i, inverse_of({diagonal.xx[i], diagonal.xy[i], diagonal.yy[i]}, prescribed[static_cast<std::size_t>(y)], loose));
+    inverse.blocks.set(i, inverse_of({diagonal.xx[i], diagonal.xy[i], diagonal.yy[i]}, prescribed[y], loose));
     inverse.loose += loose;
   });
   return inverse;

@@ -88,9 +88,9 @@ Cholesky::Cholesky(const BlockMatrix& m) : state_(std::make_unique<State>()) {
   for (int c = 0; c < m.columns(); ++c)
     for (int s = 0; s < 2; ++s) {
       begin[2 * c + s] = k;
-      for (int j = m.column_begin[static_cast<std::size_t>(c)]; j < m.column_begin[static_cast<std::size_t>(c) + 1]; ++j)
+      for (int j = m.column_begin[c]; j < m.column_begin[static_cast<std::size_t>(c) + 1]; ++j)
         for (int r = 0; r < 2; ++r) {
-          const int scalar_row = 2 * m.row[static_cast<std::size_t>(j)] + r;
+          const int scalar_row = 2 * m.row[j] + r;
           if (scalar_row < 2 * c + s) continue;
           row[k] = scalar_row;
           value[k++] = m.value[4 * static_cast<std::size_t>(j) + 2 * static_cast<std::size_t>(s) + static_cast<std::size_t>(r)];
@@ -109,8 +109,6 @@ Cholesky::Cholesky(const BlockMatrix& m) : state_(std::make_unique<State>()) {
 }
 
 Cholesky::~Cholesky() = default;
-Cholesky::Cholesky(Cholesky&&) noexcept = default;
-Cholesky& Cholesky::operator=(Cholesky&&) noexcept = default;
 
 bool Cholesky::positive() const { return state_->positive; }
 

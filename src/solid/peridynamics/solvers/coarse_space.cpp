@@ -26,8 +26,8 @@ BlockMatrix gathered(const std::vector<std::int64_t>& begin, const std::vector<E
     rows.clear();
     sums.clear();
     for (auto e = begin[k]; e < begin[k + 1]; ++e) {
-      const Entry& entry = entries[static_cast<std::size_t>(e)];
-      auto& p = place[static_cast<std::size_t>(entry.row)];
+      const Entry& entry = entries[e];
+      auto& p = place[entry.row];
       if (p < 0) {
         p = static_cast<std::int32_t>(rows.size());
         rows.push_back(entry.row);
@@ -37,11 +37,11 @@ BlockMatrix gathered(const std::vector<std::int64_t>& begin, const std::vector<E
     }
     std::sort(rows.begin(), rows.end());
     for (const auto r : rows) {
-      const auto p = static_cast<std::size_t>(place[static_cast<std::size_t>(r)]);
+      const auto p = static_cast<std::size_t>(place[r]);
       matrix.row.push_back(r);
       matrix.value.insert(matrix.value.end(), &sums[4 * p], &sums[4 * p] + 4);
     }
-    for (const auto r : rows) place[static_cast<std::size_t>(r)] = -1;
+    for (const auto r : rows) place[r] = -1;
     matrix.column_begin.push_back(static_cast<std::int32_t>(matrix.row.size()));
   }
   return matrix;
@@ -58,7 +58,7 @@ CoarseSpace::CoarseSpace(const Bonds& bonds, Aggregates aggregates, const BlockD
   BlockMatrix matrix = assemble(sums);
   // A aggregate of few nodes carries more functions than it has freedoms, and a hat may vanish on all of its nodes: a trace
   // of stiffness on the diagonal keeps these apart and is too small to slow anything down.
-  const auto diagonal_block = [&](std::int32_t c) { return &matrix.value[4 * static_cast<std::size_t>(matrix.column_begin[static_cast<std::size_t>(c)])]; };
+  const auto diagonal_block = [&](std::int32_t c) { return &matrix.value[4 * static_cast<std::size_t>(matrix.column_begin[c])]; };
   double stiffest = 0;
   for (std::int32_t c = 0; c < matrix.columns(); ++c) stiffest = std::max(stiffest, diagonal_block(c)[0] + diagonal_block(c)[3]);
   for (double extra = 1e-7;; extra *= 100, ++repairs_) {
@@ -79,7 +79,7 @@ void CoarseSpace::number_corners(const std::vector<Coupling>& couplings) {
   const std::size_t corners = 4 * aggregates_.list.size();
   JoinedSets sets(corners);
   for (const Coupling& c : couplings) {
-    const Aggregates::Aggregate &p = aggregates_.list[static_cast<std::size_t>(c.p)], &q = aggregates_.list[static_cast<std::size_t>(c.q)];
+    const Aggregates::Aggregate &p = aggregates_.list[c.p], &q = aggregates_.list[c.q];
     if (c.p == c.q || p.owner != q.owner) continue;
     const int right = q.cell_x - p.cell_x, up = q.cell_y - p.cell_y;
     for (int a = 0; a < 4; ++a) {
@@ -102,8 +102,7 @@ BlockMatrix CoarseSpace::assemble(const std::vector<Coupling>& couplings) const 
   const auto each = [&](auto&& visit) {
     for (const Coupling& c : couplings)
       for (int a = 0; a < 4; ++a)
-        for (int b = c.p == c.q ? a : 0; b < 4; ++b)
-          visit(c, a, b, corner_[static_cast<std::size_t>(4 * c.p + a)], corner_[static_cast<std::size_t>(4 * c.q + b)]);
+        for (int b = c.p == c.q ? a : 0; b < 4; ++b) visit(c, a, b, corner_[4 * c.p + a], corner_[4 * c.q + b]);
   };
   std::vector<std::int64_t> begin(columns + 1, 0);
   each([&](const Coupling&, int, int, std::int32_t m, std::int32_t n) { ++begin[static_cast<std::size_t>(std::min(m, n)) + 1]; });
@@ -113,7 +112,7 @@ BlockMatrix CoarseSpace::assemble(const std::vector<Coupling>& couplings) const 
   each([&](const Coupling& c, int a, int b, std::int32_t m, std::int32_t n) {
     const auto ua = static_cast<unsigned>(a), ub = static_cast<unsigned>(b);
     const double xx = c.block[0][ua][ub], xy = c.block[1][ua][ub], yy = c.block[2][ua][ub], yx = c.block[3][ua][ub];
-    Entry& entry = entries[static_cast<std::size_t>(at[static_cast<std::size_t>(std::min(m, n))]++)];
+    Entry& entry = entries[static_cast<std::size_t>(at[std::min(m, n)]++)];
     // Two corners of different aggregates may share a coarse node: then the block and its transpose both land on the diagonal.
     if (m == n && c.p != c.q) entry = {m, {2 * xx, xy + yx, xy + yx, 2 * yy}};
     else if (m >= n) entry = {m, {xx, yx, xy, yy}};
@@ -132,7 +131,7 @@ void CoarseSpace::list_runs(const std::vector<std::uint8_t>& prescribed) {
       while (x + length < end && aggregates_.of_node[i + length] == aggregate) ++length;
       if (aggregate >= 0)
         runs_.push_back({i, aggregate, static_cast<std::int16_t>(x % Aggregates::cell), static_cast<std::int16_t>(y % Aggregates::cell),
-                         static_cast<std::int16_t>(length), prescribed[static_cast<std::size_t>(y)] == y_prescribed});
+                         static_cast<std::int16_t>(length), prescribed[y] == y_prescribed});
       x += length;
     }
 }

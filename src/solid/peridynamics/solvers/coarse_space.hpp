@@ -22,8 +22,6 @@ class Cholesky {
  public:
   explicit Cholesky(const BlockMatrix& matrix);
   ~Cholesky();
-  Cholesky(Cholesky&&) noexcept;
-  Cholesky& operator=(Cholesky&&) noexcept;
 
   /// False where a pivot was not positive; then solve() must not be called.
   bool positive() const;

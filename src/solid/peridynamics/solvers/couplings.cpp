@@ -36,7 +36,7 @@ struct InnerSums {
         for (const Offset e : half_bonds) {
           const Hats& other = hats_at(x + e.x, y + e.y);
           const double k = 1 / std::pow(length(e), 3);
-          auto& sum = at[static_cast<unsigned>(y * cell + x)];
+          auto& sum = at[y * cell + x];
           sum[0] += k * e.x * e.x * other;
           sum[1] += k * e.x * e.y * other;
           sum[2] += k * e.y * e.y * other;
@@ -57,36 +57,17 @@ struct CouplingSum {
 
   CouplingSum(const Bonds& b, const Aggregates& p) : bonds(b), aggregates(p), blocks(bond_blocks(b)), latest(p.list.size(), -1) {
     self.resize(p.list.size());
-    for (std::int32_t k = 0; k < p.count(); ++k) self[static_cast<std::size_t>(k)] = {k, k, {}};
+    for (std::int32_t k = 0; k < p.count(); ++k) self[k] = {k, k, {}};
     cross.reserve(6 * p.list.size());
   }
 
   Coupling& between(std::int32_t p, std::int32_t q) {
-    for (std::int32_t c = latest[static_cast<std::size_t>(p)]; c >= 0; c = next[static_cast<std::size_t>(c)])
-      if (cross[static_cast<std::size_t>(c)].q == q) return cross[static_cast<std::size_t>(c)];
-    next.push_back(latest[static_cast<std::size_t>(p)]);
-    latest[static_cast<std::size_t>(p)] = static_cast<std::int32_t>(cross.size());
+    for (std::int32_t c = latest[p]; c >= 0; c = next[c])
+      if (cross[c].q == q) return cross[c];
+    next.push_back(latest[p]);
+    latest[p] = static_cast<std::int32_t>(cross.size());
     cross.push_back({p, q, {}});
     return cross.back();
-  }
-
-  /// A node that only slides along x; the bonds between it and the rows above all start here.
-  void add_sliding_node(std::ptrdiff_t i, int x, int y, double diagonal_xx) {
-    const std::int32_t p = aggregates.of_node[i];
-    const Hats& own = hats_at(x, y);
-    for (unsigned a = 0; a < 4; ++a) self[static_cast<std::size_t>(p)].block[0][a] += own[a] * (0.5 * diagonal_xx * own);
-    for (unsigned d = 0; d < bonds_per_node; ++d) {
-      const unsigned type = bonds.words[i] >> (2 * d) & 3u;
-      const Offset e = half_bonds[d];
-      const std::int32_t q = aggregates.of_node[i + bonds.step(static_cast<int>(d))];
-      if (type == no_bond || q < 0) continue;
-      const Hats& other = hats_at(x + e.x, y + e.y);
-      Coupling& to = q == p ? self[static_cast<std::size_t>(p)] : between(p, q);
-      for (unsigned a = 0; a < 4; ++a) {
-        to.block[0][a] -= own[a] * blocks[d][type].xx * other;
-        if (e.y > 0) to.block[1][a] -= own[a] * blocks[d][type].xy * other;
-      }
-    }
   }
 
   /// A node's bonds inside its own aggregate, whose block times hats is `modulus` times `sums`. They appear as they are and transposed; half of the
@@ -94,16 +75,17 @@ struct CouplingSum {
   void add_within(std::int32_t p, const Hats& own, const std::array<double, 3>& diagonal, double modulus, const std::array<Hats, 3>& sums) {
     for (unsigned c = 0; c < 3; ++c) {
       const Hats row = 0.5 * diagonal[c] * own - modulus * sums[c];
-      for (unsigned a = 0; a < 4; ++a) self[static_cast<std::size_t>(p)].block[c][a] += own[a] * row;
+      for (unsigned a = 0; a < 4; ++a) self[p].block[c][a] += own[a] * row;
     }
   }
 
   /// A node deep inside one grain and one cell: its bonds are all alike and reach its own aggregate only.
   void add_inner_node(std::ptrdiff_t i, int x, int y, double modulus, const std::array<double, 3>& diagonal) {
-    add_within(aggregates.of_node[i], hats_at(x, y), diagonal, modulus, inner_sums.at[static_cast<unsigned>(y * cell + x)]);
+    add_within(aggregates.of_node[i], hats_at(x, y), diagonal, modulus, inner_sums.at[y * cell + x]);
   }
 
-  void add_node(std::ptrdiff_t i, int x, int y, const std::array<double, 3>& diagonal) {
+  /// Where the node only slides along x its bonds resist that alone; those to the rows above all start here.
+  void add_node(std::ptrdiff_t i, int x, int y, const std::array<double, 3>& diagonal, bool slides = false) {
     const std::int32_t p = aggregates.of_node[i];
     const std::uint32_t word = bonds.words[i];
     std::array<Reach, bonds_per_node> reach;
@@ -126,6 +108,8 @@ struct CouplingSum {
       reach[at].sum[1] += block.xy * other;
       reach[at].sum[2] += block.yy * other;
     }
+    if (slides)
+      for (Reach& r : reach) r.sum[2] = Hats{};
     const Hats& own = hats_at(x, y);
     add_within(p, own, diagonal, 1, reach[0].sum);
     for (unsigned k = 1; k < reached; ++k) {
@@ -149,7 +133,7 @@ std::vector<Coupling> couplings(const Bonds& bonds, const Aggregates& aggregates
       for (int y = y0; y < std::min(y0 + cell, grid.height); ++y)
         for (int x = x0; x < std::min(x0 + cell, grid.width); ++x) {
           const std::ptrdiff_t i = grid.index(x, y);
-          if (aggregates.of_node[i] < 0 || prescribed[static_cast<std::size_t>(y)]) continue;
+          if (aggregates.of_node[i] < 0 || prescribed[y]) continue;
           const std::array<double, 3> own{diagonal.xx[i], diagonal.xy[i], diagonal.yy[i]};
           const bool inside = bonds.group_at(x, y) == particle_bond;
           if (inside && InnerSums::holds(x - x0, y - y0) && aggregates.of_node[i + horizon * grid.stride] >= 0)
@@ -159,9 +143,9 @@ std::vector<Coupling> couplings(const Bonds& bonds, const Aggregates& aggregates
   for (auto* list : {&sum.self, &sum.cross})
     for (Coupling& c : *list) c.block[3] = c.block[1];
   for (int y = 0; y < grid.height; ++y)
-    if (prescribed[static_cast<std::size_t>(y)] == y_prescribed)
+    if (prescribed[y] == y_prescribed)
       for (int x = 0; x < grid.width; ++x)
-        if (const std::ptrdiff_t i = grid.index(x, y); aggregates.of_node[i] >= 0) sum.add_sliding_node(i, x % cell, y % cell, diagonal.xx[i]);
+        if (const std::ptrdiff_t i = grid.index(x, y); aggregates.of_node[i] >= 0) sum.add_node(i, x % cell, y % cell, {diagonal.xx[i], 0, 0}, true);
   for (Coupling& within : sum.self)
     for (unsigned a = 0; a < 4; ++a)
       for (unsigned b = 0; b < 4; ++b) {

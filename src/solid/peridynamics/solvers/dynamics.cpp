@@ -19,7 +19,7 @@ void form_force(const Dynamics& s, const Field<double>& u, Field<double>& f) {
   exact_force(s.bonds, s.dx, u, f);
   const Grid& grid = s.bonds.grid;
   for (int y = 0; y < grid.height; ++y) {
-    const auto rows = s.prescribed[static_cast<std::size_t>(y)];
+    const auto rows = s.prescribed[y];
     if (rows & x_prescribed) std::fill_n(f.x.data() + grid.row(y), grid.width, 0.0);
     if (rows & y_prescribed) std::fill_n(f.y.data() + grid.row(y), grid.width, 0.0);
   }
@@ -60,7 +60,7 @@ template <class Look> StaticReport step_to_rest(const Dynamics& s, Field<double>
   StaticReport report;
   Field<double> older(s.bonds.grid.padded_size()), f(s.bonds.grid.padded_size());
   const double reference = residual_reference(s.bonds, s.prescribed, u, older, f);
-  copy(u, older);
+  older = u;
   if (!(reference > 0)) {
     report.converged = std::isfinite(reference);
     return report;

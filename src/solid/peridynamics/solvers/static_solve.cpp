@@ -58,7 +58,7 @@ struct StaticSolver::State {
     const double square = kernels(bonds.law).imbalance(bonds, prescribed.data(), plane(u), plane(r));
     if (!body) return std::sqrt(square);
     bonds.grid.each([&](std::ptrdiff_t i, int y) {
-      const auto rows = prescribed[static_cast<std::size_t>(y)];
+      const auto rows = prescribed[y];
       if (!(rows & x_prescribed)) r.x[i] += static_cast<float>(body->x[i]);
       if (!(rows & y_prescribed)) r.y[i] += static_cast<float>(body->y[i]);
     });
@@ -127,7 +127,7 @@ namespace {
 /// Keeps of the force on every node what its bonds can resist, and nothing where displacements are prescribed.
 void hold_to_bonds(const Grid& grid, const BlockDiagonal<double>& diagonal, const std::vector<std::uint8_t>& prescribed, Field<double>& f) {
   grid.each([&](std::ptrdiff_t i, int y) {
-    const auto rows = prescribed[static_cast<std::size_t>(y)];
+    const auto rows = prescribed[y];
     if (rows & x_prescribed) f.x[i] = 0;
     if (rows & y_prescribed) f.y[i] = 0;
     const double xx = diagonal.xx[i], xy = diagonal.xy[i], yy = diagonal.yy[i], trace = xx + yy;
@@ -141,7 +141,7 @@ void hold_to_bonds(const Grid& grid, const BlockDiagonal<double>& diagonal, cons
 StaticReport solve_exact_stretch(const Bonds& bonds, double dx, const std::vector<std::uint8_t>& prescribed, StaticSolver& solver, Field<double>& u,
                                  double tolerance, int max_iterations, const Watch& watch) {
   const Grid& grid = bonds.grid;
-  Field<double> body(grid.padded_size()), linear(grid.padded_size()), best(grid.padded_size());
+  Field<double> body(grid.padded_size()), linear(grid.padded_size()), best;
   const double reference = residual_reference(bonds, prescribed, u, body, linear);
   const auto diagonal = block_diagonal(bonds);
   StaticReport total = solver.solve(bonds, u, tolerance, max_iterations, watch);
@@ -156,7 +156,7 @@ StaticReport solve_exact_stretch(const Bonds& bonds, double dx, const std::vecto
     if (total.converged) return total;
     if (!(total.residual < least)) break;
     least = total.residual;
-    copy(u, best);
+    best = u;
     kernels(bonds.law).force(bonds, prescribed.data(), plane(u), plane(linear));
     for (std::ptrdiff_t i = grid.row(0), end = grid.row(grid.height); i < end; ++i) body.set(i, body.at(i) - linear.at(i));
     const StaticReport more = solver.solve(bonds, u, 0.1 * tolerance, max_iterations, later, &body);
@@ -168,7 +168,7 @@ StaticReport solve_exact_stretch(const Bonds& bonds, double dx, const std::vecto
       return total;
     }
   }
-  copy(best, u);
+  u = best;
   total.residual = least;
   return total;
 }

@@ -65,7 +65,8 @@ Sums sums_of(const Packing& p) {
 double worst_integral(const Packing& p, const CoarseFields& f) {
   const double volume = f.grid.cell_area() * p.domain.thickness;
   const Sums s = sums_of(p);
-  const Tensor2 moment = texture::internal_moment(p.contacts);
+  Tensor2 moment;
+  for (std::size_t c = 0; c < p.contacts.size(); ++c) moment += outer(p.contacts.force_on_i(c), p.contacts.branch(c));
   double worst = 0;
   const auto compare = [&](double found, double wanted, double size) { worst = std::max(worst, std::abs(found - wanted) / size); };
   compare(total(f.density) * volume, s.mass, s.mass);

@@ -171,9 +171,9 @@ TEST(Bidisperse, HeldRadiiEndWithOneThatFitsNowhere) {
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     FreeSpace space({{}, {side, side}}, 0.3);
     space.open_store(2);
-    std::vector<Disk> disks;
     RandomStream random(seed, Purpose::test);
-    const double refused = fill_holding(space, disks, {1, 0.25, 0.625, 1.375}, random);
+    const double refused = fill_holding(space, {1, 0.25, 0.625, 1.375}, random);
+    const std::vector<Disk>& disks = space.disks();
     Packing packing;
     packing.domain.wall[right].position = packing.domain.wall[top].position = side;
     packing.grains.resize(disks.size());

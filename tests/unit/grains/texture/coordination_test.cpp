@@ -2,12 +2,15 @@
 
 #include "core/error.hpp"
 #include "grains/texture/texture.hpp"
+#include "support/numbers_of.hpp"
 #include "unit/grains/texture/packings.hpp"
 
 namespace arenite::texture {
 namespace {
 
-double z(const Texture& t, const char* name) { return find(t.coordination.mean, name)->value; }
+using test::value_of;
+
+double z(const Texture& t, const std::string& name) { return value_of(t.numbers, "coordination/" + name); }
 
 TEST(Coordination, IsFourOnASquareAndSixOnATriangularLattice) {
   EXPECT_DOUBLE_EQ(z(measure(test::square_lattice(6)), "all"), 4);
@@ -25,14 +28,16 @@ TEST(Coordination, OfAStripedLatticeHasItsPartsByBothDefinitions) {
   EXPECT_DOUBLE_EQ(z(t, "B-A"), 2);
   EXPECT_DOUBLE_EQ(z(t, "A-ANY"), 4);
   EXPECT_DOUBLE_EQ(z(t, "B-ANY"), 4);
-  EXPECT_DOUBLE_EQ(find(t.coordination.doubled, "A-ANY")->value, 2.0 * (36 + 24) / 24);  // T 4.3.1: N_AA = 36, N_AB = 24
-  EXPECT_DOUBLE_EQ(find(t.coordination.doubled, "B-ANY")->value, 2.0 * (12 + 24) / 12);
+  EXPECT_DOUBLE_EQ(z(t, "unlike_contacts_twice/A-ANY"), 2.0 * (36 + 24) / 24);  // T 4.3.1: N_AA = 36, N_AB = 24
+  EXPECT_DOUBLE_EQ(z(t, "unlike_contacts_twice/B-ANY"), 2.0 * (12 + 24) / 12);
   double parts = 0, share = 0;
-  for (const auto& [name, part] : t.coordination.parts) parts += part.value;
-  for (const auto& [name, part] : t.coordination.share) share += part.value;
+  for (const char* pair : {"A-A", "A-B", "B-B"}) {
+    parts += z(t, std::string("parts_of_z/") + pair);
+    share += z(t, std::string("share_of_contacts/") + pair);
+  }
   EXPECT_DOUBLE_EQ(parts, 4);
   EXPECT_DOUBLE_EQ(share, 1);
-  EXPECT_DOUBLE_EQ(find(t.coordination.parts, "A-B")->value, 2.0 * 24 / 36);
+  EXPECT_DOUBLE_EQ(z(t, "parts_of_z/A-B"), 2.0 * 24 / 36);
 }
 
 TEST(Coordination, WithoutRattlersForgetsGrainsThatLeanOnRattlersOnly) {
@@ -54,9 +59,9 @@ TEST(Coordination, WithoutRattlersForgetsGrainsThatLeanOnRattlersOnly) {
   const Texture t = measure(p, whole);
   EXPECT_EQ(t.per_grain.rattler[36], 1);
   EXPECT_EQ(t.per_grain.rattler[37], 1);
-  EXPECT_DOUBLE_EQ(t.coordination.rattlers.value, 2.0 / 38);
+  EXPECT_DOUBLE_EQ(z(t, "rattlers"), 2.0 / 38);
   EXPECT_DOUBLE_EQ(z(t, "all"), 2.0 * 68 / 38);
-  EXPECT_DOUBLE_EQ(z(t, "all without rattlers"), 2.0 * 66 / 36);
+  EXPECT_DOUBLE_EQ(z(t, "without_rattlers"), 2.0 * 66 / 36);
 }
 
 TEST(Coordination, CountsOnlyGrainsBeyondTwoAndAHalfDiametersFromWalls) {
@@ -73,8 +78,8 @@ TEST(Coordination, CountsOnlyGrainsBeyondTwoAndAHalfDiametersFromWalls) {
   EXPECT_DOUBLE_EQ(t.window.x_min, 2.5);
   EXPECT_DOUBLE_EQ(t.window.y_max, 9.5);
   EXPECT_DOUBLE_EQ(z(t, "all"), 4);  // the border's grains with fewer contacts are left out
-  EXPECT_EQ(t.grains, 144u);
-  EXPECT_EQ(t.contacts, 264u);
+  EXPECT_EQ(value_of(t.numbers, "grains"), 144);
+  EXPECT_EQ(value_of(t.numbers, "contacts"), 264);
 }
 
 TEST(Coordination, OfASampleSmallerThanItsBorderIsTakenWholeAndSaysSo) {

@@ -3,10 +3,14 @@
 #include <algorithm>
 
 #include "grains/texture/texture.hpp"
+#include "support/numbers_of.hpp"
 #include "unit/grains/texture/packings.hpp"
 
 namespace arenite::texture {
 namespace {
+
+using test::error_of;
+using test::value_of;
 
 TEST(Forces, OfACohesiveSampleHaveATailOnEachSide) {
   Packing p = test::square_lattice(20);
@@ -14,14 +18,14 @@ TEST(Forces, OfACohesiveSampleHaveATailOnEachSide) {
   for (std::size_t c = 0; c < p.contacts.size(); ++c)
     p.contacts.fn[c] = c % 4 == 0 ? 0.5 * std::log(1 - random.uniform()) : -2 * std::log(1 - random.uniform());
   const Texture t = measure(p);
-  const Distribution &push = *find(t.force.compressive, "all"), &pull = *find(t.force.tensile, "all");
-  EXPECT_EQ(push.count, 600u);
-  EXPECT_EQ(pull.count, 200u);
-  EXPECT_DOUBLE_EQ(t.force.tensile_share.value, 0.25);
-  EXPECT_NEAR(push.tail.beta.value, 1, 4 * push.tail.beta.error);  // each over its own mean
-  EXPECT_NEAR(pull.tail.beta.value, 1, 4 * pull.tail.beta.error);
-  EXPECT_NEAR(t.force.tensile_mean_ratio, 0.25, 0.06);
-  EXPECT_EQ(t.quality.negative_forces, 200u);
+  const Numbers &push = t.numbers["force"], &pull = push["tensile"];
+  EXPECT_EQ(value_of(push, "count"), 600);
+  EXPECT_EQ(value_of(pull, "count"), 200);
+  EXPECT_DOUBLE_EQ(value_of(push, "tensile_share"), 0.25);
+  EXPECT_NEAR(value_of(push, "beta"), 1, 4 * error_of(push, "beta"));  // each over its own mean
+  EXPECT_NEAR(value_of(pull, "beta"), 1, 4 * error_of(pull, "beta"));
+  EXPECT_NEAR(value_of(pull, "mean_over_compressive_mean"), 0.25, 0.06);
+  EXPECT_EQ(value_of(t.numbers, "quality/negative_forces"), 200);
 }
 
 TEST(Forces, ThatPullAreAnErrorOfMeasurementOnlyWhereTheyAreMeasured) {
@@ -48,35 +52,37 @@ TEST(Forces, ByTypeKnowTheirOwnMeanAndThatOfAll) {
   for (std::size_t c = 0; c < p.contacts.size(); ++c)
     p.contacts.fn[c] = 1 + p.grains.material[static_cast<std::size_t>(p.contacts.i[c])] + p.grains.material[static_cast<std::size_t>(p.contacts.j[c])];
   const Texture t = measure(p);
-  EXPECT_DOUBLE_EQ(find(t.force.compressive, "B-B")->mean.value, 3);
-  EXPECT_DOUBLE_EQ(find(t.force.compressive, "B-B")->fraction_above_mean.value, 0);
-  EXPECT_DOUBLE_EQ(find(t.force.compressive, "B-B")->fraction_above_mean_of_all.value, 1);
-  EXPECT_DOUBLE_EQ(find(t.force.compressive, "A-A")->fraction_above_mean_of_all.value, 0);
-  EXPECT_DOUBLE_EQ(find(t.force.compressive, "all")->mean.value, (36.0 * 1 + 24 * 2 + 12 * 3) / 72);
+  EXPECT_DOUBLE_EQ(value_of(t.numbers, "force/by_type/B-B/mean_N"), 3);
+  EXPECT_DOUBLE_EQ(value_of(t.numbers, "force/by_type/B-B/strong_share"), 0);
+  EXPECT_DOUBLE_EQ(value_of(t.numbers, "force/by_type/B-B/fraction_above_mean_of_all"), 1);
+  EXPECT_DOUBLE_EQ(value_of(t.numbers, "force/by_type/A-A/fraction_above_mean_of_all"), 0);
+  EXPECT_DOUBLE_EQ(value_of(t.numbers, "force/mean_N"), (36.0 * 1 + 24 * 2 + 12 * 3) / 72);
 }
 
 TEST(Forces, BetweenGluedAndDryGrainsAreToldApart) {
   Packing p = test::square_lattice(6);
   for (std::size_t g = 0; g < 12; ++g) p.grains.zone[g] = 1;  // two rows
   const Texture t = measure(p);
-  EXPECT_EQ(find(t.force.compressive, "glued-glued")->count, 18u);
-  EXPECT_EQ(find(t.force.compressive, "dry-glued")->count, 12u);
-  EXPECT_EQ(find(t.force.compressive, "dry-dry")->count, 42u);
-  EXPECT_EQ(find(t.sigma_norm.sets, "glued")->count, 12u);
+  EXPECT_EQ(value_of(t.numbers, "force/by_type/glued-glued/count"), 18);
+  EXPECT_EQ(value_of(t.numbers, "force/by_type/dry-glued/count"), 12);
+  EXPECT_EQ(value_of(t.numbers, "force/by_type/dry-dry/count"), 42);
+  EXPECT_EQ(value_of(t.numbers, "sigma_norm/by_material/glued/count"), 12);
 }
 
 TEST(Threshold, SeparatesStrongFromWeakDirections) {
   Packing p = test::square_lattice(8);
   for (std::size_t c = 0; c < p.contacts.size(); ++c) p.contacts.fn[c] = std::abs(p.contacts.normal[c].y) > 0.5 ? 3 : 1;
-  const ThresholdCurve curve = measure(p).threshold;  // mean 2, load along y
-  for (std::size_t k = 0; k < curve.threshold.size(); ++k) {
-    const double x = curve.threshold[k];
+  const Texture t = measure(p);  // mean 2, load along y
+  const Numbers& curve = t.numbers["fabric"]["threshold"];
+  ASSERT_EQ(curve["force"].size(), 41u);
+  for (std::size_t k = 0; k < 41; ++k) {
+    const double x = curve["force"][k].get<double>();
     if (x > 0.55 && x < 1.45) {
-      EXPECT_NEAR(curve.below[k], -2, 1e-12) << x;
-      EXPECT_NEAR(curve.above[k], 2, 1e-12) << x;
+      EXPECT_NEAR(curve["a_c_below"][k].get<double>(), -2, 1e-12) << x;
+      EXPECT_NEAR(curve["a_c_above"][k].get<double>(), 2, 1e-12) << x;
     } else if (x > 1.55) {
-      EXPECT_NEAR(curve.below[k], 0, 1e-12) << x;
-      EXPECT_TRUE(std::isnan(curve.above[k])) << x;
+      EXPECT_NEAR(curve["a_c_below"][k].get<double>(), 0, 1e-12) << x;
+      EXPECT_FALSE(curve["a_c_above"][k].is_known()) << x;
     }
   }
 }

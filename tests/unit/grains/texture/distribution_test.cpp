@@ -7,9 +7,19 @@
 #include <numeric>
 
 #include "core/random.hpp"
+#include "statistics/tails.hpp"
+#include "support/numbers_of.hpp"
 
 namespace arenite::texture {
 namespace {
+
+using statistics::exponential_tail;
+using statistics::ExponentialTail;
+using test::error_of;
+using test::list_of;
+using test::value_of;
+
+constexpr DistributionNames names{"mean", "", "share", "", ""};
 
 std::vector<double> sorted(std::vector<double> v) {
   std::sort(v.begin(), v.end());
@@ -59,9 +69,9 @@ TEST(WeakPowerLaw, GivesBackItsExponent) {
   RandomStream random(11, Purpose::test);
   std::vector<double> x;
   for (int k = 0; k < 5000; ++k) x.push_back(std::pow(random.uniform(), 1 / (1 - 0.3)));  // pdf (1 - 0.3) x^-0.3
-  const PowerLaw law = weak_power_law(sorted(x));
-  EXPECT_NEAR(law.alpha.value, 0.3, 4 * law.alpha.error);
-  EXPECT_NEAR(law.alpha.error, 0.7 / std::sqrt(5000.0), 5e-4);
+  const Estimate alpha = weak_exponent(sorted(x));
+  EXPECT_NEAR(alpha.value, 0.3, 4 * alpha.error);
+  EXPECT_NEAR(alpha.error, 0.7 / std::sqrt(5000.0), 5e-4);
 }
 
 TEST(Distribution, OfAPurelyExponentialForceHasKnownShares) {
@@ -72,17 +82,17 @@ TEST(Distribution, OfAPurelyExponentialForceHasKnownShares) {
   std::iota(items.begin(), items.end(), 0);
   std::vector<int> block(force.size());
   for (std::size_t k = 0; k < block.size(); ++k) block[k] = static_cast<int>(k % 36);
-  const Distribution d = distribution(items, block, force, 6.0);
-  EXPECT_NEAR(d.mean.value, 3, 4 * d.mean.error);
-  EXPECT_NEAR(d.mean.error, 3 / std::sqrt(20000.0), 0.35 * 3 / std::sqrt(20000.0));
-  EXPECT_NEAR(d.fraction_above_mean.value, std::exp(-1), 4 * d.fraction_above_mean.error);
-  EXPECT_NEAR(d.fraction_above_mean_of_all.value, std::exp(-2), 4 * d.fraction_above_mean_of_all.error);
-  EXPECT_NEAR(d.tail.beta.value, 1, 4 * d.tail.beta.error);
+  const Numbers d = distribution(items, block, force, 6.0, names);
+  EXPECT_NEAR(value_of(d, "mean"), 3, 4 * error_of(d, "mean"));
+  EXPECT_NEAR(error_of(d, "mean"), 3 / std::sqrt(20000.0), 0.35 * 3 / std::sqrt(20000.0));
+  EXPECT_NEAR(value_of(d, "share"), std::exp(-1), 4 * error_of(d, "share"));
+  EXPECT_NEAR(value_of(d, "fraction_above_mean_of_all"), std::exp(-2), 4 * error_of(d, "fraction_above_mean_of_all"));
+  EXPECT_NEAR(value_of(d, "beta"), 1, 4 * error_of(d, "beta"));
   double area = 0;
-  for (const double y : d.pdf.y) area += y * (d.pdf.x[1] - d.pdf.x[0]);
+  for (const double y : list_of(d, "pdf/y")) area += y * (value_of(d, "pdf/x/1") - value_of(d, "pdf/x/0"));
   EXPECT_NEAR(area, 1, 1e-12);
-  EXPECT_NEAR(d.cumulative.y.front(), 1, 1e-12);
-  EXPECT_NEAR(d.cumulative.x.back(), d.maximum, 1e-12);
+  EXPECT_NEAR(list_of(d, "cumulative/y").front(), 1, 1e-12);
+  EXPECT_NEAR(list_of(d, "cumulative/x").back(), value_of(d, "maximum"), 1e-12);
 }
 
 TEST(Distribution, RelationOfExponentsHoldsForAPairThatObeysIt) {
@@ -94,10 +104,10 @@ TEST(Distribution, RelationOfExponentsHoldsForAPairThatObeysIt) {
   for (int n = 0; n < 40000; ++n) force.push_back(random.uniform() < k ? random.uniform() : 1 - std::log(1 - random.uniform()) / beta);
   Items items(force.size());
   std::iota(items.begin(), items.end(), 0);
-  const Distribution d = distribution(items, std::vector<int>(force.size(), 0), force, 1);
-  EXPECT_NEAR(d.mean.value, 1, 0.02);
-  EXPECT_NEAR(d.relation.value, 1, 4 * d.relation.error);
-  EXPECT_NEAR(d.k.value, k, 4 * d.k.error);
+  const Numbers d = distribution(items, std::vector<int>(force.size(), 0), force, 1, names);
+  EXPECT_NEAR(value_of(d, "mean"), 1, 0.02);
+  EXPECT_NEAR(value_of(d, "beta2_over_product"), 1, 4 * error_of(d, "beta2_over_product"));
+  EXPECT_NEAR(value_of(d, "k"), k, 4 * error_of(d, "k"));
 }
 
 TEST(Jackknife, OfAMeanOfIndependentValuesIsItsStandardError) {
@@ -143,13 +153,13 @@ TEST(Jackknife, OfAnAngleDoesNotJumpWhereItWraps) {
 TEST(Distribution, TheDensityOverTheMeanOfAllIsThatOfValuesOverThisMean) {
   // Mean 3, half the mean of all.
   const std::vector<double> force{1.5, 3, 4.5};
-  const Distribution d = distribution({0, 1, 2}, {0, 1, 2}, force, 6.0);
-  ASSERT_EQ(d.pdf_over_all.x.size(), 8u);  // up to 0.75 in bins of 0.1
+  const Numbers d = distribution({0, 1, 2}, {0, 1, 2}, force, 6.0, names);
+  ASSERT_EQ(d["pdf_over_all"]["x"].size(), 8u);  // up to 0.75 in bins of 0.1
   double whole = 0;
-  for (const double y : d.pdf_over_all.y) whole += 0.1 * y;
+  for (const double y : list_of(d, "pdf_over_all/y")) whole += 0.1 * y;
   EXPECT_NEAR(whole, 1, 1e-12);
-  EXPECT_NEAR(d.pdf_over_all.y[2], 1 / 0.3, 1e-9);  // 0.25
-  EXPECT_NEAR(d.pdf_over_all.y[7], 1 / 0.3, 1e-9);  // 0.75
+  EXPECT_NEAR(value_of(d, "pdf_over_all/y/2"), 1 / 0.3, 1e-9);  // 0.25
+  EXPECT_NEAR(value_of(d, "pdf_over_all/y/7"), 1 / 0.3, 1e-9);  // 0.75
 }
 
 }  // namespace

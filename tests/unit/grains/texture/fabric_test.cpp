@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "grains/texture/texture.hpp"
+#include "support/numbers_of.hpp"
 #include "unit/grains/texture/packings.hpp"
 
 namespace arenite::texture {
@@ -13,7 +14,7 @@ using test::add_contact;
 using test::add_grain;
 using test::empty_box;
 
-const Fabric& all(const Texture& t) { return *find(t.fabric, "all"); }
+double fabric(const Texture& t, const std::string& name) { return test::value_of(t.numbers, "fabric/" + name); }
 
 /// Grains along rays from a central one, so that contact orientations and forces are what one asks for.
 Packing star(const std::vector<double>& degrees, const std::vector<double>& forces) {
@@ -46,10 +47,10 @@ TEST(Fabric, SignedAnisotropyOfARandomNetworkIsZeroAboutTheLoadsAxisOnly) {
     const Packing network = random_network(static_cast<std::uint64_t>(seed), 400);
     Options options;
     options.load_axis = std::numbers::pi / 2;
-    const double a = find(measure(network, options).fabric, "strong")->a_c_signed.value;
+    const double a = fabric(measure(network, options), "sets/strong/a_c_signed");
     about_load += a / trials;
     square += a * a / trials;
-    about_own += find(measure(network).fabric, "strong")->a_c_signed.value / trials;
+    about_own += fabric(measure(network), "sets/strong/a_c_signed") / trials;
   }
   const double error = std::sqrt(square / trials);
   EXPECT_LT(std::abs(about_load), 3 * error);
@@ -68,45 +69,45 @@ TEST(Fabric, SaysWhereItsSignsHaveNoAxisFromOutside) {
 
 TEST(Fabric, OfASquareLatticeIsIsotropicWithFullFourfoldOrder) {
   const Texture t = measure(test::square_lattice(8));
-  EXPECT_NEAR(all(t).phi.value.xx, 0.5, 1e-15);
-  EXPECT_NEAR(all(t).phi.value.xy, 0, 1e-15);
-  EXPECT_NEAR(all(t).a_c.value, 0, 1e-14);
-  EXPECT_NEAR(all(t).modes[1].amplitude.value, 1, 1e-14);
-  EXPECT_NEAR(std::remainder(all(t).modes[1].phase_deg.value, 90), 0, 1e-10);
+  EXPECT_NEAR(fabric(t, "phi/value/0/0"), 0.5, 1e-15);
+  EXPECT_NEAR(fabric(t, "phi/value/0/1"), 0, 1e-15);
+  EXPECT_NEAR(fabric(t, "a_c"), 0, 1e-14);
+  EXPECT_NEAR(fabric(t, "modes/4/amplitude"), 1, 1e-14);
+  EXPECT_NEAR(std::remainder(fabric(t, "modes/4/phase_deg"), 90), 0, 1e-10);
 }
 
 TEST(Fabric, OfATriangularLatticeIsIsotropicWithPeaksAt0_60_120) {
   const Texture t = measure(test::triangular_lattice(8));
-  EXPECT_NEAR(all(t).a_c.value, 0, 1e-14);
-  EXPECT_NEAR(all(t).modes[1].amplitude.value, 0, 1e-14);
-  EXPECT_NEAR(all(t).modes[2].amplitude.value, 1, 1e-13);
-  EXPECT_NEAR(std::remainder(all(t).modes[2].phase_deg.value, 60), 0, 1e-10);
-  for (std::size_t s = 0; s < 18; ++s) EXPECT_EQ(all(t).sectors[s], s % 6 == 0 ? 64 : 0) << "sector " << s;
-  EXPECT_NEAR(t.order.psi6.value, 1, 1e-13);
-  EXPECT_EQ(find(t.order.ordered, "A")->value, 1);
+  EXPECT_NEAR(fabric(t, "a_c"), 0, 1e-14);
+  EXPECT_NEAR(fabric(t, "modes/4/amplitude"), 0, 1e-14);
+  EXPECT_NEAR(fabric(t, "modes/6/amplitude"), 1, 1e-13);
+  EXPECT_NEAR(std::remainder(fabric(t, "modes/6/phase_deg"), 60), 0, 1e-10);
+  for (std::size_t s = 0; s < 18; ++s) EXPECT_EQ(test::list_of(t.numbers, "fabric/sectors")[s], s % 6 == 0 ? 64 : 0) << "sector " << s;
+  EXPECT_NEAR(test::value_of(t.numbers, "local_order/psi6"), 1, 1e-13);
+  EXPECT_EQ(test::value_of(t.numbers, "local_order/triangular_share/A"), 1);
 }
 
 TEST(Fabric, CountsDirectionsInAsManySectorsAsAsked) {
   Options options;
   options.sectors = 12;
   const Texture t = measure(test::triangular_lattice(8), options);
-  ASSERT_EQ(all(t).sectors.size(), 12u);
-  for (std::size_t s = 0; s < 12; ++s) EXPECT_EQ(all(t).sectors[s], s % 4 == 0 ? 64 : 0) << "sector " << s;
+  ASSERT_EQ(test::list_of(t.numbers, "fabric/sectors").size(), 12u);
+  for (std::size_t s = 0; s < 12; ++s) EXPECT_EQ(test::list_of(t.numbers, "fabric/sectors")[s], s % 4 == 0 ? 64 : 0) << "sector " << s;
 }
 
 TEST(Fabric, OfOneDirectionHasTheLargestAnisotropyAlongIt) {
   const Texture t = measure(star({30, 30.0 + 180, 30}, {1, 1, 1}));
-  EXPECT_NEAR(all(t).a_c.value, 2, 1e-14);
-  EXPECT_NEAR(all(t).theta_c_deg.value, 30, 1e-12);
+  EXPECT_NEAR(fabric(t, "a_c"), 2, 1e-14);
+  EXPECT_NEAR(fabric(t, "theta_c_deg"), 30, 1e-12);
 }
 
 TEST(Fabric, SignedAnisotropyIsNegativeAcrossTheLoad) {
   Options across;
   across.load_axis = std::numbers::pi / 2;
-  EXPECT_NEAR(all(measure(star({0, 180}, {1, 1}), across)).a_c_signed.value, -2, 1e-14);
+  EXPECT_NEAR(fabric(measure(star({0, 180}, {1, 1}), across), "a_c_signed"), -2, 1e-14);
   Options along;
   along.load_axis = 0;
-  EXPECT_NEAR(all(measure(star({0, 180}, {1, 1}), along)).a_c_signed.value, 2, 1e-14);
+  EXPECT_NEAR(fabric(measure(star({0, 180}, {1, 1}), along), "a_c_signed"), 2, 1e-14);
 }
 
 TEST(Fabric, MechanicalAnisotropyIsThatOfTheForcesWhateverTheCounts) {
@@ -116,10 +117,10 @@ TEST(Fabric, MechanicalAnisotropyIsThatOfTheForcesWhateverTheCounts) {
     degrees.push_back(k < 300 ? random.uniform(0, 90) : random.uniform(0, 180));  // counts lean to 45 degrees
     forces.push_back(5 * (1 + 0.4 * std::cos(2 * (degrees.back() - 120) * std::numbers::pi / 180)));
   }
-  const Fabric f = all(measure(star(degrees, forces)));
-  EXPECT_NEAR(f.a_n.value, 0.4, 1e-10);
-  EXPECT_NEAR(f.theta_n_deg.value, 120, 1e-8);
-  EXPECT_GT(f.a_c.value, 0.5);
+  const Texture t = measure(star(degrees, forces));
+  EXPECT_NEAR(fabric(t, "a_n"), 0.4, 1e-10);
+  EXPECT_NEAR(fabric(t, "theta_n_deg"), 120, 1e-8);
+  EXPECT_GT(fabric(t, "a_c"), 0.5);
 }
 
 TEST(Fabric, OfRandomDirectionsScattersLikeItsNoise) {
@@ -129,18 +130,18 @@ TEST(Fabric, OfRandomDirectionsScattersLikeItsNoise) {
     RandomStream random(static_cast<std::uint64_t>(s), Purpose::test);
     std::vector<double> degrees(contacts);
     for (double& d : degrees) d = random.uniform(0, 360);
-    const Fabric f = all(measure(star(degrees, std::vector<double>(contacts, 1))));
-    mean += f.a_c.value / trials;
-    EXPECT_NEAR(f.noise, 2 * 0.886 / std::sqrt(contacts), 1e-3 * f.noise);
+    const Texture t = measure(star(degrees, std::vector<double>(contacts, 1)));
+    mean += fabric(t, "a_c") / trials;
+    EXPECT_NEAR(fabric(t, "a_c_noise"), 2 * 0.886 / std::sqrt(contacts), 1e-3 * fabric(t, "a_c_noise"));
   }
   EXPECT_NEAR(mean, 2 * 0.886 / std::sqrt(contacts), 4 * 0.463 * 2 / std::sqrt(contacts * trials));  // 4 standard errors
 }
 
 TEST(Fabric, StrongContactsAreThoseAboveTheMeanForce) {
   const Texture t = measure(star({90, 90, 0, 0, 0}, {10, 10, 1, 1, 1}));
-  EXPECT_EQ(find(t.fabric, "strong")->contacts, 2u);
-  EXPECT_NEAR(find(t.fabric, "strong")->theta_c_deg.value, 90, 1e-12);
-  EXPECT_EQ(find(t.fabric, "weak")->contacts, 3u);
+  EXPECT_EQ(fabric(t, "sets/strong/contacts"), 2);
+  EXPECT_NEAR(fabric(t, "sets/strong/theta_c_deg"), 90, 1e-12);
+  EXPECT_EQ(fabric(t, "sets/weak/contacts"), 3);
 }
 
 RC_GTEST_PROP(Fabric, TurnsWithTheSampleAndMirrorsWithIt, ()) {
@@ -167,11 +168,11 @@ RC_GTEST_PROP(Fabric, TurnsWithTheSampleAndMirrorsWithIt, ()) {
     if (mirror) q.contacts.ft[c] = -p.contacts.ft[c];
   }
   const Texture a = measure(p), b = measure(q);
-  RC_ASSERT(std::abs(all(a).a_c.value - all(b).a_c.value) < 1e-12);
-  const double expected = (mirror ? 180 - all(a).theta_c_deg.value : all(a).theta_c_deg.value) + turn * 180 / std::numbers::pi;
-  RC_ASSERT(std::abs(std::remainder(expected - all(b).theta_c_deg.value, 180)) < 1e-8);
-  RC_ASSERT(std::abs(all(a).a_n.value - all(b).a_n.value) < 1e-10);
-  RC_ASSERT(std::abs(all(a).a_c_signed.value - all(b).a_c_signed.value) < 1e-10);  // the load axis turns with the stress
+  RC_ASSERT(std::abs(fabric(a, "a_c") - fabric(b, "a_c")) < 1e-12);
+  const double expected = (mirror ? 180 - fabric(a, "theta_c_deg") : fabric(a, "theta_c_deg")) + turn * 180 / std::numbers::pi;
+  RC_ASSERT(std::abs(std::remainder(expected - fabric(b, "theta_c_deg"), 180)) < 1e-8);
+  RC_ASSERT(std::abs(fabric(a, "a_n") - fabric(b, "a_n")) < 1e-10);
+  RC_ASSERT(std::abs(fabric(a, "a_c_signed") - fabric(b, "a_c_signed")) < 1e-10);  // the load axis turns with the stress
   for (std::size_t g = 0; g < p.grains.size(); ++g)
     RC_ASSERT(std::abs(a.per_grain.sigma_hyd[g] - b.per_grain.sigma_hyd[g]) < 1e-10 * (1 + std::abs(a.per_grain.sigma_hyd[g])));
 }

@@ -6,10 +6,14 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "support/numbers_of.hpp"
 #include "unit/grains/texture/packings.hpp"
 
 namespace arenite::texture {
 namespace {
+
+using test::error_of;
+using test::value_of;
 
 /// 6 x 6 periodic square lattice with columns L L S L L S; grains are `shrink` narrower than touching ones.
 Packing striped(double shrink) {
@@ -23,37 +27,37 @@ Packing striped(double shrink) {
 
 TEST(GapCoordination, OfAStripedLatticeIsCountedByHand) {
   // Along a row L touches L once and S once, S touches L twice; along a column like touches like twice.
-  const GapCoordination z = gap_coordination(striped(0.05), 0.0501);
-  EXPECT_EQ(z.large, 24u);
-  EXPECT_EQ(z.small, 12u);
-  EXPECT_DOUBLE_EQ(z.ll.value, 3);
-  EXPECT_DOUBLE_EQ(z.ls.value, 1);
-  EXPECT_DOUBLE_EQ(z.sl.value, 2);
-  EXPECT_DOUBLE_EQ(z.ss.value, 2);
-  EXPECT_DOUBLE_EQ(z.l.value, 4);
-  EXPECT_DOUBLE_EQ(z.s.value, 4);
-  EXPECT_DOUBLE_EQ(z.mean.value, 4);
-  EXPECT_NEAR(z.ls.error, 0, 1e-12);  // every large grain has the same neighbours
+  const Numbers z = gap_coordination(striped(0.05), 0.0501);
+  EXPECT_EQ(value_of(z, "large_grains"), 24);
+  EXPECT_EQ(value_of(z, "small_grains"), 12);
+  EXPECT_DOUBLE_EQ(value_of(z, "Z_ll"), 3);
+  EXPECT_DOUBLE_EQ(value_of(z, "Z_ls"), 1);
+  EXPECT_DOUBLE_EQ(value_of(z, "Z_sl"), 2);
+  EXPECT_DOUBLE_EQ(value_of(z, "Z_ss"), 2);
+  EXPECT_DOUBLE_EQ(value_of(z, "Z_l"), 4);
+  EXPECT_DOUBLE_EQ(value_of(z, "Z_s"), 4);
+  EXPECT_DOUBLE_EQ(value_of(z, "Z"), 4);
+  EXPECT_NEAR(error_of(z, "Z_ls"), 0, 1e-12);  // every large grain has the same neighbours
 }
 
 TEST(GapCoordination, ReachesAsFarAsTheGapAndNoFarther) {
-  EXPECT_DOUBLE_EQ(gap_coordination(striped(0.05), 0.0499).mean.value, 0);
+  EXPECT_DOUBLE_EQ(value_of(gap_coordination(striped(0.05), 0.0499), "Z"), 0);
   const double diagonal = std::sqrt(2.0) - 0.95;  // gap to the next but one, where diagonals count too
-  const GapCoordination z = gap_coordination(striped(0.05), diagonal + 1e-9);
-  EXPECT_DOUBLE_EQ(z.ll.value, 5);  // 3 as before and the two diagonals on the side of the large column
-  EXPECT_DOUBLE_EQ(z.sl.value, 6);
-  EXPECT_DOUBLE_EQ(z.l.value, 8);
+  const Numbers z = gap_coordination(striped(0.05), diagonal + 1e-9);
+  EXPECT_DOUBLE_EQ(value_of(z, "Z_ll"), 5);  // 3 as before and the two diagonals on the side of the large column
+  EXPECT_DOUBLE_EQ(value_of(z, "Z_sl"), 6);
+  EXPECT_DOUBLE_EQ(value_of(z, "Z_l"), 8);
 }
 
 TEST(GapCoordination, CountsGrainsInTheWindowWithNeighboursBeyond) {
   const Packing p = striped(0);
-  const GapCoordination z = gap_coordination(p, 0.01, 0, 1, geometry::Rectangle{2, 3, 0, 6});  // one small column
-  EXPECT_EQ(z.large, 0u);
-  EXPECT_EQ(z.small, 6u);
-  EXPECT_DOUBLE_EQ(z.sl.value, 2);
-  EXPECT_DOUBLE_EQ(z.ss.value, 2);
-  EXPECT_TRUE(std::isnan(z.l.value));
-  EXPECT_TRUE(std::isnan(z.mean.value));
+  const Numbers z = gap_coordination(p, 0.01, 0, 1, geometry::Rectangle{2, 3, 0, 6});  // one small column
+  EXPECT_EQ(value_of(z, "large_grains"), 0);
+  EXPECT_EQ(value_of(z, "small_grains"), 6);
+  EXPECT_DOUBLE_EQ(value_of(z, "Z_sl"), 2);
+  EXPECT_DOUBLE_EQ(value_of(z, "Z_ss"), 2);
+  EXPECT_TRUE(std::isnan(value_of(z, "Z_l")));
+  EXPECT_TRUE(std::isnan(value_of(z, "Z")));
 }
 
 TEST(GapCoordination, ErrorsComeFromTheScatterOfIndependentPieces) {
@@ -62,20 +66,20 @@ TEST(GapCoordination, ErrorsComeFromTheScatterOfIndependentPieces) {
     test::add_grain(p, {10.0 + 10 * k, 50}, 0.5, 0);
     if (k < 2) test::add_grain(p, {10.0 + 10 * k, 51}, 0.5, 1);
   }
-  const GapCoordination z = gap_coordination(p, 0.1);
-  EXPECT_DOUBLE_EQ(z.ls.value, 0.25);
-  EXPECT_DOUBLE_EQ(z.sl.value, 1);
-  EXPECT_DOUBLE_EQ(z.mean.value, 0.625);
-  EXPECT_GT(z.ls.error, 0.1);
-  EXPECT_LT(z.ls.error, 0.25);
-  EXPECT_NEAR(z.sl.error, 0, 1e-12);
+  const Numbers z = gap_coordination(p, 0.1);
+  EXPECT_DOUBLE_EQ(value_of(z, "Z_ls"), 0.25);
+  EXPECT_DOUBLE_EQ(value_of(z, "Z_sl"), 1);
+  EXPECT_DOUBLE_EQ(value_of(z, "Z"), 0.625);
+  EXPECT_GT(error_of(z, "Z_ls"), 0.1);
+  EXPECT_LT(error_of(z, "Z_ls"), 0.25);
+  EXPECT_NEAR(error_of(z, "Z_sl"), 0, 1e-12);
 }
 
 TEST(GapCoordination, RefusesANegativeGapAndOneClassOnly) {
   EXPECT_THROW(gap_coordination(striped(0), -1e-9), InputError);
   EXPECT_THROW(gap_coordination(striped(0), NAN), InputError);
   EXPECT_THROW(gap_coordination(striped(0), 0.1, 1, 1), InputError);
-  EXPECT_TRUE(std::isnan(gap_coordination(test::empty_box(1, 1), 0.1).mean.value));
+  EXPECT_TRUE(std::isnan(value_of(gap_coordination(test::empty_box(1, 1), 0.1), "Z")));
 }
 
 /// Neighbours by comparing every grain with every image of every other.
@@ -112,17 +116,17 @@ RC_GTEST_PROP(GapCoordination, IsWhatComparingAllWithAllGives, ()) {
     ++count[m];
     for (int k = 0; k < 2; ++k) sum[m][k] += neighbours_by_brute_force(p, g, k, 0.1);
   }
-  const GapCoordination z = gap_coordination(p, 0.1, 0, 1, cut ? std::optional(window) : std::nullopt);
-  RC_ASSERT(static_cast<double>(z.large) == count[0]);
-  RC_ASSERT(static_cast<double>(z.small) == count[1]);
-  const auto is = [](const statistics::Estimate& e, double top, double under) {
-    return under > 0 ? std::abs(e.value - top / under) < 1e-12 : std::isnan(e.value);
+  const Numbers z = gap_coordination(p, 0.1, 0, 1, cut ? std::optional(window) : std::nullopt);
+  RC_ASSERT(value_of(z, "large_grains") == count[0]);
+  RC_ASSERT(value_of(z, "small_grains") == count[1]);
+  const auto is = [&](const char* name, double top, double under) {
+    return under > 0 ? std::abs(value_of(z, name) - top / under) < 1e-12 : std::isnan(value_of(z, name));
   };
-  RC_ASSERT(is(z.ll, sum[0][0], count[0]));
-  RC_ASSERT(is(z.ls, sum[0][1], count[0]));
-  RC_ASSERT(is(z.sl, sum[1][0], count[1]));
-  RC_ASSERT(is(z.ss, sum[1][1], count[1]));
-  RC_ASSERT(is(z.s, sum[1][0] + sum[1][1], count[1]));
+  RC_ASSERT(is("Z_ll", sum[0][0], count[0]));
+  RC_ASSERT(is("Z_ls", sum[0][1], count[0]));
+  RC_ASSERT(is("Z_sl", sum[1][0], count[1]));
+  RC_ASSERT(is("Z_ss", sum[1][1], count[1]));
+  RC_ASSERT(is("Z_s", sum[1][0] + sum[1][1], count[1]));
 }
 
 }  // namespace
