@@ -24,17 +24,9 @@ std::string as_phrase(std::string_view sentence) {
   return phrase;
 }
 
-std::optional<Entry> take(Node& table, std::string_view key) {
-  const auto at = std::find_if(table.entries.begin(), table.entries.end(), [&](const Entry& entry) { return entry.key == key; });
-  if (at == table.entries.end()) return std::nullopt;
-  Entry entry = std::move(*at);
-  table.entries.erase(at);
-  return entry;
-}
-
 void lay_under(Node& own, Node&& base) {
   for (Entry& entry : base.entries) {
-    const auto at = std::find_if(own.entries.begin(), own.entries.end(), [&](const Entry& e) { return e.key == entry.key; });
+    const auto at = std::ranges::find(own.entries, entry.key, &Entry::key);
     if (at == own.entries.end()) own.entries.push_back(std::move(entry));
     else if (at->value.kind == Node::Kind::table && entry.value.kind == Node::Kind::table) lay_under(at->value, std::move(entry.value));
   }
@@ -63,13 +55,9 @@ RecipeReader::RecipeReader(const Node& table, std::string path, Reading& reading
 
 std::string RecipeReader::path_of(std::string_view name) const { return path_.empty() ? std::string(name) : fmt::format("{}.{}", path_, name); }
 
-void RecipeReader::problem(const Place& place, const std::string& path, const std::string& message) {
-  reading_.problems.push_back({file_of(place, reading_), place.line, place.column, path.empty() ? message : fmt::format("{}: {}", path, message)});
-}
-
 void RecipeReader::refuse(const Key& key, const Place& place, const std::string& message) {
   failed_.emplace(key.name);
-  problem(place, path_of(key.name), message);
+  add_problem(reading_, place, path_of(key.name), message);
 }
 
 /// The value of a key, or nothing; a required one that is not there is a problem.
@@ -135,7 +123,7 @@ void RecipeReader::sections(const Key& key, const Elements& elements) {
     if (named) elements.name(i) = nodes[i].first;
     const std::string place = path + "." + nodes[i].first;
     if (nodes[i].second->kind != Node::Kind::table) {
-      problem(nodes[i].second->place, place, fmt::format("is {}, but must be a section {}", kind_name(*nodes[i].second), heading));
+      add_problem(reading_, nodes[i].second->place, place, fmt::format("is {}, but must be a section {}", kind_name(*nodes[i].second), heading));
       continue;
     }
     read_table(*nodes[i].second, place, [&](ParameterVisitor& reader) { elements.visit(reader, i); });
@@ -164,9 +152,9 @@ void RecipeReader::require(bool holds, std::initializer_list<std::string_view> k
   }
   const std::string path = keys.size() == 0 ? path_ : path_of(*keys.begin());
   for (const auto key : keys) {
-    if (const Entry* entry = table_.find(key)) return problem(entry->value.place, path, std::string(message));
+    if (const Entry* entry = table_.find(key)) return add_problem(reading_, entry->value.place, path, std::string(message));
   }
-  problem(table_.place, path, std::string(message));
+  add_problem(reading_, table_.place, path, std::string(message));
 }
 
 void RecipeReader::refuse_unknown_keys() {
@@ -174,12 +162,12 @@ void RecipeReader::refuse_unknown_keys() {
   for (const auto& entry : table_.entries) {
     if (known_.count(entry.key) > 0) continue;
     if (const auto found = conditional_.find(entry.key); found != conditional_.end()) {
-      problem(entry.place, path_of(entry.key), fmt::format("this key goes with {} only; leave it out or change that", found->second));
+      add_problem(reading_, entry.place, path_of(entry.key), fmt::format("this key goes with {} only; leave it out or change that", found->second));
       continue;
     }
     const std::string near = nearest(entry.key, names);
-    problem(entry.place, path_of(entry.key),
-            near.empty() ? fmt::format("unknown key; the keys here are: {}", list_of(names)) : fmt::format("unknown key; did you mean {}?", near));
+    add_problem(reading_, entry.place, path_of(entry.key),
+                near.empty() ? fmt::format("unknown key; the keys here are: {}", list_of(names)) : fmt::format("unknown key; did you mean {}?", near));
   }
 }
 
@@ -188,9 +176,9 @@ const std::string& file_of(const Place& place, const Reading& reading) {
 }
 
 void add_problem(Reading& reading, const Place& place, const std::string& path, const std::string& message) {
-  Problem problem{file_of(place, reading), place.line, place.column, fmt::format("{}: {}", path, message)};
+  Problem problem{file_of(place, reading), place.line, place.column, path.empty() ? message : fmt::format("{}: {}", path, message)};
   const auto same = [&](const Problem& p) { return p.message == problem.message && p.line == problem.line && p.file == problem.file; };
-  if (std::none_of(reading.problems.begin(), reading.problems.end(), same)) reading.problems.push_back(std::move(problem));
+  if (std::ranges::none_of(reading.problems, same)) reading.problems.push_back(std::move(problem));
 }
 
 namespace {
@@ -198,18 +186,18 @@ namespace {
 /// Lays the recipe that the key `base` names under this one, and its base under both: sections are merged key by key, what else
 /// is given here counts instead. A base's [sweep] is left out. The key is taken out of the tree, and the files that were
 /// read are added to `reading.bases`. Throws InputError where there is no such file, or one leads back to itself.
-void lay_base_under(Node& root, Reading& reading) {
+void lay_base_under(Node& root, Reading& reading, const RecordTable& keys) {
   fs::path folder = reading.folder;
-  for (auto base = take(root, "base"); base;) {
+  for (auto base = root.take("base"); base;) {
     const fs::path path = (folder / base->value.text).lexically_normal();
     if (const std::string why = refusal(*base, path, reading); !why.empty())
       throw InputError({Problem{file_of(base->value.place, reading), base->value.place.line, base->value.place.column, "base: " + why}});
     reading.bases.push_back(path.string());
     Node under = read_document(io::read_file(path.string()), path.string());
     each_place(under, [&](Place& place) { place.file = path.string(); });
-    rename_former_keys(under, reading.notices);
-    take(under, "sweep");
-    base = take(under, "base");
+    rename_former_keys(under, keys, reading.notices);
+    under.take("sweep");
+    base = under.take("base");
     lay_under(root, std::move(under));
     folder = path.parent_path();
   }
@@ -217,16 +205,16 @@ void lay_base_under(Node& root, Reading& reading) {
 
 }  // namespace
 
-Node read_tree(std::string_view text, Reading& reading, const std::vector<std::string>& overrides, std::string_view start_from) {
+Node read_tree(std::string_view text, Reading& reading, const std::vector<std::string>& overrides, const RecordTable& keys, std::string_view start_from) {
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
     refuse(reading.file_name, "the recipe is empty; `arenite init {}` writes one to start from", start_from);
   }
   Node root = read_document(text, reading.file_name);
-  rename_former_keys(root, reading.notices);
-  lay_base_under(root, reading);
+  rename_former_keys(root, keys, reading.notices);
+  lay_base_under(root, reading, keys);
   for (const auto& assignment : overrides) {
     try {
-      apply_override(root, assignment);
+      apply_override(root, assignment, keys);
     } catch (const InputError& error) { reading.problems.insert(reading.problems.end(), error.problems().begin(), error.problems().end()); }
   }
   return root;

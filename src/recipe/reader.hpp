@@ -27,7 +27,7 @@ struct Reading {
 
 /// What a place is reported under: an override, a base or the recipe.
 const std::string& file_of(const Place& place, const Reading& reading);
-/// Adds a problem, once.
+/// Adds a problem, once; the path of its key may be empty.
 void add_problem(Reading& reading, const Place& place, const std::string& path, const std::string& message);
 
 /// Reads one table of a recipe into what the declarations name; sub-tables get readers of their own. Problems are
@@ -36,10 +36,6 @@ class RecipeReader : public ParameterVisitor {
  public:
   RecipeReader(const Node& table, std::string path, Reading& reading);
 
-  using ParameterVisitor::choice;
-  using ParameterVisitor::integer;
-  using ParameterVisitor::number;
-  using ParameterVisitor::section;
   void number(const Key& key, std::optional<double>& value, std::string_view unit, const Range& range) override;
   void integer(const Key& key, std::optional<std::int64_t>& value, const IntegerRange& range) override;
   void flag(const Key& key, bool& value) override;
@@ -63,7 +59,6 @@ class RecipeReader : public ParameterVisitor {
   const Node* take(const Key& key, const std::string& example);
   const Node* take(const Key& key, const std::string& example, Node::Kind kind, const std::string& wanted);
   std::string path_of(std::string_view name) const;
-  void problem(const Place& place, const std::string& path, const std::string& message);
   void refuse(const Key& key, const Place& place, const std::string& message);
   void read_table(const Node& table, const std::string& path, const Visit& inside);
   std::optional<double> read_number(const Node& node, const std::string& path, std::string_view unit, const Range& range);
@@ -77,9 +72,12 @@ class RecipeReader : public ParameterVisitor {
   std::map<std::string, std::string, std::less<>> conditional_;  ///< keys that do not exist now, and when they do
 };
 
-/// The tree that a text, its base and its overrides make; problems of base and overrides are collected. For an empty text the InputError names
-/// the template that `arenite init` writes.
-Node read_tree(std::string_view text, Reading& reading, const std::vector<std::string>& overrides, std::string_view start_from);
+/// The tree that a text, its base and its overrides make, under the names that `keys` have now; problems of base and overrides are collected. For an
+/// empty text the InputError names the template that `arenite init` writes.
+Node read_tree(std::string_view text, Reading& reading, const std::vector<std::string>& overrides, const RecordTable& keys, std::string_view start_from);
+
+/// Every key of a recipe of a simulation.
+const RecordTable& recipe_keys();
 
 /// Reads all keys that a declaration visits. Throws InputError with every problem found, in the order of the text.
 void read_declared(const Node& root, Reading& reading, const Visit& declare);

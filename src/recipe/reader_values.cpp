@@ -49,7 +49,7 @@ std::string tag_of_quantity(const std::string& text, const std::vector<Form>& fo
 std::optional<double> RecipeReader::read_number(const Node& node, const std::string& path, std::string_view unit, const Range& range) {
   const Dimension wanted = unit.empty() ? dimension::none : parse_unit(unit).dimension;
   const auto wrong = [&](const std::string& message) -> std::optional<double> {
-    problem(node.place, path, message);
+    add_problem(reading_, node.place, path, message);
     return std::nullopt;
   };
   double value = 0;
@@ -231,8 +231,8 @@ void RecipeReader::tagged(const Key& key, int& form, double& value, const std::v
   }
   failed_.emplace(key.name);
   const std::string near = nearest(entry.key, with_quantity);
-  problem(entry.place, path_of(key.name) + "." + entry.key,
-          near.empty() ? "unknown key; write one of: " + list_of(ways) : fmt::format("unknown key; did you mean {}?", near));
+  add_problem(reading_, entry.place, path_of(key.name) + "." + entry.key,
+              near.empty() ? "unknown key; write one of: " + list_of(ways) : fmt::format("unknown key; did you mean {}?", near));
 }
 
 }  // namespace arenite::recipe

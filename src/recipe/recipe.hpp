@@ -153,8 +153,11 @@ Recipe parse_recipe(std::string_view text, const std::string& file_name, const s
 /// back gives an equal recipe, but for what a recipe does not say (`source_file`, `integration.threads`).
 std::string to_toml(const Recipe& recipe);
 
-/// The keys that differ from their defaults, one a line with its path: what the names of results follow from.
+/// The keys that differ from their defaults, one a line with its path, under their names of version 0.1: what the names of results follow from.
 std::string changed_keys(const Recipe& recipe);
+
+/// The resolved recipe of a packing, without stages and loads, as version 0.1 wrote it: what seeds of a study's runs follow from.
+std::string to_toml_of_version_0_1(const Recipe& recipe);
 
 /// As to_toml for people: sections and keys are explained, and keys at their default are there as comments.
 std::string to_commented_toml(const Recipe& recipe);
@@ -192,15 +195,19 @@ template <class Enum> Enum chosen(std::string_view word, std::string_view what) 
 
 /// A recipe to start from.
 struct RecipeTemplate {
-  const char* name;
-  const char* sentence;
-  Recipe (*make)();
+  const char *name, *sentence;
+  std::string_view (*text)();
+  Recipe make() const { return parse_recipe(text(), {}); }
 };
 
 /// All of packings; a new one is one row.
 const std::vector<RecipeTemplate>& recipe_templates();
 
-/// A small recipe with a [sweep], for `arenite study run`.
-std::string study_template();
+/// What `arenite init` starts from (src/recipe/templates), compiled in: recipes of packings, of a film, and a small one with a [sweep], for `arenite
+/// study run`.
+std::string_view composite_text();
+std::string_view cemented_text();
+std::string_view film_text();
+std::string_view study_text();
 
 }  // namespace arenite::recipe

@@ -27,24 +27,24 @@ void make_folder(const fs::path& folder) {
   if (error) refuse(folder.string(), "this folder cannot be made ({}); choose another with --out", error.message());
 }
 
-void rename_former(const fs::path& folder, const std::vector<PlannedStage>& plan) {
-  std::error_code error;  // of another process that was first
-  for (const PlannedStage& stage : plan)
-    for (const auto& former : stage.former)
-      if (fs::exists(folder / former) && !fs::exists(folder / stage.file)) fs::rename(folder / former, folder / stage.file, error);
+std::vector<fs::path> other_results(const fs::path& folder, const std::vector<std::string>& names) {
+  std::vector<fs::path> others;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().extension() == ".h5" && std::ranges::count(names, entry.path().filename().string()) == 0) others.push_back(entry.path());
+  std::ranges::sort(others);
+  return others;
 }
 
-ResultFolder::ResultFolder(fs::path out, const std::vector<PlannedStage>& plan)
-    : ResultFolder((rename_former(out, plan), rename_former(out / "earlier", plan), std::move(out)), mapped(plan, &PlannedStage::file)) {}
+bool is_of_version_0_1(const fs::path& file) {
+  const auto recipe_of = [](const auto& result) { return result.provenance.recipe; };
+  try {
+    return std::visit(recipe_of, io::read_result(file)).find("\n[frame]\n") != std::string::npos;  // now [container]
+  } catch (const InputError&) { return false; }
+}
 
 ResultFolder::ResultFolder(fs::path out, const std::vector<std::string>& names) : out_(std::move(out)) {
   make_folder(out_);
-  const std::set<std::string> wanted(names.begin(), names.end());
-  std::vector<fs::path> others;
-  for (const auto& entry : fs::directory_iterator(out_))
-    if (entry.path().extension() == ".h5" && !wanted.contains(entry.path().filename().string())) others.push_back(entry.path());
-  std::sort(others.begin(), others.end());
-  for (const auto& path : others) put_aside(path);
+  for (const auto& path : other_results(out_, names)) put_aside(path);
   for (const auto& name : names)
     if (fs::exists(out_ / "earlier" / name)) fs::rename(out_ / "earlier" / name, out_ / name);
 }
@@ -62,8 +62,10 @@ std::string ResultFolder::what_was_put_aside() const {
   for (const auto& format : io::export_formats()) exports.emplace_back(format.name);
   for (const auto& name : exports)
     if (std::error_code error; fs::is_directory(out_ / name, error)) stale += (stale.empty() ? "" : ", ") + (out_ / name).string();
-  return fmt::format("{} of other settings moved to {} and kept there: {}{}", put_aside_.size() == 1 ? "a result" : "results", (out_ / "earlier").string(),
-                     fmt::join(put_aside_, ", "), stale.empty() ? "" : fmt::format("; still of those settings, so write anew: {}", stale));
+  const bool is_old = is_of_version_0_1(out_ / "earlier" / put_aside_.front());
+  return fmt::format("{} of {} moved to {} and kept there: {}{}", put_aside_.size() == 1 ? "a result" : "results",
+                     is_old ? "version 0.1, with which no run goes on," : "other settings", (out_ / "earlier").string(), fmt::join(put_aside_, ", "),
+                     stale.empty() ? "" : fmt::format("; still of those settings, so write anew: {}", stale));
 }
 
 namespace {
