@@ -169,12 +169,12 @@ std::string title_in(const std::string& text);
 std::string key_reference();
 
 /// The words that a recipe, a command line and Python share for a choice, in the order of its enumeration.
-const std::vector<Word>& words(cement::CementParameters::Kind);
-const std::vector<Word>& words(peridynamics::Loading);
-const std::vector<Word>& words(peridynamics::LowerEdge);
-const std::vector<Word>& words(peridynamics::Method);
-const std::vector<Word>& words(Load::Axis);
-const std::vector<Word>& words(grid::Cavity);
+std::vector<Word> words(cement::CementParameters::Kind);
+std::vector<Word> words(peridynamics::Loading);
+std::vector<Word> words(peridynamics::LowerEdge);
+std::vector<Word> words(peridynamics::Method);
+std::vector<Word> words(Load::Axis);
+std::vector<Word> words(grid::Cavity);
 
 /// The word for a value.
 template <class Enum> std::string word_of(Enum value) { return std::string(words(value)[static_cast<std::size_t>(value)].word); }
@@ -184,7 +184,7 @@ template <class Enum> std::vector<std::string> plain_words() { return mapped<std
 
 /// The value that a word stands for. Throws InputError, which calls the choice `what`, for a word that is not among them.
 template <class Enum> Enum chosen(std::string_view word, std::string_view what) {
-  const auto& known = words(Enum{});
+  const auto known = words(Enum{});
   std::string list;
   for (std::size_t k = 0; k < known.size(); ++k) {
     if (known[k].word == word) return static_cast<Enum>(k);

@@ -85,30 +85,24 @@ std::vector<fs::path> files_of(const fs::path& result, std::string_view kind) {
   return files;
 }
 
-/// The last file of a stage of loading, or that of the stage of this name.
-fs::path file_of(const fs::path& run, const std::string& stage) {
-  auto files = files_of(run, "result");
-  if (!stage.empty()) std::erase_if(files, [&](const fs::path& file) { return io::read_stage(file).name != stage; });
-  if (!files.empty()) return files.back();
-  if (stage.empty()) refuse(run.string(), "there are no stage files of this run; remove its folder and run the study again");
-  refuse(run.string(), "there is no stage \"{}\" of this run; name one of its recipe, or run the study again", stage);
-}
-
-/// As the recipe asks; the packing, which is the first file, knows of no loading.
-texture::Options options_of(const Provenance& provenance, const fs::path& file, const fs::path& run) {
-  if (file == io::stage_files(run).front()) return {};
-  const recipe::Recipe recipe = recipe::parse_recipe(provenance.recipe, file.string());
-  return texture_options(recipe, recipe.stages.size());
+/// The stage of loading of this name, or, where it is empty, the last; nothing if there is none.
+std::optional<StageResult> stage_named(const fs::path& result, const std::string& name) {
+  const auto files = files_of(result, "result");
+  if (name.empty()) return files.empty() ? std::nullopt : std::optional(io::read_stage(files.back()));
+  for (const auto& file : files)
+    if (auto read = io::read_stage(file); read.name == name) return read;
+  return std::nullopt;
 }
 
 /// The last state of a stage, measured as its recipe asks where `choose` does not ask otherwise.
 template <class Choose> FinalState measured(const fs::path& run, const std::string& stage, Choose choose) {
-  const fs::path file = file_of(run, stage);
-  StageResult result = io::read_stage(file);
-  if (result.frames.empty()) refuse(file.string(), "this stage holds no state; remove it and run the study again");
-  texture::Options options = options_of(result.provenance, file, run);
+  auto result = stage_named(run, stage);
+  if (!result && stage.empty()) refuse(run.string(), "there are no stage files of this run; remove its folder and run the study again");
+  if (!result) refuse(run.string(), "there is no stage \"{}\" of this run; name one of its recipe, or run the study again", stage);
+  if (result->frames.empty()) refuse(run.string(), "stage {} holds no state; remove its file and run the study again", result->name);
+  texture::Options options = texture_options(result->provenance);
   choose(options);
-  Packing& packing = result.frames.back().packing;
+  Packing& packing = result->frames.back().packing;
   texture::Texture texture = texture::measure(packing, options);
   return {std::move(packing), std::move(texture)};
 }
@@ -130,9 +124,8 @@ FieldResult as_stored(FieldResult result) {
 }  // namespace
 
 std::optional<Packing> last_state(const fs::path& result, const std::string& stage) {
-  for (const auto& file : files_of(result, "result"))
-    if (auto read = io::read_stage(file); read.name == stage && !read.frames.empty()) return std::move(read.frames.back().packing);
-  return std::nullopt;
+  auto read = stage_named(result, stage);
+  return read && !read->frames.empty() ? std::optional(std::move(read->frames.back().packing)) : std::nullopt;
 }
 
 std::optional<FieldResult> load_named(const fs::path& result, const std::string& name) {
