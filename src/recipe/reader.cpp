@@ -55,9 +55,13 @@ RecipeReader::RecipeReader(const Node& table, std::string path, Reading& reading
 
 std::string RecipeReader::path_of(std::string_view name) const { return path_.empty() ? std::string(name) : fmt::format("{}.{}", path_, name); }
 
+void RecipeReader::problem(const Place& place, const std::string& path, const std::string& message) {
+  reading_.problems.push_back({file_of(place, reading_), place.line, place.column, path.empty() ? message : fmt::format("{}: {}", path, message)});
+}
+
 void RecipeReader::refuse(const Key& key, const Place& place, const std::string& message) {
   failed_.emplace(key.name);
-  add_problem(reading_, place, path_of(key.name), message);
+  problem(place, path_of(key.name), message);
 }
 
 /// The value of a key, or nothing; a required one that is not there is a problem.
@@ -123,7 +127,7 @@ void RecipeReader::sections(const Key& key, const Elements& elements) {
     if (named) elements.name(i) = nodes[i].first;
     const std::string place = path + "." + nodes[i].first;
     if (nodes[i].second->kind != Node::Kind::table) {
-      add_problem(reading_, nodes[i].second->place, place, fmt::format("is {}, but must be a section {}", kind_name(*nodes[i].second), heading));
+      problem(nodes[i].second->place, place, fmt::format("is {}, but must be a section {}", kind_name(*nodes[i].second), heading));
       continue;
     }
     read_table(*nodes[i].second, place, [&](ParameterVisitor& reader) { elements.visit(reader, i); });
@@ -152,9 +156,9 @@ void RecipeReader::require(bool holds, std::initializer_list<std::string_view> k
   }
   const std::string path = keys.size() == 0 ? path_ : path_of(*keys.begin());
   for (const auto key : keys) {
-    if (const Entry* entry = table_.find(key)) return add_problem(reading_, entry->value.place, path, std::string(message));
+    if (const Entry* entry = table_.find(key)) return problem(entry->value.place, path, std::string(message));
   }
-  add_problem(reading_, table_.place, path, std::string(message));
+  problem(table_.place, path, std::string(message));
 }
 
 void RecipeReader::refuse_unknown_keys() {
@@ -162,12 +166,12 @@ void RecipeReader::refuse_unknown_keys() {
   for (const auto& entry : table_.entries) {
     if (known_.count(entry.key) > 0) continue;
     if (const auto found = conditional_.find(entry.key); found != conditional_.end()) {
-      add_problem(reading_, entry.place, path_of(entry.key), fmt::format("this key goes with {} only; leave it out or change that", found->second));
+      problem(entry.place, path_of(entry.key), fmt::format("this key goes with {} only; leave it out or change that", found->second));
       continue;
     }
     const std::string near = nearest(entry.key, names);
-    add_problem(reading_, entry.place, path_of(entry.key),
-                near.empty() ? fmt::format("unknown key; the keys here are: {}", list_of(names)) : fmt::format("unknown key; did you mean {}?", near));
+    problem(entry.place, path_of(entry.key),
+            near.empty() ? fmt::format("unknown key; the keys here are: {}", list_of(names)) : fmt::format("unknown key; did you mean {}?", near));
   }
 }
 
@@ -176,7 +180,7 @@ const std::string& file_of(const Place& place, const Reading& reading) {
 }
 
 void add_problem(Reading& reading, const Place& place, const std::string& path, const std::string& message) {
-  Problem problem{file_of(place, reading), place.line, place.column, path.empty() ? message : fmt::format("{}: {}", path, message)};
+  Problem problem{file_of(place, reading), place.line, place.column, fmt::format("{}: {}", path, message)};
   const auto same = [&](const Problem& p) { return p.message == problem.message && p.line == problem.line && p.file == problem.file; };
   if (std::ranges::none_of(reading.problems, same)) reading.problems.push_back(std::move(problem));
 }

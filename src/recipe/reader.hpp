@@ -27,7 +27,7 @@ struct Reading {
 
 /// What a place is reported under: an override, a base or the recipe.
 const std::string& file_of(const Place& place, const Reading& reading);
-/// Adds a problem, once; the path of its key may be empty.
+/// Adds a problem, once.
 void add_problem(Reading& reading, const Place& place, const std::string& path, const std::string& message);
 
 /// Reads one table of a recipe into what the declarations name; sub-tables get readers of their own. Problems are
@@ -59,9 +59,11 @@ class RecipeReader : public ParameterVisitor {
   const Node* take(const Key& key, const std::string& example);
   const Node* take(const Key& key, const std::string& example, Node::Kind kind, const std::string& wanted);
   std::string path_of(std::string_view name) const;
+  void problem(const Place& place, const std::string& path, const std::string& message);
   void refuse(const Key& key, const Place& place, const std::string& message);
   void read_table(const Node& table, const std::string& path, const Visit& inside);
   std::optional<double> read_number(const Node& node, const std::string& path, std::string_view unit, const Range& range);
+  template <class T, class Read> void read_items(const Key& key, const Node& list, std::vector<T>& values, Read read);
   void read_rows(const Key& key, const Node& list, std::vector<Vec2>& values, std::array<std::string_view, 2> unit, const std::string& wanted);
   void read_series(const Key& key, const Node& file, std::vector<Vec2>& values, std::string_view unit);
 
