@@ -33,8 +33,7 @@ std::vector<Template> all_templates() {
     list.push_back({each.name, each.sentence, "run", [&each] { return recipe::to_commented_toml(each.make()); }});
   list.push_back({"film", "an infrared film of a loaded packing, to stresses of grains and contact forces", "film FILM --recipe",
                   [] { return recipe::to_commented_toml(recipe::film_template()); }});
-  list.push_back(
-      {"study", "many runs of one recipe, which differ in what its section [sweep] says", "study run", [] { return std::string(recipe::study_text()); }});
+  list.push_back({"study", "many runs of one recipe, which differ in what its section [sweep] says", "study run", recipe::study_template});
   return list;
 }
 

@@ -1,12 +1,11 @@
-# The recipes that `arenite init` writes, src/recipe/templates/NAME.toml, compiled into the library as recipe::NAME_text().
+# The recipes that `arenite init` writes, src/recipe/templates/NAME.toml, as recipe::templates::NAME in the header recipe/templates.hpp.
+include(cmake/raw_literals.cmake)
+set(texts "")
 foreach(name composite cemented film study)
   set(toml ${CMAKE_SOURCE_DIR}/src/recipe/templates/${name}.toml)
-  set(source ${CMAKE_CURRENT_BINARY_DIR}/generated/recipe/${name}_template.cpp)
-  add_custom_command(
-    OUTPUT ${source}
-    COMMAND ${CMAKE_COMMAND} -DINPUT=${toml} -DOUTPUT=${source} -DHEADER=recipe/recipe.hpp -DROOM=recipe -DFUNCTION=${name}_text
-            -P ${CMAKE_SOURCE_DIR}/cmake/embed.cmake
-    DEPENDS ${toml} ${CMAKE_SOURCE_DIR}/cmake/embed.cmake ${CMAKE_SOURCE_DIR}/cmake/raw_literals.cmake
-    COMMENT "Embedding the recipe: ${name}")
-  target_sources(arenite_core PRIVATE ${source})
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${toml})
+  raw_literals(${toml} literals)
+  string(APPEND texts "inline constexpr std::string_view ${name} =\n${literals};\n")
 endforeach()
+file(CONFIGURE OUTPUT generated/recipe/templates.hpp @ONLY
+  CONTENT "#pragma once\n#include <string_view>\n\nnamespace arenite::recipe::templates {\n${texts}}  // namespace arenite::recipe::templates\n")

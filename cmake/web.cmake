@@ -70,8 +70,7 @@ function(embed_page name function)
   set(source ${CMAKE_CURRENT_BINARY_DIR}/generated/report/${function}.cpp)
   add_custom_command(
     OUTPUT ${source}
-    COMMAND ${CMAKE_COMMAND} -DINPUT=${html} -DOUTPUT=${source} -DHEADER=report/page_template.hpp -DROOM=report
-            -DFUNCTION=${function}
+    COMMAND ${CMAKE_COMMAND} -DINPUT=${html} -DOUTPUT=${source} -DHEADER=report/page_template.hpp -DFUNCTION=${function}
             -P ${CMAKE_SOURCE_DIR}/cmake/embed.cmake
     DEPENDS ${html} ${CMAKE_SOURCE_DIR}/cmake/embed.cmake ${CMAKE_SOURCE_DIR}/cmake/raw_literals.cmake
     COMMENT "Embedding the page: ${name}")

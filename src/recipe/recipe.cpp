@@ -13,6 +13,7 @@
 #include "recipe/film_recipe.hpp"
 #include "recipe/keys.hpp"
 #include "recipe/reader.hpp"
+#include "recipe/templates.hpp"
 
 namespace arenite::recipe {
 namespace {
@@ -160,12 +161,14 @@ std::string film_key_reference() {
 
 const std::vector<RecipeTemplate>& recipe_templates() {
   static const std::vector<RecipeTemplate> list{
-      {"composite", "two materials in a rigid frame, compacted by the lower wall", composite_text},
-      {"cemented", "two sizes of grains bound by a matrix, pulled, with the stress in every node", cemented_text},
+      {"composite", "two materials in a rigid frame, compacted by the lower wall", templates::composite},
+      {"cemented", "two sizes of grains bound by a matrix, pulled, with the stress in every node", templates::cemented},
   };
   return list;
 }
 
-FilmRecipe film_template() { return parse_film_recipe(film_text(), {}); }
+FilmRecipe film_template() { return parse_film_recipe(templates::film, {}); }
+
+std::string study_template() { return std::string(templates::study); }
 
 }  // namespace arenite::recipe

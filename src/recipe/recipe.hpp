@@ -193,21 +193,17 @@ template <class Enum> Enum chosen(std::string_view word, std::string_view what) 
   throw InputError(std::string(what) + " \"" + std::string(word) + "\" is not known; there are " + list);
 }
 
-/// A recipe to start from.
+/// A recipe to start from, as `arenite init` writes it: src/recipe/templates, compiled in.
 struct RecipeTemplate {
   const char *name, *sentence;
-  std::string_view (*text)();
-  Recipe make() const { return parse_recipe(text(), {}); }
+  std::string_view text;
+  Recipe make() const { return parse_recipe(text, {}); }
 };
 
 /// All of packings; a new one is one row.
 const std::vector<RecipeTemplate>& recipe_templates();
 
-/// What `arenite init` starts from (src/recipe/templates), compiled in: recipes of packings, of a film, and a small one with a [sweep], for `arenite
-/// study run`.
-std::string_view composite_text();
-std::string_view cemented_text();
-std::string_view film_text();
-std::string_view study_text();
+/// A small recipe with a [sweep], for `arenite study run`.
+std::string study_template();
 
 }  // namespace arenite::recipe
