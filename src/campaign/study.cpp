@@ -53,31 +53,26 @@ class RunProblems {
 
 /// The tree of the recipe, its overrides applied; its [sweep] is taken out of it.
 Sweep take_sweep(Study& study, recipe::Reading& reading) {
-  study.tree = recipe::read_tree(io::read_file(study.file), reading, study.overrides, "composite");
+  study.tree = recipe::read_tree(io::read_file(study.file), reading, study.overrides, recipe::recipe_keys(), "composite");
   study.notices = reading.notices;
-  auto& entries = study.tree.entries;
-  const auto at = std::find_if(entries.begin(), entries.end(), [](const recipe::Entry& entry) { return entry.key == "sweep"; });
-  if (at == entries.end())
-    refuse(study.file, "has no section [sweep], so it is one run: `arenite run {}`; docs/studies.md says what [sweep] may hold", study.file);
-  const recipe::Node section = at->value;
-  entries.erase(at);
+  const auto section = study.tree.take("sweep");
+  if (!section) refuse(study.file, "has no section [sweep], so it is one run: `arenite run {}`; docs/studies.md says what [sweep] may hold", study.file);
   const recipe::Entry* seed = study.tree.find("seed");
   const bool has_seed = seed && seed->value.kind == recipe::Node::Kind::integer;
-  return read_sweep(section, reading, has_seed ? static_cast<std::uint64_t>(seed->value.integer) : 1);
+  return read_sweep(section->value, reading, has_seed ? static_cast<std::uint64_t>(seed->value.integer) : 1);
 }
 
 std::int64_t seed_of(const recipe::Recipe& recipe, Sweep::Seeds seeds, std::int64_t replicate) {
   if (seeds == Sweep::Seeds::consecutive) return static_cast<std::int64_t>(recipe.seed) + replicate;
   HashBuilder hash;
-  // By the key of version 0.1: other seeds would be other samples.
-  hash.add("packing", workflow::packing_key(recipe, workflow::Names::of_version_0_1)).add("replicate", replicate);
+  hash.add("packing", workflow::seed_key(recipe)).add("replicate", replicate);
   return std::stoll(hash.hex().substr(0, 12), nullptr, 16);  // 48 bits, which a double holds exactly
 }
 
 recipe::Node with(recipe::Node tree, const Point& point, const recipe::Reading& reading) {
   for (const auto& [key, value] : point) {
     try {
-      set_value(tree, key, value);
+      set_value(tree, key, value, recipe::recipe_keys());
     } catch (const InputError& error) {
       throw InputError({Problem{file_of(value.place, reading), value.place.line, value.place.column, fmt::format("{}: {}", key, error.what())}});
     }
@@ -115,13 +110,9 @@ class Expansion {
  private:
   void finish(StudyRun run, const recipe::Recipe& recipe) {
     run.stages = workflow::plan_of(recipe);
-    HashBuilder hash, former;
-    for (const workflow::PlannedStage& stage : run.stages) {
-      hash.add(stage.name, stage.hash);
-      former.add(stage.former.back(), stage.former_hash);
-    }
+    HashBuilder hash;
+    for (const workflow::PlannedStage& stage : run.stages) hash.add(stage.name, stage.hash);
     run.name = hash.hex().substr(0, 16);
-    run.former = former.hex().substr(0, 16);
     study_.runs.push_back(std::move(run));
   }
 
@@ -161,14 +152,14 @@ Study read_study(const std::string& file, const std::vector<std::string>& overri
   for (std::size_t index = 0; index < combinations && !expansion.enough(); ++index) expansion.add(sweep.combination(index));
   expansion.end(combinations);
   if (folder.empty()) return study;
-  rename_former_runs(folder, study);
+  note_runs_of_version_0_1(folder, study);
   write_runs(folder / "runs.tsv", study);
   return study;
 }
 
 recipe::Recipe recipe_of(const Study& study, const StudyRun& run) {
   recipe::Node tree = study.tree;
-  for (const auto& [key, value] : run.values) set_value(tree, key, recipe::parse_value(value));
+  for (const auto& [key, value] : run.values) set_value(tree, key, recipe::parse_value(value), recipe::recipe_keys());
   return recipe_from(tree, study.file);
 }
 

@@ -51,7 +51,6 @@ struct StudyRun {
   std::string name;                                         ///< hash of all that its results depend on, 16 digits
   std::vector<std::pair<std::string, std::string>> values;  ///< swept keys and their values as TOML, in the order of the sweep
   std::vector<workflow::PlannedStage> stages;               ///< packing first
-  std::string former{};                                     ///< name of the same run by version 0.1; empty where it was read from runs.tsv
 };
 
 /// A recipe with [sweep] and the runs that it becomes. Runs that differ in nothing that their results depend on have one name.
@@ -70,8 +69,8 @@ struct Study {
 /// the values of the first run that does.
 Study read_study(const std::string& file, const std::vector<std::string>& overrides = {}, const std::filesystem::path& folder = {});
 
-/// Runs that version 0.1 did in the study's folder get their names of now, and so do their files.
-void rename_former_runs(const std::filesystem::path& folder, const Study& study);
+/// Adds a notice if there are runs in the study's folder that version 0.1 did, which are not taken up.
+void note_runs_of_version_0_1(const std::filesystem::path& folder, Study& study);
 
 /// What one run says, checked and in SI.
 recipe::Recipe recipe_of(const Study& study, const StudyRun& run);

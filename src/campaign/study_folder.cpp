@@ -164,18 +164,13 @@ RunResult result_of(const StudyFolder& folder, const StudyRun& run) {
   return result;
 }
 
-void rename_former_runs(const fs::path& out, const Study& study) {
-  const StudyFolder folder(out);
-  std::error_code error;  // of another process that was first
-  if (!fs::exists(out / "runs", error)) return;
-  std::optional<io::AppendLog> journal;
-  for (const StudyRun& run : study.runs) {
-    if (fs::exists(folder.run(run.name), error) || !fs::exists(folder.run(run.former), error)) continue;
-    fs::rename(folder.run(run.former), folder.run(run.name), error);
-    workflow::rename_former(folder.run(run.name), run.stages);
-    if (!journal) journal.emplace(folder.journal());
-    if (const auto state = read_status(folder, run.name)) note_state(*journal, run.name, *state);
-  }
+void note_runs_of_version_0_1(const fs::path& out, Study& study) {
+  std::error_code error;
+  std::size_t count = 0;
+  for (const auto& entry : fs::directory_iterator(out / "runs", error))
+    count += fs::exists(entry.path() / "numbers.json", error) && !fs::exists(entry.path() / "numbers.hdf5", error);
+  if (count == 0) return;
+  study.notices.push_back(fmt::format("runs by version 0.1 in {} ({}) are not taken up; all runs are done anew beside them", (out / "runs").string(), count));
 }
 
 void write_runs(const std::filesystem::path& file, const Study& study) {

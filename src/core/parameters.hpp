@@ -1,4 +1,5 @@
 #pragma once
+#include <concepts>
 #include <cstdint>
 #include <functional>
 #include <initializer_list>
@@ -20,6 +21,7 @@ struct Key {
   std::string_view name;
   std::string_view sentence;
   bool required = false;
+  std::string_view former = {};  ///< name of before, which is still read
 };
 
 /// Allowed values, SI.
@@ -47,6 +49,7 @@ std::string to_string(const IntegerRange& range);
 /// One word that a choice can take, with what it means.
 struct Word {
   std::string_view word, sentence;
+  std::string_view former = {};  ///< the same of before
 };
 
 /// One form of a tagged value: a bare word ("fixed"), or, with a unit, `{ force = "50 kN" }`.
@@ -123,9 +126,8 @@ class ParameterVisitor {
     number(key, holder, unit, range::positive);
     value = holder.value_or(0);
   }
-  template <class T>
-  requires(std::is_same_v<T, std::int64_t> || std::is_same_v<T, int>) void integer(const Key& key, T& value, const IntegerRange& range) {
-    std::optional<std::int64_t> holder = value;
+  template <std::integral T> void integer(const Key& key, T& value, const IntegerRange& range) {
+    std::optional<std::int64_t> holder = static_cast<std::int64_t>(value);
     integer(key, holder, range);
     if (holder) value = static_cast<T>(*holder);
   }

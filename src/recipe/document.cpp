@@ -1,11 +1,15 @@
 #include "recipe/document.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/error.hpp"
+#include "core/mapped.hpp"
 #include "core/text.hpp"
+#include "core/units.hpp"
 
 // toml++ 3.3 calls the default case of its look-up of white space unreachable, yet bytes like CC AA reach it (its issues
 // 190 and 295, fixed in later versions by returning false). So its tables are included first, with that fix.
@@ -22,47 +26,31 @@
 namespace arenite::recipe {
 namespace {
 
-Place place_of(const toml::source_region& region) { return {static_cast<int>(region.begin.line), static_cast<int>(region.begin.column), {}}; }
-
-bool stands_before(const Place& a, const Place& b) { return a.line != b.line ? a.line < b.line : a.column < b.column; }
+Place place_of(const toml::source_region& region) { return {.line = static_cast<int>(region.begin.line), .column = static_cast<int>(region.begin.column)}; }
 
 Node converted(const toml::node& node);
 
-Node converted_table(const toml::table& table) {
-  Node result;
-  result.kind = Node::Kind::table;
-  for (const auto& [key, value] : table) { result.entries.push_back({std::string(key.str()), place_of(key.source()), converted(value)}); }
-  std::stable_sort(result.entries.begin(), result.entries.end(), [](const Entry& a, const Entry& b) { return stands_before(a.place, b.place); });
-  return result;
+std::vector<Entry> entries_of(const toml::table& table) {
+  std::vector<Entry> entries;
+  for (const auto& [key, value] : table) entries.push_back({std::string(key.str()), place_of(key.source()), converted(value)});
+  std::ranges::stable_sort(entries, {}, [](const Entry& entry) { return std::pair(entry.place.line, entry.place.column); });
+  return entries;
 }
 
 Node converted(const toml::node& node) {
-  Node result;
-  if (const auto* table = node.as_table()) {
-    result = converted_table(*table);
-  } else if (const auto* array = node.as_array()) {
-    result.kind = Node::Kind::array;
-    for (const auto& item : *array) result.items.push_back(converted(item));
-  } else if (const auto* text = node.as_string()) {
-    result.kind = Node::Kind::text;
-    result.text = text->get();
-  } else if (const auto* integer = node.as_integer()) {
-    result.kind = Node::Kind::integer;
-    result.integer = integer->get();
-  } else if (const auto* real = node.as_floating_point()) {
-    result.kind = Node::Kind::real;
-    result.real = real->get();
-  } else if (const auto* flag = node.as_boolean()) {
-    result.kind = Node::Kind::flag;
-    result.flag = flag->get();
-  } else {
-    result.kind = Node::Kind::date;
-  }
-  result.place = place_of(node.source());
+  Node result{.kind = Node::Kind::date, .place = place_of(node.source())};
+  const auto take = [&](Node::Kind kind, auto& member, auto&& value) {
+    result.kind = kind;
+    member = std::forward<decltype(value)>(value);
+  };
+  if (const auto* table = node.as_table()) take(Node::Kind::table, result.entries, entries_of(*table));
+  else if (const auto* array = node.as_array()) take(Node::Kind::array, result.items, mapped(*array, converted));
+  else if (const auto* text = node.as_string()) take(Node::Kind::text, result.text, text->get());
+  else if (const auto* integer = node.as_integer()) take(Node::Kind::integer, result.integer, integer->get());
+  else if (const auto* real = node.as_floating_point()) take(Node::Kind::real, result.real, real->get());
+  else if (const auto* flag = node.as_boolean()) take(Node::Kind::flag, result.flag, flag->get());
   return result;
 }
-
-constexpr std::size_t deepest = 16;  // parts of a dotted key; the deepest of a recipe has five
 
 /// The position behind the string that opens at `at`; the end of the text if it is not closed.
 std::size_t behind_string(std::string_view text, std::size_t at) {
@@ -114,48 +102,27 @@ std::string reason_in(std::string_view description) {
   return text;
 }
 
-std::size_t item_index(const std::string& word, const Node& array) {
-  const auto index = parse_number<std::size_t>(word);
-  if (!index || *index >= array.items.size()) throw InputError(fmt::format("\"{}\" is not one of the {} items, counted from 0", word, array.items.size()));
-  return *index;
-}
-
-/// The parts of a dotted key.
-std::vector<std::string> words_of(const std::string& key) {
-  std::vector<std::string> words;
-  for (std::size_t begin = 0; begin <= key.size();) {
-    const std::size_t end = std::min(key.find('.', begin), key.size());
-    words.emplace_back(trimmed(std::string_view(key).substr(begin, end - begin)));
-    if (words.back().empty()) throw InputError("a part of the key is empty");
-    if (words.size() > deepest) throw InputError("no key of a recipe is so deep");
-    begin = end + 1;
-  }
-  return words;
-}
-
-/// The value under `word`; made where there is none, and turned into a table where `word` needs one.
-Node& step_into(Node& node, const std::string& word, const Place& place) {
-  if (node.kind == Node::Kind::array) return node.items[item_index(word, node)];
-  if (node.kind != Node::Kind::table) {
-    node = Node{};
-    node.place = place;
-  }
-  for (auto& entry : node.entries) {
-    if (entry.key == word) return entry.value;
-  }
-  Node value;
-  value.place = place;
-  node.entries.push_back({word, place, std::move(value)});
-  return node.entries.back().value;
+std::string real_literal(double value) {
+  if (std::isnan(value)) return "nan";
+  if (std::isinf(value)) return value < 0 ? "-inf" : "inf";
+  std::string text = format_quantity(value, "");
+  if (text.find_first_of(".e") == std::string::npos) text += ".0";
+  return text;
 }
 
 }  // namespace
 
 const Entry* Node::find(std::string_view key) const {
-  for (const auto& entry : entries) {
-    if (entry.key == key) return &entry;
-  }
-  return nullptr;
+  const auto at = std::ranges::find(entries, key, &Entry::key);
+  return at == entries.end() ? nullptr : &*at;
+}
+
+std::optional<Entry> Node::take(std::string_view key) {
+  const auto at = std::ranges::find(entries, key, &Entry::key);
+  if (at == entries.end()) return std::nullopt;
+  Entry entry = std::move(*at);
+  entries.erase(at);
+  return entry;
 }
 
 const char* kind_name(const Node& node) {
@@ -189,29 +156,39 @@ Node parse_value(const std::string& text) {
   } catch (const InputError&) {
     // Then it is text.
   }
-  Node node;
-  node.kind = Node::Kind::text;
-  node.text = trimmed(text);
-  return node;
+  return {.kind = Node::Kind::text, .text = std::string(trimmed(text))};
 }
 
-void set_value(Node& root, const std::string& key, Node value) {
-  Place place = value.place;
-  place.wins = true;
-  Node* node = &root;
-  for (const auto& word : words_of(current_key(key, value))) node = &step_into(*node, word, place);
-  each_place(value, [&](Place& each) { each = place; });
-  *node = std::move(value);
+std::string toml_text(std::string_view text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') {
+      result += std::string("\\") + c;
+    } else if (static_cast<unsigned char>(c) < ' ' || c == 127) {
+      result += fmt::format("\\u{:04X}", static_cast<unsigned>(static_cast<unsigned char>(c)));
+    } else {
+      result += c;
+    }
+  }
+  return result + "\"";
 }
 
-void apply_override(Node& root, const std::string& assignment) {
-  const auto equals = assignment.find('=');
-  try {
-    if (equals == std::string::npos || equals == 0) throw InputError("write key=value, for example seed=7 or container.width=\"350 mm\"");
-    Node value = parse_value(assignment.substr(equals + 1));
-    value.place = {0, 0, "--set " + assignment};
-    set_value(root, assignment.substr(0, equals), std::move(value));
-  } catch (const InputError& error) { throw InputError(fmt::format("--set {}: {}", assignment, error.what())); }
+std::string toml_key(const std::string& name) { return is_plain_name(name) ? name : toml_text(name); }
+
+std::string toml_literal(const Node& value) {
+  switch (value.kind) {
+    case Node::Kind::flag: return value.flag ? "true" : "false";
+    case Node::Kind::integer: return std::to_string(value.integer);
+    case Node::Kind::real: return real_literal(value.real);
+    case Node::Kind::text: return toml_text(value.text);
+    case Node::Kind::date: return "\"\"";
+    case Node::Kind::array: return fmt::format("[{}]", fmt::join(mapped(value.items, toml_literal), ", "));
+    case Node::Kind::table: {
+      const auto literal = [](const Entry& entry) { return fmt::format("{} = {}", toml_key(entry.key), toml_literal(entry.value)); };
+      return fmt::format("{{ {} }}", fmt::join(mapped(value.entries, literal), ", "));
+    }
+  }
+  return {};
 }
 
 }  // namespace arenite::recipe

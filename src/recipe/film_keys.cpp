@@ -52,7 +52,7 @@ void declare(Visitor& v, camera::Surroundings& around) {
   v.number({"temperature", "Of the sample."}, around.temperature, "K", range::positive);
   v.number({"ambient", "Of the surroundings that the sample mirrors."}, around.ambient, "K", range::positive);
   v.number({"background_emissivity", "Of what is seen between the grains."}, around.background_emissivity, "", range::above(0, 1));
-  v.number({"container_emissivity", "Of the container."}, around.container_emissivity, "", range::above(0, 1));
+  v.number({"container_emissivity", "Of the container.", false, "frame_emissivity"}, around.container_emissivity, "", range::above(0, 1));
   v.number({"drift", "Warming of the whole scene."}, around.drift, "mK/s", range::any);
   v.number({"drift_growth", "By which this rate grows."}, around.drift_growth, "mK/s^2", range::any);
   v.number({"warm_up", "By how much the scene warms beside, exponentially."}, around.warm_up, "K", range::any);
@@ -84,9 +84,9 @@ void declare(Visitor& v, CameraSection& camera) {
   v.require(camera.parameters.band.high > camera.parameters.band.low, {"band_high", "band_low"}, "must be above band_low");
   v.flag({"motion", "Grains move between their places in the two states."}, camera.parameters.motion);
   v.number({"contact_arc", "Half angle over which a contact presses on a grain, rad; 0: a point."}, camera.parameters.contact_arc, "", range::between(0, 0.8));
-  v.integer({"reference_frames", "Frames in each of the two films of a black-body reference."}, camera.reference_frames, {1, 1'000'000});
-  v.number({"reference_cold", "Temperature of the first reference."}, camera.reference_cold, "K", range::positive);
-  v.number({"reference_warm", "Temperature of the second reference."}, camera.reference_warm, "K", range::positive);
+  v.integer({"reference_frames", "Frames in each of the two films of a black-body reference.", false, "plate_frames"}, camera.reference_frames, {1, 1'000'000});
+  v.number({"reference_cold", "Temperature of the first reference.", false, "plate_cold"}, camera.reference_cold, "K", range::positive);
+  v.number({"reference_warm", "Temperature of the second reference.", false, "plate_warm"}, camera.reference_warm, "K", range::positive);
   v.require(camera.reference_warm > camera.reference_cold, {"reference_warm", "reference_cold"}, "must be above reference_cold");
 }
 
@@ -113,7 +113,8 @@ void declare(Visitor& v, FilmContainer& container) {
   v.number({"thickness", "Length of the cylinders, out of the plane.", true}, container.thickness, "mm", range::positive);
   v.number({"left", "Column of the container's inner left side in the film; unless given, the container is in the middle."}, container.left, "", range::any);
   v.number({"top", "Row of its inner upper side, from the top."}, container.top, "", range::any);
-  v.number({"load_peak_to_peak", "Force on the lower wall, largest less smallest; 0: not known."}, container.load_peak_to_peak, "kN", range::not_negative);
+  v.number({"load_peak_to_peak", "Force on the lower wall, largest less smallest; 0: not known.", false, "load_swing"}, container.load_peak_to_peak, "kN",
+           range::not_negative);
   v.number({"travel", "Displacement of the lower wall, upwards, from the smallest to the largest load."}, container.travel, "mm", range::any);
 }
 
@@ -137,7 +138,7 @@ void declare(Visitor& v, CorrectionSection& correction) {
 void declare(Visitor& v, TemperatureSection& temperature) {
   using From = TemperatureSection::From;
   v.choice({"from", "What turns digital levels into temperatures."}, temperature.from,
-           {{"references", "the two black-body references of [correction] and Planck's law between them, emissivity taken into account"},
+           {{"references", "the two black-body references of [correction] and Planck's law between them, emissivity taken into account", "plates"},
             {"radiometry", "levels are proportional to photons; Planck's law and the film's mean at [temperature] ambient"},
             {"curve", "a calibration curve"},
             {"film", "the film holds temperatures already"}});
@@ -204,22 +205,20 @@ void require_emissivities_used(Visitor& v, const FilmRecipe& recipe) {
 
 void declare(ParameterVisitor& v, FilmRecipe& recipe) {
   v.text({"title", "One line for the head of reports."}, recipe.title);
-  std::int64_t seed = static_cast<std::int64_t>(recipe.seed);
-  v.integer({"seed", "Seed of a virtual camera's random numbers."}, seed, {0, std::numeric_limits<std::int64_t>::max()});
-  recipe.seed = static_cast<std::uint64_t>(seed);
+  v.integer({"seed", "Seed of a virtual camera's random numbers."}, recipe.seed, {0, std::numeric_limits<std::int64_t>::max()});
   v.sections(
       {"materials", "Materials of the grains, by name.", true},
       {[&] { return recipe.materials.size(); }, [&](std::size_t n) { recipe.materials.resize(n); },
        [&](Visitor& inner, std::size_t i) { declare(inner, recipe.materials[i]); }, [&](std::size_t i) -> std::string& { return recipe.materials[i].name; }});
   v.optional_section<io::FilmChoice>({"film", "What the film does not say about itself, or says wrongly."}, recipe.film,
                                      [](Visitor& inner, io::FilmChoice& film) { declare(inner, film); });
-  v.section({"container", "The box that holds the grains.", true}, [&](Visitor& inner) { declare(inner, recipe.container); });
+  v.section({"container", "The box that holds the grains.", true, "frame"}, [&](Visitor& inner) { declare(inner, recipe.container); });
   v.section({"picture", "Where grains are in the film.", true}, [&](Visitor& inner) { declare(inner, recipe.picture); });
   v.section({"lockin", "From the film to the amplitude of every pixel.", true}, [&](Visitor& inner) { declare(inner, recipe.lockin); });
   v.section({"correction", "Faults of the camera that are removed from the film."}, [&](Visitor& inner) { declare(inner, recipe.correction); });
   v.section({"temperature", "From digital levels to kelvin."}, [&](Visitor& inner) { declare(inner, recipe.temperature); });
   v.section({"forces", "From the amplitude to stresses of grains and forces of contacts."}, [&](Visitor& inner) { declare(inner, recipe.forces); });
-  v.optional_section<SimulationSection>({"simulation", "A companion simulation of the same packing, held beside the film."}, recipe.simulation,
+  v.optional_section<SimulationSection>({"simulation", "A companion simulation of the same packing, held beside the film.", false, "twin"}, recipe.simulation,
                                         [](Visitor& inner, SimulationSection& simulation) { declare(inner, simulation); });
   v.optional_section<CameraSection>({"camera", "A virtual camera that films simulated states; for `arenite camera`."}, recipe.camera,
                                     [](Visitor& inner, CameraSection& camera) { declare(inner, camera); });

@@ -195,11 +195,9 @@ void declare(Visitor& v, Population& population, const Recipe& recipe) {
 
 void declare(Visitor& v, Recipe& recipe) {
   v.text({"title", "One line for the head of reports."}, recipe.title);
-  std::int64_t seed = static_cast<std::int64_t>(recipe.seed);
-  v.integer({"seed", "Seed of all random numbers: the same seed gives the same sample."}, seed, {0, std::numeric_limits<std::int64_t>::max()});
-  recipe.seed = static_cast<std::uint64_t>(seed);
+  v.integer({"seed", "Seed of all random numbers: the same seed gives the same sample."}, recipe.seed, {0, std::numeric_limits<std::int64_t>::max()});
   v.section({"packing", "How the grains are put into the container."}, [&](Visitor& inner) { declare(inner, recipe.packing); });
-  v.section({"container", "The box, or periodic cell, that holds the grains.", true},
+  v.section({"container", "The box, or periodic cell, that holds the grains.", true, "frame"},
             [&](Visitor& inner) { declare(inner, recipe.container, recipe.packing.method); });
   declare_materials(v, recipe.materials);
   declare_bidisperse(v, recipe);

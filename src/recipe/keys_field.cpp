@@ -7,41 +7,27 @@
 
 namespace arenite::recipe {
 
-const std::vector<Word>& words(cement::CementParameters::Kind) {
-  static const std::vector<Word> list{{"none", "nowhere"},
-                                      {"bridges", "trapezia between neighbouring grains"},
-                                      {"full", "in all space between the grains"},
-                                      {"coating", "a layer of even thickness round every grain"},
-                                      {"menisci", "between two arcs that touch both neighbours, as a liquid would be"}};
-  return list;
+std::vector<Word> words(cement::CementParameters::Kind) {
+  return {{"none", "nowhere"},
+          {"bridges", "trapezia between neighbouring grains"},
+          {"full", "in all space between the grains"},
+          {"coating", "a layer of even thickness round every grain"},
+          {"menisci", "between two arcs that touch both neighbours, as a liquid would be"}};
 }
 
-const std::vector<Word>& words(peridynamics::Loading) {
-  static const std::vector<Word> list{{"tension", "away from it"}, {"compression", "towards it"}, {"shear", "along it, to the right"}};
-  return list;
+std::vector<Word> words(peridynamics::Loading) { return {{"tension", "away from it"}, {"compression", "towards it"}, {"shear", "along it, to the right"}}; }
+
+std::vector<Word> words(peridynamics::LowerEdge) { return {{"fixed", "nothing moves"}, {"sliding", "free along the row"}}; }
+
+std::vector<Word> words(peridynamics::Method) {
+  return {{"static_solve", "conjugate gradients with a coarse space cut by grain: seconds"},
+          {"relaxation", "adaptive dynamic relaxation: half a minute"},
+          {"damped", "dynamics under a fixed viscosity, as the paper does: minutes"}};
 }
 
-const std::vector<Word>& words(peridynamics::LowerEdge) {
-  static const std::vector<Word> list{{"fixed", "nothing moves"}, {"sliding", "free along the row"}};
-  return list;
-}
+std::vector<Word> words(Load::Axis) { return {{"y", ""}, {"x", ""}}; }
 
-const std::vector<Word>& words(peridynamics::Method) {
-  static const std::vector<Word> list{{"static_solve", "conjugate gradients with a coarse space cut by grain: seconds"},
-                                      {"relaxation", "adaptive dynamic relaxation: half a minute"},
-                                      {"damped", "dynamics under a fixed viscosity, as the paper does: minutes"}};
-  return list;
-}
-
-const std::vector<Word>& words(Load::Axis) {
-  static const std::vector<Word> list{{"y", ""}, {"x", ""}};
-  return list;
-}
-
-const std::vector<Word>& words(grid::Cavity) {
-  static const std::vector<Word> list{{"pore", "space between grains, matrix or empty"}, {"void", "empty space"}};
-  return list;
-}
+std::vector<Word> words(grid::Cavity) { return {{"pore", "space between grains, matrix or empty"}, {"void", "empty space"}}; }
 
 namespace {
 
@@ -51,8 +37,8 @@ void declare(Visitor& v, BidisperseSection& classes, const Materials& materials)
   v.number({"size_ratio", "gamma: mean large over mean small radius."}, law.size_ratio, "", range::between(1, 20));
   v.number({"volume_ratio", "theta: area of the large over area of the small disks."}, law.volume_ratio, "", range::above(0, 100));
   v.number({"deviation", "Standard deviation of each class over its mean radius."}, law.deviation, "", range::between(0, 0.5));
-  v.number({"truncation", "Radii are truncated at this many standard deviations."}, law.cut, "", range::above(0, 1.9));
-  v.flag({"truncate_each_class", "Each class is truncated by itself; otherwise both to their common range."}, law.cut_each_class);
+  v.number({"truncation", "Radii are truncated at this many standard deviations.", false, "cut"}, law.cut, "", range::above(0, 1.9));
+  v.flag({"truncate_each_class", "Each class is truncated by itself; otherwise both to their common range.", false, "cut_each_class"}, law.cut_each_class);
   v.flag({"hold_radius", "A radius is kept until it is placed; otherwise drawn anew at each trial, which favours small ones."}, law.hold_radius);
   v.number({"box_area", "Area of the square box over pi large_radius^2."}, law.box_area, "", range::between(20, 1e6));
   v.integer({"trials", "Places tried round a disk before it is given up."}, law.trials, {1, 10'000});
@@ -152,7 +138,7 @@ void declare_bidisperse(Visitor& v, Recipe& recipe) {
 void declare_field(Visitor& v, Recipe& recipe) {
   v.optional_section<cement::CementParameters>({"cement", "Binding matrix between the grains, put there when the stages are over."}, recipe.cement,
                                                [](Visitor& inner, cement::CementParameters& law) { declare(inner, law); });
-  v.optional_section<GridSection>({"grid", "The square of nodes that the cemented packing becomes."}, recipe.grid,
+  v.optional_section<GridSection>({"grid", "The square of nodes that the cemented packing becomes.", false, "raster"}, recipe.grid,
                                   [](Visitor& inner, GridSection& grid) { declare(inner, grid); });
   v.list<Load>({"loads", "Loadings of the cemented sample by peridynamics, each from the unloaded state."}, recipe.loads,
                [&](Visitor& inner, Load& load) { declare(inner, load, recipe); });

@@ -164,7 +164,8 @@ void declare(Visitor& v, Stage& stage, const Recipe& recipe) {
   declare_openings(v, stage, recipe);
   v.integer({"increments", "Equal steps in which forces are reached, each ending in equilibrium."}, stage.increments, {1, 1'000'000});
   v.number({"duration", "Time after which the stage ends, whether in equilibrium or not; needed where a side moves."}, stage.duration, "s", range::positive);
-  v.integer({"snapshots", "States stored during a stage with a duration; other stages store one an increment."}, stage.snapshots, {1, 1'000'000});
+  v.integer({"snapshots", "States stored during a stage with a duration; other stages store one an increment.", false, "frames"}, stage.snapshots,
+            {1, 1'000'000});
   v.number({"friction", "Coefficient mu during this stage only, for example 0 to densify."}, stage.friction, "", range::not_negative);
   v.number({"drag", "Viscous drag during this stage, as a rate: the force on a grain is -drag m v."}, stage.drag, "1/s", range::not_negative);
   v.number({"critical_drag",
@@ -173,10 +174,11 @@ void declare(Visitor& v, Stage& stage, const Recipe& recipe) {
             "to equilibrium soonest; it hinders rearrangement, so compact without it first."},
            stage.critical_drag, "", range::not_negative);
   v.choice({"mass_scaling",
-            "Masses that the grains move with in this stage. Without friction equilibria do not depend on them; with it they keep a trace of the path."},
+            "Masses that the grains move with in this stage. Without friction equilibria do not depend on them; with it they keep a trace of the path.", false,
+            "masses"},
            stage.mass_scaling,
-           {{"none", "their own"},
-            {"uniform", "such that k/m of all grains is that of the fastest: a sample of unlike sizes compacts in far fewer steps; not with gravity"}});
+           {{"none", "their own", "own"},
+            {"uniform", "such that k/m of all grains is that of the fastest: a sample of unlike sizes compacts in far fewer steps; not with gravity", "even"}});
   v.require(!stage.gravity || stage.mass_scaling == dem::MassScaling::none, {"mass_scaling", "gravity"},
             "grains weigh by their own masses; leave gravity or mass_scaling out");
   v.number({"inertial_number",
@@ -192,7 +194,7 @@ void declare(Visitor& v, Stage& stage, const Recipe& recipe) {
                              [](Visitor& inner, Cycles& cycles) { declare(inner, cycles); });
   declare_strain_cycles(v, stage, recipe);
   require_boundary_loads(v, stage, recipe);
-  v.section({"equilibrium", "When an increment counts as done."}, [&](Visitor& inner) { declare(inner, stage.equilibrium); });
+  v.section({"equilibrium", "When an increment counts as done.", false, "rest"}, [&](Visitor& inner) { declare(inner, stage.equilibrium); });
   require_usable_sides(v, stage, recipe.container);
 }
 

@@ -24,17 +24,9 @@ std::string as_phrase(std::string_view sentence) {
   return phrase;
 }
 
-std::optional<Entry> take(Node& table, std::string_view key) {
-  const auto at = std::find_if(table.entries.begin(), table.entries.end(), [&](const Entry& entry) { return entry.key == key; });
-  if (at == table.entries.end()) return std::nullopt;
-  Entry entry = std::move(*at);
-  table.entries.erase(at);
-  return entry;
-}
-
 void lay_under(Node& own, Node&& base) {
   for (Entry& entry : base.entries) {
-    const auto at = std::find_if(own.entries.begin(), own.entries.end(), [&](const Entry& e) { return e.key == entry.key; });
+    const auto at = std::ranges::find(own.entries, entry.key, &Entry::key);
     if (at == own.entries.end()) own.entries.push_back(std::move(entry));
     else if (at->value.kind == Node::Kind::table && entry.value.kind == Node::Kind::table) lay_under(at->value, std::move(entry.value));
   }
@@ -190,7 +182,7 @@ const std::string& file_of(const Place& place, const Reading& reading) {
 void add_problem(Reading& reading, const Place& place, const std::string& path, const std::string& message) {
   Problem problem{file_of(place, reading), place.line, place.column, fmt::format("{}: {}", path, message)};
   const auto same = [&](const Problem& p) { return p.message == problem.message && p.line == problem.line && p.file == problem.file; };
-  if (std::none_of(reading.problems.begin(), reading.problems.end(), same)) reading.problems.push_back(std::move(problem));
+  if (std::ranges::none_of(reading.problems, same)) reading.problems.push_back(std::move(problem));
 }
 
 namespace {
@@ -198,18 +190,18 @@ namespace {
 /// Lays the recipe that the key `base` names under this one, and its base under both: sections are merged key by key, what else
 /// is given here counts instead. A base's [sweep] is left out. The key is taken out of the tree, and the files that were
 /// read are added to `reading.bases`. Throws InputError where there is no such file, or one leads back to itself.
-void lay_base_under(Node& root, Reading& reading) {
+void lay_base_under(Node& root, Reading& reading, const RecordTable& keys) {
   fs::path folder = reading.folder;
-  for (auto base = take(root, "base"); base;) {
+  for (auto base = root.take("base"); base;) {
     const fs::path path = (folder / base->value.text).lexically_normal();
     if (const std::string why = refusal(*base, path, reading); !why.empty())
       throw InputError({Problem{file_of(base->value.place, reading), base->value.place.line, base->value.place.column, "base: " + why}});
     reading.bases.push_back(path.string());
     Node under = read_document(io::read_file(path.string()), path.string());
     each_place(under, [&](Place& place) { place.file = path.string(); });
-    rename_former_keys(under, reading.notices);
-    take(under, "sweep");
-    base = take(under, "base");
+    rename_former_keys(under, keys, reading.notices);
+    under.take("sweep");
+    base = under.take("base");
     lay_under(root, std::move(under));
     folder = path.parent_path();
   }
@@ -217,16 +209,16 @@ void lay_base_under(Node& root, Reading& reading) {
 
 }  // namespace
 
-Node read_tree(std::string_view text, Reading& reading, const std::vector<std::string>& overrides, std::string_view start_from) {
+Node read_tree(std::string_view text, Reading& reading, const std::vector<std::string>& overrides, const RecordTable& keys, std::string_view start_from) {
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
     refuse(reading.file_name, "the recipe is empty; `arenite init {}` writes one to start from", start_from);
   }
   Node root = read_document(text, reading.file_name);
-  rename_former_keys(root, reading.notices);
-  lay_base_under(root, reading);
+  rename_former_keys(root, keys, reading.notices);
+  lay_base_under(root, reading, keys);
   for (const auto& assignment : overrides) {
     try {
-      apply_override(root, assignment);
+      apply_override(root, assignment, keys);
     } catch (const InputError& error) { reading.problems.insert(reading.problems.end(), error.problems().begin(), error.problems().end()); }
   }
   return root;

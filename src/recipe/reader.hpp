@@ -36,10 +36,6 @@ class RecipeReader : public ParameterVisitor {
  public:
   RecipeReader(const Node& table, std::string path, Reading& reading);
 
-  using ParameterVisitor::choice;
-  using ParameterVisitor::integer;
-  using ParameterVisitor::number;
-  using ParameterVisitor::section;
   void number(const Key& key, std::optional<double>& value, std::string_view unit, const Range& range) override;
   void integer(const Key& key, std::optional<std::int64_t>& value, const IntegerRange& range) override;
   void flag(const Key& key, bool& value) override;
@@ -67,6 +63,7 @@ class RecipeReader : public ParameterVisitor {
   void refuse(const Key& key, const Place& place, const std::string& message);
   void read_table(const Node& table, const std::string& path, const Visit& inside);
   std::optional<double> read_number(const Node& node, const std::string& path, std::string_view unit, const Range& range);
+  template <class T, class Read> void read_items(const Key& key, const Node& list, std::vector<T>& values, Read read);
   void read_rows(const Key& key, const Node& list, std::vector<Vec2>& values, std::array<std::string_view, 2> unit, const std::string& wanted);
   void read_series(const Key& key, const Node& file, std::vector<Vec2>& values, std::string_view unit);
 
@@ -77,9 +74,12 @@ class RecipeReader : public ParameterVisitor {
   std::map<std::string, std::string, std::less<>> conditional_;  ///< keys that do not exist now, and when they do
 };
 
-/// The tree that a text, its base and its overrides make; problems of base and overrides are collected. For an empty text the InputError names
-/// the template that `arenite init` writes.
-Node read_tree(std::string_view text, Reading& reading, const std::vector<std::string>& overrides, std::string_view start_from);
+/// The tree that a text, its base and its overrides make, under the names that `keys` have now; problems of base and overrides are collected. For an
+/// empty text the InputError names the template that `arenite init` writes.
+Node read_tree(std::string_view text, Reading& reading, const std::vector<std::string>& overrides, const RecordTable& keys, std::string_view start_from);
+
+/// Every key of a recipe of a simulation.
+const RecordTable& recipe_keys();
 
 /// Reads all keys that a declaration visits. Throws InputError with every problem found, in the order of the text.
 void read_declared(const Node& root, Reading& reading, const Visit& declare);

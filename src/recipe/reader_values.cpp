@@ -112,52 +112,46 @@ void RecipeReader::file(const Key& key, std::string& value) {
   }
 }
 
-void RecipeReader::numbers(const Key& key, std::vector<double>& values, std::string_view unit, const Range& range) {
-  const Node* node = take(key, unit.empty() ? "[1, 2]" : fmt::format("[\"1 {0}\", \"2 {0}\"]", unit), Node::Kind::array, "a list");
-  if (!node) return;
+template <class T, class Read> void RecipeReader::read_items(const Key& key, const Node& list, std::vector<T>& values, Read read) {
   values.clear();
-  for (std::size_t i = 0; i < node->items.size(); ++i) {
-    const auto read = read_number(node->items[i], fmt::format("{}.{}", path_of(key.name), i), unit, range);
-    if (read) values.push_back(*read);
+  for (std::size_t i = 0; i < list.items.size(); ++i) {
+    const std::optional<T> item = read(list.items[i], fmt::format("{}.{}", path_of(key.name), i));
+    if (item) values.push_back(*item);
     else failed_.emplace(key.name);
   }
+}
+
+void RecipeReader::numbers(const Key& key, std::vector<double>& values, std::string_view unit, const Range& range) {
+  const Node* node = take(key, unit.empty() ? "[1, 2]" : fmt::format("[\"1 {0}\", \"2 {0}\"]", unit), Node::Kind::array, "a list");
+  if (node) read_items(key, *node, values, [&](const Node& item, const std::string& path) { return read_number(item, path, unit, range); });
 }
 
 void RecipeReader::pairs(const Key& key, std::vector<std::pair<std::int32_t, std::int32_t>>& values) {
-  const Node* node = take(key, "[[0, 1], [1, 2]]", Node::Kind::array, "a list of pairs");
-  if (!node) return;
-  values.clear();
-  for (const auto& item : node->items) {
-    const auto is_index = [](const Node& n) { return n.kind == Node::Kind::integer && n.integer >= 0 && n.integer <= INT32_MAX; };
-    if (item.kind != Node::Kind::array || item.items.size() != 2 || !is_index(item.items[0]) || !is_index(item.items[1]) ||
-        item.items[0].integer == item.items[1].integer) {
-      refuse(key, item.place, "each pair must be two different grain indices from 0, such as [0, 1]");
-      continue;
-    }
-    values.emplace_back(static_cast<std::int32_t>(item.items[0].integer), static_cast<std::int32_t>(item.items[1].integer));
-  }
+  const auto is_index = [](const Node& n) { return n.kind == Node::Kind::integer && n.integer >= 0 && n.integer <= INT32_MAX; };
+  const auto pair = [&](const Node& item, const std::string&) -> std::optional<std::pair<std::int32_t, std::int32_t>> {
+    if (item.kind == Node::Kind::array && item.items.size() == 2 && std::ranges::all_of(item.items, is_index) && item.items[0].integer != item.items[1].integer)
+      return std::pair(static_cast<std::int32_t>(item.items[0].integer), static_cast<std::int32_t>(item.items[1].integer));
+    refuse(key, item.place, "each pair must be two different grain indices from 0, such as [0, 1]");
+    return std::nullopt;
+  };
+  if (const Node* node = take(key, "[[0, 1], [1, 2]]", Node::Kind::array, "a list of pairs")) read_items(key, *node, values, pair);
 }
 
 void RecipeReader::read_rows(const Key& key, const Node& list, std::vector<Vec2>& values, std::array<std::string_view, 2> unit, const std::string& wanted) {
-  for (std::size_t i = 0; i < list.items.size(); ++i) {
-    const Node& item = list.items[i];
-    const std::string path = fmt::format("{}.{}", path_of(key.name), i);
+  read_items(key, list, values, [&](const Node& item, const std::string& path) -> std::optional<Vec2> {
     if (item.kind != Node::Kind::array || item.items.size() != 2) {
       refuse(key, item.place, wanted);
-      continue;
+      return std::nullopt;
     }
     const auto x = read_number(item.items[0], path + ".0", unit[0], range::any), y = read_number(item.items[1], path + ".1", unit[1], range::any);
-    if (x && y) values.push_back({*x, *y});
-    else failed_.emplace(key.name);
-  }
+    return x && y ? std::optional(Vec2{*x, *y}) : std::nullopt;
+  });
 }
 
 void RecipeReader::points(const Key& key, std::vector<Vec2>& values, std::string_view unit) {
   const std::string example = fmt::format("[[\"0 {0}\", \"0 {0}\"], [\"1 {0}\", \"2 {0}\"]]", unit);
-  const Node* node = take(key, example, Node::Kind::array, "a list of points");
-  if (!node) return;
-  values.clear();
-  read_rows(key, *node, values, {unit, unit}, fmt::format("each point must be two numbers, x and y, such as {}", example));
+  if (const Node* node = take(key, example, Node::Kind::array, "a list of points"))
+    read_rows(key, *node, values, {unit, unit}, fmt::format("each point must be two numbers, x and y, such as {}", example));
 }
 
 void RecipeReader::series(const Key& key, std::vector<Vec2>& values, std::string_view unit) {
@@ -198,41 +192,36 @@ void RecipeReader::choice(const Key& key, int& index, const std::vector<Word>& w
 }
 
 void RecipeReader::tagged(const Key& key, int& form, double& value, const std::vector<Form>& forms) {
-  std::vector<std::string> bare, with_quantity, ways;
-  for (const auto& each : forms) {
-    (each.unit.empty() ? bare : with_quantity).emplace_back(each.word);
-    ways.push_back(each.unit.empty() ? fmt::format("\"{}\"", each.word) : fmt::format("{{ {} = \"1 {}\" }}", each.word, each.unit));
-  }
+  const auto ways = mapped(
+      forms, [](const Form& each) { return each.unit.empty() ? fmt::format("\"{}\"", each.word) : fmt::format("{{ {} = \"1 {}\" }}", each.word, each.unit); });
   const Node* node = take(key, ways.front());
   if (!node) return;
-  if (node->kind == Node::Kind::text) {
-    for (std::size_t i = 0; i < forms.size(); ++i) {
-      if (!forms[i].unit.empty() || node->text != forms[i].word) continue;
-      form = static_cast<int>(i);
-      value = 0;
-      return;
-    }
-    const std::string near = nearest(node->text, bare), tag = tag_of_quantity(node->text, forms);
-    return refuse(key, node->place,
-                  !tag.empty()   ? fmt::format("write {{ {} = \"{}\" }}", tag, node->text)
-                  : near.empty() ? fmt::format("unknown word \"{}\"; write one of: {}", node->text, list_of(ways))
-                                 : fmt::format("unknown word \"{}\"; did you mean \"{}\"?", node->text, near));
-  }
-  const Entry* only = node->kind == Node::Kind::table ? only_entry(*node) : nullptr;
-  if (!only) return refuse(key, node->place, "must be one of: " + list_of(ways));
-  const Entry& entry = *only;
+  const bool is_bare = node->kind == Node::Kind::text;
+  const Entry* const only = node->kind == Node::Kind::table ? only_entry(*node) : nullptr;
+  if (!is_bare && !only) return refuse(key, node->place, "must be one of: " + list_of(ways));
+  const std::string& word = is_bare ? node->text : only->key;
+  const std::string path = path_of(key.name) + "." + word;
   for (std::size_t i = 0; i < forms.size(); ++i) {
-    if (forms[i].unit.empty() || entry.key != forms[i].word) continue;
-    const auto read = read_number(entry.value, path_of(key.name) + "." + entry.key, forms[i].unit, forms[i].range);
+    if (forms[i].unit.empty() != is_bare || forms[i].word != word) continue;
+    const std::optional<double> read = is_bare ? 0 : read_number(only->value, path, forms[i].unit, forms[i].range);
     if (!read) return void(failed_.emplace(key.name));
     form = static_cast<int>(i);
     value = *read;
     return;
   }
+  std::vector<std::string> alike;
+  for (const auto& each : forms)
+    if (each.unit.empty() == is_bare) alike.emplace_back(each.word);
+  const std::string near = nearest(word, alike);
+  if (is_bare) {
+    const std::string tag = tag_of_quantity(word, forms);
+    return refuse(key, node->place,
+                  !tag.empty()   ? fmt::format("write {{ {} = \"{}\" }}", tag, word)
+                  : near.empty() ? fmt::format("unknown word \"{}\"; write one of: {}", word, list_of(ways))
+                                 : fmt::format("unknown word \"{}\"; did you mean \"{}\"?", word, near));
+  }
   failed_.emplace(key.name);
-  const std::string near = nearest(entry.key, with_quantity);
-  problem(entry.place, path_of(key.name) + "." + entry.key,
-          near.empty() ? "unknown key; write one of: " + list_of(ways) : fmt::format("unknown key; did you mean {}?", near));
+  problem(only->place, path, near.empty() ? "unknown key; write one of: " + list_of(ways) : fmt::format("unknown key; did you mean {}?", near));
 }
 
 }  // namespace arenite::recipe

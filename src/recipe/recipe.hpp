@@ -153,8 +153,11 @@ Recipe parse_recipe(std::string_view text, const std::string& file_name, const s
 /// back gives an equal recipe, but for what a recipe does not say (`source_file`, `integration.threads`).
 std::string to_toml(const Recipe& recipe);
 
-/// The keys that differ from their defaults, one a line with its path: what the names of results follow from.
+/// The keys that differ from their defaults, one a line with its path, under their names of version 0.1: what the names of results follow from.
 std::string changed_keys(const Recipe& recipe);
+
+/// The resolved recipe of a packing, without stages and loads, as version 0.1 wrote it: what seeds of a study's runs follow from.
+std::string to_toml_of_version_0_1(const Recipe& recipe);
 
 /// As to_toml for people: sections and keys are explained, and keys at their default are there as comments.
 std::string to_commented_toml(const Recipe& recipe);
@@ -166,12 +169,12 @@ std::string title_in(const std::string& text);
 std::string key_reference();
 
 /// The words that a recipe, a command line and Python share for a choice, in the order of its enumeration.
-const std::vector<Word>& words(cement::CementParameters::Kind);
-const std::vector<Word>& words(peridynamics::Loading);
-const std::vector<Word>& words(peridynamics::LowerEdge);
-const std::vector<Word>& words(peridynamics::Method);
-const std::vector<Word>& words(Load::Axis);
-const std::vector<Word>& words(grid::Cavity);
+std::vector<Word> words(cement::CementParameters::Kind);
+std::vector<Word> words(peridynamics::Loading);
+std::vector<Word> words(peridynamics::LowerEdge);
+std::vector<Word> words(peridynamics::Method);
+std::vector<Word> words(Load::Axis);
+std::vector<Word> words(grid::Cavity);
 
 /// The word for a value.
 template <class Enum> std::string word_of(Enum value) { return std::string(words(value)[static_cast<std::size_t>(value)].word); }
@@ -181,7 +184,7 @@ template <class Enum> std::vector<std::string> plain_words() { return mapped<std
 
 /// The value that a word stands for. Throws InputError, which calls the choice `what`, for a word that is not among them.
 template <class Enum> Enum chosen(std::string_view word, std::string_view what) {
-  const auto& known = words(Enum{});
+  const auto known = words(Enum{});
   std::string list;
   for (std::size_t k = 0; k < known.size(); ++k) {
     if (known[k].word == word) return static_cast<Enum>(k);
@@ -190,11 +193,11 @@ template <class Enum> Enum chosen(std::string_view word, std::string_view what) 
   throw InputError(std::string(what) + " \"" + std::string(word) + "\" is not known; there are " + list);
 }
 
-/// A recipe to start from.
+/// A recipe to start from, as `arenite init` writes it: src/recipe/templates, compiled in.
 struct RecipeTemplate {
-  const char* name;
-  const char* sentence;
-  Recipe (*make)();
+  const char *name, *sentence;
+  std::string_view text;
+  Recipe make() const { return parse_recipe(text, {}); }
 };
 
 /// All of packings; a new one is one row.

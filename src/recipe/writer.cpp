@@ -1,171 +1,223 @@
-#include "recipe/document.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/mapped.hpp"
-#include "core/text.hpp"
-#include "core/units.hpp"
+#include "recipe/document.hpp"
 
 namespace arenite::recipe {
-
-std::string toml_text(std::string_view text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') {
-      result += std::string("\\") + c;
-    } else if (static_cast<unsigned char>(c) < ' ' || c == 127) {
-      result += fmt::format("\\u{:04X}", static_cast<unsigned>(static_cast<unsigned char>(c)));
-    } else {
-      result += c;
-    }
-  }
-  return result + "\"";
-}
-
 namespace {
 
-std::string number_literal(double value, std::string_view unit) {
-  return unit.empty() ? format_quantity(value, unit) : toml_text(format_quantity(value, unit));
+std::optional<std::string> value_of(const Record& record);
+
+/// a = 1, b = 2: the keys that are set.
+std::vector<std::string> assignments(const RecordTable& table) {
+  std::vector<std::string> items;
+  for (const auto& record : table)
+    if (const auto value = value_of(record)) items.push_back(fmt::format("{} = {}", record.key.name, *value));
+  return items;
 }
 
-std::string number_form(std::string_view unit) { return unit.empty() ? "..." : fmt::format("\"... {}\"", unit); }
+std::string inline_table(const RecordTable& table) { return fmt::format("{{ {} }}", fmt::join(assignments(table), ", ")); }
 
-template <class Items, class Literal> std::string list_literal(const Items& items, Literal literal) {
-  return fmt::format("[{}]", fmt::join(mapped(items, literal), ", "));
+/// { a = 1, b = "... mm" } with a form to fill in for each required key, and for every key where none has a value of its own.
+std::string inline_form(const RecordTable& table) {
+  const bool bare = std::none_of(table.begin(), table.end(), [](const Record& record) { return record.key.required || record.literal; });
+  std::vector<std::string> items;
+  for (const auto& record : table)
+    if (bare || record.key.required || record.literal)
+      items.push_back(fmt::format("{} = {}", record.key.name, bare || record.key.required ? record.form : *record.literal));
+  return fmt::format("{{ {} }}", fmt::join(items, ", "));
 }
 
-class Recorder : public ParameterVisitor {
- public:
-  Recorder(RecordTable& table, bool every_key) : table_(table), every_key_(every_key) {}
+/// [{ a = 1 }, { a = 2 }]
+std::string inline_list(const std::vector<RecordTable>& tables) { return fmt::format("[{}]", fmt::join(mapped(tables, inline_table), ", ")); }
 
-  using ParameterVisitor::choice;
-  using ParameterVisitor::integer;
-  using ParameterVisitor::number;
-  using ParameterVisitor::section;
+/// On one line; nothing if it is not set.
+std::optional<std::string> value_of(const Record& record) {
+  if (record.kind == Record::Kind::value) return record.literal;
+  if (!record.present || record.tables.empty()) return std::nullopt;
+  return record.kind == Record::Kind::section ? inline_table(record.tables.front()) : inline_list(record.tables);
+}
 
-  void number(const Key& key, std::optional<double>& value, std::string_view unit, const Range& range) override {
-    Record& record = add(key, number_form(unit));
-    record.allowed = to_string(range, unit);
-    if (value) record.literal = number_literal(*value, unit);
+void write_table(std::string& text, const RecordTable& table) {
+  for (const auto& line : assignments(table)) text += line + "\n";
+}
+
+std::string heading(const Record& record, std::size_t i) {
+  if (record.kind == Record::Kind::section) return fmt::format("[{}]", record.key.name);
+  return record.named ? fmt::format("[{}.{}]", record.key.name, toml_key(record.table_names[i])) : fmt::format("[[{}]]", record.key.name);
+}
+
+RecordTable values_in(const RecordTable& table) {
+  RecordTable values;
+  std::ranges::copy_if(table, std::back_inserter(values), [](const Record& record) { return record.kind == Record::Kind::value; });
+  return values;
+}
+
+const Record& record_named(const RecordTable& table, std::string_view name) {
+  return *std::ranges::find(table, name, [](const Record& record) { return record.key.name; });
+}
+
+/// Keys of an inline section that are not at their default.
+RecordTable changed(const RecordTable& table, const RecordTable& defaults) {
+  RecordTable result;
+  for (const auto& record : table) {
+    if (record.literal && (record.key.required || record.literal != record_named(defaults, record.key.name).literal)) result.push_back(record);
   }
-  void integer(const Key& key, std::optional<std::int64_t>& value, const IntegerRange& range) override {
-    Record& record = add(key, "...");
-    record.allowed = to_string(range);
-    if (value) record.literal = std::to_string(*value);
-  }
-  void flag(const Key& key, bool& value) override { add(key, "...").literal = value ? "true" : "false"; }
-  void text(const Key& key, std::string& value) override {
-    Record& record = add(key, "\"...\"");
-    if (!value.empty() || key.required) record.literal = toml_text(value);
-  }
-  void file(const Key& key, std::string& value) override { text(key, value); }
-  void numbers(const Key& key, std::vector<double>& values, std::string_view unit, const Range& range) override {
-    Record& record = add(key, fmt::format("[{}]", number_form(unit)));
-    if (const std::string each = to_string(range, unit); !each.empty()) record.allowed = "each " + each;
-    if (!values.empty()) record.literal = list_literal(values, [&](double value) { return number_literal(value, unit); });
-  }
-  void pairs(const Key& key, std::vector<std::pair<std::int32_t, std::int32_t>>& values) override {
-    Record& record = add(key, "[[0, 1], ...]");
-    if (!values.empty()) record.literal = list_literal(values, [](const auto& pair) { return fmt::format("[{}, {}]", pair.first, pair.second); });
-  }
-  void points(const Key& key, std::vector<Vec2>& values, std::string_view unit) override { add_pairs(key, values, unit, unit); }
-  void series(const Key& key, std::vector<Vec2>& values, std::string_view unit) override { add_pairs(key, values, "s", unit); }
-  void choice(const Key& key, int& index, const std::vector<Word>& words) override {
-    Record& record = add(key, "\"...\"");
-    for (const auto& word : words) record.words.emplace_back(toml_text(word.word), word.sentence);
-    record.literal = record.words[static_cast<std::size_t>(index)].first;
-  }
-  void tagged(const Key& key, int& form, double& value, const std::vector<Form>& forms) override {
-    Record& record = add(key, "...");
-    for (const auto& each : forms) {
-      record.words.emplace_back(each.unit.empty() ? toml_text(each.word) : fmt::format("{{ {} = {} }}", each.word, number_form(each.unit)), each.sentence);
+  return result;
+}
+
+std::string explanation(const Record& record) {
+  if (record.choices.empty()) return std::string(record.key.sentence);
+  return fmt::format("{} One of: {}", record.key.sentence, fmt::join(mapped(record.choices, &Record::Choice::literal), ", "));
+}
+
+void write_line(std::string& text, bool active, const std::string& assignment, const std::string& comment) {
+  const std::string start = active ? assignment : "# " + assignment;
+  if (comment.empty()) text += start + "\n";
+  else text += fmt::format("{:<38} # {}\n", start, comment);
+}
+
+/// The lines of one table; keys at their default are comments, and appear only if `explain`.
+void write_commented_table(std::string& text, const RecordTable& table, const RecordTable& defaults, bool explain, bool active) {
+  for (const auto& record : table) {
+    const Record& standard = record_named(defaults, record.key.name);
+    const auto differences = mapped(record.tables, [&](const RecordTable& inner) { return changed(inner, standard.tables.front()); });
+    bool set = active;
+    std::string value;
+    if (record.kind == Record::Kind::section) {
+      set = set && record.present && !differences.front().empty();
+      value = set ? inline_table(differences.front()) : inline_form(record.tables.front());
+    } else if (record.kind == Record::Kind::sections) {
+      set = set && !differences.empty();
+      value = set ? inline_list(differences) : fmt::format("[{}]", inline_form(standard.tables.front()));
+    } else {
+      set = set && record.literal && (record.key.required || record.literal != standard.literal);
+      value = record.literal && !(record.key.required && !active) ? *record.literal : record.form;
     }
-    const Form& chosen = forms[static_cast<std::size_t>(form)];
-    record.literal = chosen.unit.empty() ? toml_text(chosen.word) : fmt::format("{{ {} = {} }}", chosen.word, number_literal(value, chosen.unit));
+    if (set || explain) write_line(text, set, fmt::format("{} = {}", record.key.name, value), explain ? explanation(record) : "");
   }
-  void section(const Key& key, bool& present, const Visit& inside) override {
-    Record& record = add(key, "{ ... }");
-    record.kind = Record::Kind::section;
-    record.present = present;
-    record.tables.push_back(record_of(inside, every_key_));
-  }
-  void sections(const Key& key, const Elements& elements) override {
-    Record& record = add(key, "...");
-    record.kind = Record::Kind::sections;
-    record.named = static_cast<bool>(elements.name);
-    if (every_key_) elements.resize(1);
-    for (std::size_t i = 0; i < elements.size(); ++i) {
-      record.tables.push_back(record_of([&](ParameterVisitor& recorder) { elements.visit(recorder, i); }, every_key_));
-      if (record.named) record.table_names.push_back(every_key_ ? "NAME" : elements.name(i));
+}
+
+/// The keys that are set against their default, below `path`.
+void add_changes(std::string& text, const std::string& path, const RecordTable& table, const RecordTable& defaults) {
+  for (const auto& record : table) {
+    const Record& standard = record_named(defaults, record.key.name);
+    const std::string key = path + toml_key(record.name());
+    if (record.kind == Record::Kind::value) {
+      if (record.key.required || record.literal != standard.literal) text += fmt::format("{} = {}\n", key, record.literal.value_or("not set"));
+      continue;
+    }
+    const bool is_list = record.kind == Record::Kind::sections;
+    if (is_list ? record.tables.empty() : !record.present) {
+      if (!is_list && standard.present) text += fmt::format("{} = not set\n", key);
+      continue;
+    }
+    for (std::size_t i = 0; i < record.tables.size(); ++i) {
+      const std::string inner = !is_list ? key : fmt::format("{}.{}", key, record.named ? toml_key(record.table_names[i]) : std::to_string(i));
+      if (is_list || !standard.present) text += fmt::format("[{}]\n", inner);
+      add_changes(text, inner + ".", record.tables[i], standard.tables.front());
     }
   }
-  void when(bool active, std::string_view condition, const Visit& inside) override {
-    if (!active && !every_key_) return;
-    condition_ = condition;
-    inside(*this);
-    condition_ = {};
-  }
+}
 
- private:
-  Record& add(const Key& key, std::string form) {
-    Record record;
-    record.name = key.name;
-    record.sentence = key.sentence;
-    record.required = key.required;
-    record.condition = condition_;
-    record.form = std::move(form);
-    table_.push_back(std::move(record));
-    return table_.back();
-  }
+/// Text in a cell of a Markdown table.
+std::string cell(std::string_view text) {
+  std::string result;
+  for (const char c : text) result += c == '|' ? std::string("\\|") : std::string(1, c);
+  return result;
+}
 
-  void add_pairs(const Key& key, const std::vector<Vec2>& values, std::string_view unit_x, std::string_view unit_y) {
-    Record& record = add(key, fmt::format("[[{}, {}], ...]", number_form(unit_x), number_form(unit_y)));
-    const auto literal = [&](Vec2 pair) { return fmt::format("[{}, {}]", number_literal(pair.x, unit_x), number_literal(pair.y, unit_y)); };
-    if (!values.empty()) record.literal = list_literal(values, literal);
-  }
+std::string in_code(std::string_view text) { return "`" + cell(text) + "`"; }
 
-  RecordTable& table_;
-  bool every_key_;
-  std::string condition_;
-};
+std::string default_of(const Record& record) {
+  if (record.key.required) return "*required*";
+  return record.literal ? in_code(*record.literal) : "-";
+}
 
-std::string real_literal(double value) {
-  if (std::isnan(value)) return "nan";
-  if (std::isinf(value)) return value < 0 ? "-inf" : "inf";
-  std::string text = format_quantity(value, "");
-  if (text.find_first_of(".e") == std::string::npos) text += ".0";
+std::string meaning_of(const Record& record) {
+  std::string text = cell(record.key.sentence);
+  if (!record.condition.empty()) text += " With " + in_code(record.condition) + ".";
+  if (!record.allowed.empty()) text += fmt::format(" Allowed: {}.", cell(record.allowed));
+  for (const auto& [literal, meaning, word] : record.choices) text += "<br>" + in_code(literal) + (meaning.empty() ? "" : ": " + cell(meaning));
   return text;
+}
+
+void write_rows(std::string& text, const RecordTable& table) {
+  text += "| key | written as | default | meaning |\n|---|---|---|---|\n";
+  for (const auto& record : table) {
+    if (record.kind == Record::Kind::sections) continue;
+    if (record.kind == Record::Kind::section) {
+      text +=
+          fmt::format("| `{}` | `{{ ... }}` | {} | {} See below. |\n", record.key.name, record.present ? "its keys' defaults" : "-", cell(record.key.sentence));
+      continue;
+    }
+    const std::string form = !record.choices.empty()                  ? record.choices.front().literal
+                             : record.literal && !record.key.required ? *record.literal
+                             : record.form == "..."                   ? std::string("1")
+                                                                      : record.form;
+    text += fmt::format("| `{}` | {} | {} | {} |\n", record.key.name, in_code(form), default_of(record), meaning_of(record));
+  }
+}
+
+void write_section(std::string& text, const Record& record, const std::string& parent) {
+  const std::string path = parent.empty() ? record.name() : parent + "." + record.name();
+  const bool is_list = record.kind == Record::Kind::sections;
+  const std::string heading = !is_list ? fmt::format("[{}]", path) : record.named ? fmt::format("[{}.NAME]", path) : fmt::format("[[{}]]", path);
+  text += fmt::format("\n## `{}`\n\n{}{}\n\n", heading, record.key.sentence,
+                      record.key.required         ? " Required."
+                      : is_list || record.present ? ""
+                                                  : " Optional.");
+  write_rows(text, record.tables.front());
+  for (const auto& inner : record.tables.front()) {
+    if (inner.kind != Record::Kind::value) write_section(text, inner, path);
+  }
 }
 
 }  // namespace
 
-RecordTable record_of(const Visit& declare, bool every_key) {
-  RecordTable table;
-  Recorder recorder(table, every_key);
-  declare(recorder);
-  return table;
-}
-
-std::string toml_key(const std::string& name) { return is_plain_name(name) ? name : toml_text(name); }
-
-std::string toml_literal(const Node& value) {
-  switch (value.kind) {
-    case Node::Kind::flag: return value.flag ? "true" : "false";
-    case Node::Kind::integer: return std::to_string(value.integer);
-    case Node::Kind::real: return real_literal(value.real);
-    case Node::Kind::text: return toml_text(value.text);
-    case Node::Kind::date: return "\"\"";
-    case Node::Kind::array: return list_literal(value.items, toml_literal);
-    case Node::Kind::table: {
-      const auto literal = [](const Entry& entry) { return fmt::format("{} = {}", toml_key(entry.key), toml_literal(entry.value)); };
-      return fmt::format("{{ {} }}", fmt::join(mapped(value.entries, literal), ", "));
+std::string write_toml(const RecordTable& root) {
+  std::string text;
+  write_table(text, values_in(root));
+  for (const auto& record : root) {
+    for (std::size_t i = 0; record.present && i < record.tables.size(); ++i) {
+      text += "\n" + heading(record, i) + "\n";
+      write_table(text, record.tables[i]);
     }
   }
-  return {};
+  return text;
+}
+
+std::string write_changes(const RecordTable& root, const RecordTable& all) {
+  std::string text;
+  add_changes(text, "", root, all);
+  return text;
+}
+
+std::string write_commented_toml(const RecordTable& root, const RecordTable& all) {
+  std::string text;
+  write_commented_table(text, values_in(root), all, true, true);
+  for (const auto& record : root) {
+    if (record.kind == Record::Kind::value || record.tables.empty()) continue;
+    text += fmt::format("\n# {}\n", record.key.sentence);
+    for (std::size_t i = 0; i < record.tables.size(); ++i) {
+      if (i > 0) text += "\n";
+      text += (record.present ? "" : "# ") + heading(record, i) + "\n";
+      write_commented_table(text, record.tables[i], record_named(all, record.key.name).tables.front(), i == 0, record.present);
+    }
+  }
+  return text;
+}
+
+std::string write_key_tables(const RecordTable& all) {
+  std::string text = "## Top of the file\n\n";
+  write_rows(text, values_in(all));
+  for (const auto& record : all) {
+    if (record.kind != Record::Kind::value) write_section(text, record, "");
+  }
+  return text;
 }
 
 }  // namespace arenite::recipe

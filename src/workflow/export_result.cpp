@@ -30,6 +30,46 @@ void add_components(std::vector<io::GrainField>& fields, const std::vector<Tenso
   }
 }
 
+/// What texture knows of every grain; tension is positive.
+std::vector<io::GrainField> derived_fields(const Packing& packing) {
+  const texture::PerGrain rows = texture::measure(packing, {.rev_sizes = 0}).per_grain;
+  std::vector<io::GrainField> fields{
+      {"contacts", "1", as_doubles(rows.contacts)}, {"rattler", "1", as_doubles(rows.rattler)}, {"sigma_norm", "1", rows.sigma_norm}, {"psi6", "1", rows.psi6}};
+  if (rows.sigma.empty()) return fields;
+  fields.push_back({"sigma_hyd", "Pa", rows.sigma_hyd});
+  add_components(fields, rows.sigma, {{"sigma_xx", &Tensor2::xx}, {"sigma_xy", &Tensor2::xy}, {"sigma_yx", &Tensor2::yx}, {"sigma_yy", &Tensor2::yy}});
+  return fields;
+}
+
+/// What a film says of every grain, peak to peak, with its error.
+std::vector<io::GrainField> derived_fields(const FilmResult& film) {
+  const texture::PerGrain rows = texture_of(film).per_grain;
+  return {{"contacts", "1", as_doubles(rows.contacts)},
+          {"sigma_norm", "1", rows.sigma_norm},
+          {"sigma_hyd", "Pa", film.peak_to_peak.sigma_hyd},
+          {"sigma_hyd_error", "Pa", film.peak_to_peak.error}};
+}
+
+/// What a film says of every contact beside its forces.
+std::vector<io::GrainField> fields_of_contacts(const FilmResult& film) {
+  if (film.fn_error.empty()) return {};
+  return {{"fn_error", "N", film.fn_error}, {"ft_error", "N", film.ft_error}, {"presence", "1", film.presence}};
+}
+
+/// Of the grains of a map: nodes, whole (no node on the edge), centre and, under load, mean stresses.
+std::vector<io::GrainField> derived_fields(const FieldResult& result) {
+  const bool loaded = result.field.size() > 0;
+  StressField none;
+  if (!loaded)
+    for (auto* component : {&none.ux, &none.uy, &none.xx, &none.yy, &none.xy}) component->assign(result.map.size(), 0.0);
+  const auto rows = stress::measure_grains(result.map, loaded ? result.field : none, 0, 1);
+  std::vector<double> x, y;
+  for (const Vec2& centre : rows.centre) x.push_back(centre.x), y.push_back(centre.y);
+  std::vector<io::GrainField> fields{{"nodes", "1", as_doubles(rows.nodes)}, {"whole", "1", as_doubles(rows.whole)}, {"x", "m", x}, {"y", "m", y}};
+  if (loaded) add_components(fields, rows.stress, {{"sigma_xx", &Tensor2::xx}, {"sigma_yy", &Tensor2::yy}, {"sigma_xy", &Tensor2::xy}});
+  return fields;
+}
+
 /// Collects files and writes each when it cannot grow any more. Unless it gets to its end, what it wrote goes again: half
 /// of a loading looks like a whole one.
 class ExportFolder {
@@ -66,23 +106,19 @@ class ExportFolder {
     growing_ = std::move(files);
   }
 
-  /// Files that do not grow.
-  void write_now(const std::vector<io::NamedBytes>& files) {
-    for (const auto& file : files) write(file);
-  }
-
   std::vector<fs::path> finish() {
     for (const auto& file : growing_) write(file);
     finished_ = true;
     return std::move(written_);
   }
 
- private:
+  /// A file that does not grow.
   void write(const io::NamedBytes& file) {
     io::write_atomically(folder_ / file.name, file.bytes);
     written_.push_back(folder_ / file.name);
   }
 
+ private:
   fs::path folder_;
   bool made_ = false, finished_ = false;
   std::vector<io::NamedBytes> growing_;
@@ -168,42 +204,6 @@ class Loading {
 
 }  // namespace
 
-std::vector<io::GrainField> derived_fields(const Packing& packing) {
-  const texture::PerGrain rows = texture::measure(packing, {.rev_sizes = 0}).per_grain;
-  std::vector<io::GrainField> fields{
-      {"contacts", "1", as_doubles(rows.contacts)}, {"rattler", "1", as_doubles(rows.rattler)}, {"sigma_norm", "1", rows.sigma_norm}, {"psi6", "1", rows.psi6}};
-  if (rows.sigma.empty()) return fields;
-  fields.push_back({"sigma_hyd", "Pa", rows.sigma_hyd});
-  add_components(fields, rows.sigma, {{"sigma_xx", &Tensor2::xx}, {"sigma_xy", &Tensor2::xy}, {"sigma_yx", &Tensor2::yx}, {"sigma_yy", &Tensor2::yy}});
-  return fields;
-}
-
-std::vector<io::GrainField> derived_fields(const FilmResult& film) {
-  const texture::PerGrain rows = texture_of(film).per_grain;
-  return {{"contacts", "1", as_doubles(rows.contacts)},
-          {"sigma_norm", "1", rows.sigma_norm},
-          {"sigma_hyd", "Pa", film.peak_to_peak.sigma_hyd},
-          {"sigma_hyd_error", "Pa", film.peak_to_peak.error}};
-}
-
-std::vector<io::GrainField> fields_of_contacts(const FilmResult& film) {
-  if (film.fn_error.empty()) return {};
-  return {{"fn_error", "N", film.fn_error}, {"ft_error", "N", film.ft_error}, {"presence", "1", film.presence}};
-}
-
-std::vector<io::GrainField> derived_fields(const FieldResult& result) {
-  const bool loaded = result.field.size() > 0;
-  StressField none;
-  if (!loaded)
-    for (auto* component : {&none.ux, &none.uy, &none.xx, &none.yy, &none.xy}) component->assign(result.map.size(), 0.0);
-  const auto rows = stress::measure_grains(result.map, loaded ? result.field : none, 0, 1);
-  std::vector<double> x, y;
-  for (const Vec2& centre : rows.centre) x.push_back(centre.x), y.push_back(centre.y);
-  std::vector<io::GrainField> fields{{"nodes", "1", as_doubles(rows.nodes)}, {"whole", "1", as_doubles(rows.whole)}, {"x", "m", x}, {"y", "m", y}};
-  if (loaded) add_components(fields, rows.stress, {{"sigma_xx", &Tensor2::xx}, {"sigma_yy", &Tensor2::yy}, {"sigma_xy", &Tensor2::xy}});
-  return fields;
-}
-
 std::vector<fs::path> export_result(const fs::path& result, const io::ExportFormat& format, const fs::path& folder, bool last_only) {
   auto files = io::stage_files(result);
   if (last_only) files.erase(files.begin(), files.end() - 1);
@@ -219,7 +219,7 @@ std::vector<fs::path> export_result(const fs::path& result, const io::ExportForm
       }
       const FieldResult field = io::read_field(file);
       has_field = true;
-      loading.out().write_now(format.of_field({&field, derived_fields(field)}));
+      for (const auto& written : format.of_field({&field, derived_fields(field)})) loading.out().write(written);
       continue;
     }
     if (io::stored_kind(file) == "film") {

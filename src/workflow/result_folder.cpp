@@ -27,24 +27,24 @@ void make_folder(const fs::path& folder) {
   if (error) refuse(folder.string(), "this folder cannot be made ({}); choose another with --out", error.message());
 }
 
-void rename_former(const fs::path& folder, const std::vector<PlannedStage>& plan) {
-  std::error_code error;  // of another process that was first
-  for (const PlannedStage& stage : plan)
-    for (const auto& former : stage.former)
-      if (fs::exists(folder / former) && !fs::exists(folder / stage.file)) fs::rename(folder / former, folder / stage.file, error);
+std::vector<fs::path> other_results(const fs::path& folder, const std::vector<std::string>& names) {
+  std::vector<fs::path> others;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().extension() == ".h5" && std::ranges::count(names, entry.path().filename().string()) == 0) others.push_back(entry.path());
+  std::ranges::sort(others);
+  return others;
 }
 
-ResultFolder::ResultFolder(fs::path out, const std::vector<PlannedStage>& plan)
-    : ResultFolder((rename_former(out, plan), rename_former(out / "earlier", plan), std::move(out)), mapped(plan, &PlannedStage::file)) {}
+bool is_of_version_0_1(const fs::path& file) {
+  const auto recipe_of = [](const auto& result) { return result.provenance.recipe; };
+  try {
+    return std::visit(recipe_of, io::read_result(file)).find("\n[frame]\n") != std::string::npos;  // now [container]
+  } catch (const InputError&) { return false; }
+}
 
 ResultFolder::ResultFolder(fs::path out, const std::vector<std::string>& names) : out_(std::move(out)) {
   make_folder(out_);
-  const std::set<std::string> wanted(names.begin(), names.end());
-  std::vector<fs::path> others;
-  for (const auto& entry : fs::directory_iterator(out_))
-    if (entry.path().extension() == ".h5" && !wanted.contains(entry.path().filename().string())) others.push_back(entry.path());
-  std::sort(others.begin(), others.end());
-  for (const auto& path : others) put_aside(path);
+  for (const auto& path : other_results(out_, names)) put_aside(path);
   for (const auto& name : names)
     if (fs::exists(out_ / "earlier" / name)) fs::rename(out_ / "earlier" / name, out_ / name);
 }
@@ -62,8 +62,10 @@ std::string ResultFolder::what_was_put_aside() const {
   for (const auto& format : io::export_formats()) exports.emplace_back(format.name);
   for (const auto& name : exports)
     if (std::error_code error; fs::is_directory(out_ / name, error)) stale += (stale.empty() ? "" : ", ") + (out_ / name).string();
-  return fmt::format("{} of other settings moved to {} and kept there: {}{}", put_aside_.size() == 1 ? "a result" : "results", (out_ / "earlier").string(),
-                     fmt::join(put_aside_, ", "), stale.empty() ? "" : fmt::format("; still of those settings, so write anew: {}", stale));
+  const bool is_old = is_of_version_0_1(out_ / "earlier" / put_aside_.front());
+  return fmt::format("{} of {} moved to {} and kept there: {}{}", put_aside_.size() == 1 ? "a result" : "results",
+                     is_old ? "version 0.1, with which no run goes on," : "other settings", (out_ / "earlier").string(), fmt::join(put_aside_, ", "),
+                     stale.empty() ? "" : fmt::format("; still of those settings, so write anew: {}", stale));
 }
 
 namespace {
@@ -83,30 +85,24 @@ std::vector<fs::path> files_of(const fs::path& result, std::string_view kind) {
   return files;
 }
 
-/// The last file of a stage of loading, or that of the stage of this name.
-fs::path file_of(const fs::path& run, const std::string& stage) {
-  auto files = files_of(run, "result");
-  if (!stage.empty()) std::erase_if(files, [&](const fs::path& file) { return io::read_stage(file).name != stage; });
-  if (!files.empty()) return files.back();
-  if (stage.empty()) refuse(run.string(), "there are no stage files of this run; remove its folder and run the study again");
-  refuse(run.string(), "there is no stage \"{}\" of this run; name one of its recipe, or run the study again", stage);
-}
-
-/// As the recipe asks; the packing, which is the first file, knows of no loading.
-texture::Options options_of(const Provenance& provenance, const fs::path& file, const fs::path& run) {
-  if (file == io::stage_files(run).front()) return {};
-  const recipe::Recipe recipe = recipe::parse_recipe(provenance.recipe, file.string());
-  return texture_options(recipe, recipe.stages.size());
+/// The stage of loading of this name, or, where it is empty, the last; nothing if there is none.
+std::optional<StageResult> stage_named(const fs::path& result, const std::string& name) {
+  const auto files = files_of(result, "result");
+  if (name.empty()) return files.empty() ? std::nullopt : std::optional(io::read_stage(files.back()));
+  for (const auto& file : files)
+    if (auto read = io::read_stage(file); read.name == name) return read;
+  return std::nullopt;
 }
 
 /// The last state of a stage, measured as its recipe asks where `choose` does not ask otherwise.
 template <class Choose> FinalState measured(const fs::path& run, const std::string& stage, Choose choose) {
-  const fs::path file = file_of(run, stage);
-  StageResult result = io::read_stage(file);
-  if (result.frames.empty()) refuse(file.string(), "this stage holds no state; remove it and run the study again");
-  texture::Options options = options_of(result.provenance, file, run);
+  auto result = stage_named(run, stage);
+  if (!result && stage.empty()) refuse(run.string(), "there are no stage files of this run; remove its folder and run the study again");
+  if (!result) refuse(run.string(), "there is no stage \"{}\" of this run; name one of its recipe, or run the study again", stage);
+  if (result->frames.empty()) refuse(run.string(), "stage {} holds no state; remove its file and run the study again", result->name);
+  texture::Options options = texture_options(result->provenance);
   choose(options);
-  Packing& packing = result.frames.back().packing;
+  Packing& packing = result->frames.back().packing;
   texture::Texture texture = texture::measure(packing, options);
   return {std::move(packing), std::move(texture)};
 }
@@ -128,9 +124,8 @@ FieldResult as_stored(FieldResult result) {
 }  // namespace
 
 std::optional<Packing> last_state(const fs::path& result, const std::string& stage) {
-  for (const auto& file : files_of(result, "result"))
-    if (auto read = io::read_stage(file); read.name == stage && !read.frames.empty()) return std::move(read.frames.back().packing);
-  return std::nullopt;
+  auto read = stage_named(result, stage);
+  return read && !read->frames.empty() ? std::optional(std::move(read->frames.back().packing)) : std::nullopt;
 }
 
 std::optional<FieldResult> load_named(const fs::path& result, const std::string& name) {

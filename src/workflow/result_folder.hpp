@@ -15,16 +15,17 @@ namespace arenite::workflow {
 /// Creates a folder and those above it; refuses with the system's reason.
 void make_folder(const std::filesystem::path& folder);
 
-/// Gives files of stages that lie in `folder` under names of before their names of now.
-void rename_former(const std::filesystem::path& folder, const std::vector<PlannedStage>& plan);
+/// Files of results in a folder that have none of these names.
+std::vector<std::filesystem::path> other_results(const std::filesystem::path& folder, const std::vector<std::string>& names);
+
+/// Whether a result was made by version 0.1, which named results otherwise: they can be shown and exported, but nothing goes on with them.
+bool is_of_version_0_1(const std::filesystem::path& file);
 
 /// A run's folder: result files of this recipe on top, those of other versions of it under earlier/, from where they
 /// come back when they are wanted again.
 class ResultFolder {
  public:
   ResultFolder(std::filesystem::path out, const std::vector<std::string>& names);
-  /// The same for the files of a run; those that an earlier version of the program left there under other names get theirs of now.
-  ResultFolder(std::filesystem::path out, const std::vector<PlannedStage>& plan);
   std::filesystem::path operator/(const std::string& name) const { return out_ / name; }
   /// What was put aside now, and which exports in the folder show it still; empty if nothing was.
   std::string what_was_put_aside() const;

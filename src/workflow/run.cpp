@@ -8,6 +8,8 @@
 
 #include "core/error.hpp"
 #include "grains/dem/kernels/kernel.hpp"
+#include "core/mapped.hpp"
+#include "core/version.hpp"
 #include "grains/dem/run_stage.hpp"
 #include "grains/fields/flow_numbers.hpp"
 #include "io/disk/file.hpp"
@@ -83,7 +85,7 @@ class Run {
       : recipe_(recipe),
         options_(options),
         plan_(plan_of(recipe)),
-        folder_(options.out, plan_),
+        folder_(options.out, mapped(plan_, &PlannedStage::file)),
         progress_{0, plan_.size(), "packing", 0, 0, 0, false, false} {}
 
   RunOutcome outcome() {
@@ -104,7 +106,7 @@ class Run {
   template <class Result> std::optional<Result> carry_out_stage(std::size_t s, const Make<Result>& make, const std::string& kernel) {
     const auto with_provenance = [&](const fs::path& checkpoint) {
       auto made = make(checkpoint);
-      if (made) made->provenance = provenance_of(recipe_, s, plan_[s], kernel);
+      if (made) made->provenance = {version, plan_[s].name, plan_[s].hash, to_toml(part_of(recipe_, s)), recipe_.seed, kernel, {}};
       return made;
     };
     StageRecord<Result> stage{plan_[s], folder_ / plan_[s].file, with_provenance, nullptr, nullptr};

@@ -75,8 +75,6 @@ FilmSimulation stresses_of(const std::vector<StageResult>& stages, const recipe:
 bool add_companion(const recipe::FilmRecipe& recipe, const FilmRunOptions& options, FilmResult& film, RunOutcome& outcome, Packing& loaded) {
   RunOptions companion = options;
   companion.out = options.out / "simulation";
-  // Before version 0.2 it was called the twin; what is stored there goes on being used.
-  if (const fs::path former = options.out / "twin"; fs::exists(former) && !fs::exists(companion.out)) fs::rename(former, companion.out);
   companion.progress = [&](const Progress& p) {
     Progress shown = p;
     shown.name = "simulation: " + p.name;
@@ -144,10 +142,12 @@ FilmOutcome run_film(const fs::path& film, const recipe::FilmRecipe& recipe, con
   FilmOutcome outcome;
   const auto source = io::open_film(film, recipe.film.value_or(io::FilmChoice{}));
   refuse_temperatures(recipe, film, source->info());
-  const PlannedStage stage = planned_stage(1, "film", film_key(film, *source, recipe), false, film_key(film, *source, recipe, Names::of_version_0_1));
+  const PlannedStage stage = planned_stage(1, "film", film_key(film, *source, recipe), false);
   if (recipe.simulation) read_companion_recipe(recipe);
-  rename_former(options.out, {stage});
   outcome.file = options.out / stage.file;
+  if (fs::is_directory(options.out) && !fs::exists(outcome.file))
+    for (const auto& other : other_results(options.out, {stage.file}))
+      if (is_of_version_0_1(other)) options.notice(fmt::format("{} is of version 0.1 and stays as it is; the film is measured again", other.string()));
   const auto make = [&](const fs::path&) -> std::optional<FilmResult> {
     auto result = measured(film, *source, recipe, options);
     if (!result) return std::nullopt;

@@ -4,59 +4,26 @@
 #include <chrono>
 #include <thread>
 
-#include "core/version.hpp"
 #include "io/results/results.hpp"
 
 namespace arenite::workflow {
 
 namespace fs = std::filesystem;
 
-bool Claim::taken_from_store(const fs::path& file) {
-  const Store* const store = options_.store;
-  if (!store) return false;
+Turn wait_for_turn(const PlannedStage& stage, const fs::path& file, const RunOptions& options) {
+  const Store* const store = options.store;
+  if (!store) return {};
   make_folder(file.parent_path());
-  lock_.reset();
-  while (!fetch(file)) {
-    lock_ = store->try_claim(stage_.hash);
-    if (lock_) {
+  while (!store->fetch(stage.hash, file)) {
+    if (auto lock = store->try_claim(stage.hash)) {
       // It may have come between the look and the lock.
-      if (!fetch(file)) break;
-      lock_.reset();
-      return true;
+      if (store->fetch(stage.hash, file)) break;
+      return {.lock = std::move(lock)};
     }
-    if (options_.asked_to_stop()) {
-      stopped = true;
-      return false;
-    }
+    if (options.asked_to_stop()) return {.stopped = true};
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
-  began_ = std::clock();
-  return !lock_;
-}
-
-bool Claim::fetch(const fs::path& file) const {
-  return options_.store->fetch(stage_.hash, file) || (!stage_.former_hash.empty() && options_.store->fetch(stage_.former_hash, file));
-}
-
-void Claim::drop_stored() const {
-  options_.store->drop(stage_.hash);
-  if (!stage_.former_hash.empty()) options_.store->drop(stage_.former_hash);
-}
-
-fs::path Claim::checkpoint(const fs::path& without_store) const { return options_.store ? options_.store->checkpoint(stage_.hash) : without_store; }
-
-void Claim::computed(const fs::path& file) const {
-  if (!options_.store) return;
-  options_.store->put(stage_.hash, file);
-  options_.store->note_computed(stage_, seconds());
-}
-
-void Claim::interrupted() const {
-  if (options_.store) options_.store->note_begun(stage_, seconds());
-}
-
-Provenance provenance_of(const recipe::Recipe& recipe, std::size_t s, const PlannedStage& stage, const std::string& kernel) {
-  return {version, stage.name, stage.hash, to_toml(part_of(recipe, s)), recipe.seed, kernel, {}};
+  return {.fetched = true};
 }
 
 CheckpointTimes::CheckpointTimes(const RunOptions& options) : options_(options), last_(std::chrono::steady_clock::now()) {}

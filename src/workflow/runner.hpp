@@ -29,26 +29,14 @@ auto unless_damaged(const std::filesystem::path& file, const RunOptions& options
   }
 }
 
-/// A stage that is computed: its lock, if there is a store, and what it has cost so far.
-class Claim {
- public:
-  Claim(const RunOptions& options, const PlannedStage& stage) : options_(options), stage_(stage), began_(std::clock()) {}
-  /// Waits until the stage is in the folder (true) or to be computed here (false); `stopped` says that neither came.
-  bool taken_from_store(const std::filesystem::path& file);
-  bool stopped = false;
-  std::filesystem::path checkpoint(const std::filesystem::path& without_store) const;
-  void computed(const std::filesystem::path& file) const;  ///< to be called when the stage's file is written
-  void interrupted() const;
-  void drop_stored() const;  ///< what the store holds of it is of no use
-
- private:
-  bool fetch(const std::filesystem::path& file) const;
-  double seconds() const { return static_cast<double>(std::clock() - began_) / CLOCKS_PER_SEC; }
-  const RunOptions& options_;
-  const PlannedStage& stage_;
-  std::clock_t began_;
-  std::optional<io::FileLock> lock_;
+/// Whose turn it is to make a stage that several may want at once.
+struct Turn {
+  bool fetched = false;                   ///< it came from the store into the folder
+  bool stopped = false;                   ///< neither, for this process was asked to stop
+  std::optional<io::FileLock> lock = {};  ///< else it is made here, under this lock where there is a store
 };
+/// Waits until one of these is so.
+Turn wait_for_turn(const PlannedStage& stage, const std::filesystem::path& file, const RunOptions& options);
 
 /// A stage: what it is called, where its result lies, and how that is made, written and read. A new kind of stage is one such record.
 template <class Result> struct StageRecord {
@@ -66,36 +54,42 @@ template <class Result> std::optional<Result> carry_out(const StageRecord<Result
   const auto look = [&]() -> std::optional<Result> {
     if (!std::filesystem::exists(stage.file)) return std::nullopt;
     auto found = unless_damaged(stage.file, options, stage.again, [&] { return stage.read(stage.file); });
-    if (found && !stage.key.names(found->provenance.input_hash)) found.reset();  // names hold a part of the hash only
+    if (found && found->provenance.input_hash != stage.key.hash) found.reset();  // names hold a part of the hash only
     return found;
   };
+  const Store* const store = options.store;
   const auto keep_in_store = [&] {
-    if (options.store && !options.store->has(stage.key.hash)) options.store->put(stage.key.hash, stage.file);
+    if (store && !store->has(stage.key.hash)) store->put(stage.key.hash, stage.file);
   };
-  Claim claim(options, stage.key);
   reused = true;
   if (auto here = look()) {
     keep_in_store();
     return here;
   }
-  while (claim.taken_from_store(stage.file)) {
+  Turn turn;
+  while ((turn = wait_for_turn(stage.key, stage.file, options)).fetched) {
     if (auto fetched = look()) {
       keep_in_store();
-      options.store->note_reused(stage.key);
+      store->note_reused(stage.key);
       return fetched;
     }
-    claim.drop_stored();
+    store->drop(stage.key.hash);
   }
   reused = false;
-  if (claim.stopped) return std::nullopt;
-  const auto made = stage.make(claim.checkpoint(stage.file.parent_path() / "run.checkpoint"));
+  if (turn.stopped) return std::nullopt;
+  const std::clock_t began = std::clock();
+  const auto seconds = [&] { return static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC; };
+  const auto made = stage.make(store ? store->checkpoint(stage.key.hash) : stage.file.parent_path() / "run.checkpoint");
   if (!made) {
-    claim.interrupted();
+    if (store) store->note_begun(stage.key, seconds());
     return std::nullopt;
   }
   make_folder(stage.file.parent_path());
   stage.write(stage.file, *made);
-  claim.computed(stage.file);
+  if (store) {
+    store->put(stage.key.hash, stage.file);
+    store->note_computed(stage.key, seconds());
+  }
   return stage.read(stage.file);
 }
 
@@ -117,8 +111,5 @@ peridynamics::Watch watch_of(Progress& progress, const RunOptions& options);
 
 /// Where a killed test stood by its file, and how this one is kept there.
 FailureCheckpoint failure_checkpoint(const std::filesystem::path& file, const std::string& key, const RunOptions& options);
-
-/// `s` counts the stages of the plan.
-Provenance provenance_of(const recipe::Recipe& recipe, std::size_t s, const PlannedStage& stage, const std::string& kernel);
 
 }  // namespace arenite::workflow

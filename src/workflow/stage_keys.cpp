@@ -10,7 +10,6 @@
 #include "io/disk/file.hpp"
 #include "io/disk/store_file.hpp"
 #include "io/film/film.hpp"
-#include "recipe/document.hpp"
 #include "recipe/film_recipe.hpp"
 #include "workflow/measure_film.hpp"
 
@@ -35,31 +34,11 @@ recipe::Recipe without_what_changes_no_bit(recipe::Recipe recipe) {
   return recipe;
 }
 
-/// The laws that are written into keys which depend on none: version 0.1 wrote its defaults of then.
-dem::ContactParameters no_contact(Names names) {
-  dem::ContactParameters contact;
-  if (names == Names::now) return contact;
-  contact.restitution = 0.1;
-  contact.attractive_dashpot = true;
-  contact.friction_law = dem::RegularisedCoulomb{};
-  return contact;
-}
-
-recipe::Recipe no_loading(Names names) {
-  recipe::Recipe recipe;
-  recipe.contact = no_contact(names);
-  return recipe;
-}
-
 recipe::Recipe without_field(recipe::Recipe recipe) {
   recipe.cement.reset();
   recipe.grid.reset();
   recipe.loads.clear();
   return recipe;
-}
-
-template <class Recipe> std::string text_of(const Recipe& part, Names names) {
-  return recipe::under_former_names(names == Names::now ? changed_keys(part) : to_toml(part));
 }
 
 /// Counts up whenever the same film and recipe give other numbers.
@@ -104,70 +83,76 @@ void add_film(HashBuilder& hash, const char* name, const fs::path& path, FilmSou
   else add_frames(hash, source);
 }
 
+/// What the packing depends on: no law, no loading.
+recipe::Recipe packing_part(const recipe::Recipe& recipe) {
+  recipe::Recipe part = without_field(without_what_changes_no_bit(recipe));
+  part.stages.clear();
+  part.contact = {};
+  part.integration = {};
+  return part;
+}
+
+std::string packing_key(const recipe::Recipe& recipe, const std::string& part) {
+  HashBuilder hash;
+  hash.add("packing version", packing_version).add("recipe", part);
+  if (recipe.packing.method == recipe::PackingParameters::Method::file)
+    hash.add("file", content_hash(io::read_file(fs::path(recipe.source_file).parent_path() / recipe.packing.file)));
+  return hash.hex();
+}
+
 /// Of all that stage `s` (0-based) depends on: the packing, laws, integration, the stages up to it. What changes no bit (title, number of threads, kernel,
 /// later stages) is not in it.
-std::string stage_key(const recipe::Recipe& recipe, std::size_t s, const std::string& packing_hash, Names names) {
+std::string stage_key(const recipe::Recipe& recipe, std::size_t s, const std::string& packing_hash) {
   recipe::Recipe part = without_field(without_what_changes_no_bit(recipe));
   part.stages.resize(s + 1);
   HashBuilder hash;
-  hash.add("loading version", loading_version).add("packing", packing_hash).add("recipe", text_of(part, names));
+  hash.add("loading version", loading_version).add("packing", packing_hash).add("recipe", changed_keys(part));
   if (!recipe.contact.attractive_dashpot) hash.add("clipped dashpot version", clipped_dashpot_version);
   return hash.hex();
 }
 
 /// Of all that the cemented sample depends on: the last stage, the cement and the grid.
-std::string cement_key(const recipe::Recipe& recipe, const std::string& last_stage_hash, Names names) {
-  recipe::Recipe part = no_loading(names);
+std::string cement_key(const recipe::Recipe& recipe, const std::string& last_stage_hash) {
+  recipe::Recipe part;
   part.cement = recipe.cement_or_none();
   part.grid = recipe.grid_or_default();
   HashBuilder hash;
-  hash.add("cement version", cement_version).add("packing", last_stage_hash).add("recipe", text_of(part, names));
+  hash.add("cement version", cement_version).add("packing", last_stage_hash).add("recipe", changed_keys(part));
   return hash.hex();
 }
 
 }  // namespace
 
-std::string packing_key(const recipe::Recipe& recipe, Names names) {
-  recipe::Recipe part = without_field(without_what_changes_no_bit(recipe));
-  part.stages.clear();
-  part.contact = no_contact(names);
-  part.integration = {};
-  HashBuilder hash;
-  hash.add("packing version", packing_version).add("recipe", text_of(part, names));
-  if (recipe.packing.method == recipe::PackingParameters::Method::file)
-    hash.add("file", content_hash(io::read_file(std::filesystem::path(recipe.source_file).parent_path() / recipe.packing.file)));
-  return hash.hex();
+std::string seed_key(const recipe::Recipe& recipe) {
+  recipe::Recipe part = packing_part(recipe);
+  // The laws are none of its business, but version 0.1 wrote its defaults of then.
+  part.contact.restitution = 0.1;
+  part.contact.attractive_dashpot = true;
+  part.contact.friction_law = dem::RegularisedCoulomb{};
+  return packing_key(recipe, to_toml_of_version_0_1(part));
 }
 
-std::string load_key(const recipe::Load& load, const std::string& cement_hash, Names names) {
-  recipe::Recipe part = no_loading(names);
+std::string load_key(const recipe::Load& load, const std::string& cement_hash) {
+  recipe::Recipe part;
   part.loads = {load};
   HashBuilder hash;
-  hash.add("load version", load_version).add("sample", cement_hash).add("recipe", text_of(part, names));
+  hash.add("load version", load_version).add("sample", cement_hash).add("recipe", changed_keys(part));
   return hash.hex();
 }
 
-PlannedStage planned_stage(int place, std::string name, std::string hash, bool field, std::string former_hash) {
-  PlannedStage stage{name, hash, io::stage_file_name(place, name, hash), field, former_hash, {io::full_stage_file_name(place, name, hash)}};
-  if (!former_hash.empty())
-    stage.former.insert(stage.former.end(), {io::stage_file_name(place, name, former_hash), io::full_stage_file_name(place, name, former_hash)});
-  return stage;
-}
+PlannedStage planned_stage(int place, std::string name, std::string hash, bool field) { return {name, hash, io::stage_file_name(place, name, hash), field}; }
 
 std::vector<PlannedStage> plan_of(const recipe::Recipe& recipe) {
   std::vector<PlannedStage> plan;
-  const auto add = [&plan](const std::string& name, bool field, const auto& key) {
-    const int place = static_cast<int>(plan.size()) + 1;
-    plan.push_back(planned_stage(place, name, key(Names::now), field, key(Names::of_version_0_1)));
+  const auto add = [&plan](const std::string& name, const std::string& hash, bool field) {
+    plan.push_back(planned_stage(static_cast<int>(plan.size()) + 1, name, hash, field));
   };
-  const auto hash_of = [&plan](std::size_t s, Names names) { return names == Names::now ? plan[s].hash : plan[s].former_hash; };
-  add("packing", false, [&](Names names) { return packing_key(recipe, names); });
-  for (std::size_t s = 0; s < recipe.stages.size(); ++s)
-    add(recipe.stages[s].name, false, [&](Names names) { return stage_key(recipe, s, hash_of(0, names), names); });
+  add("packing", packing_key(recipe, changed_keys(packing_part(recipe))), false);
+  for (std::size_t s = 0; s < recipe.stages.size(); ++s) add(recipe.stages[s].name, stage_key(recipe, s, plan.front().hash), false);
   if (!recipe.has_field()) return plan;
-  const std::size_t last = plan.size() - 1;
-  add("cement", true, [&](Names names) { return cement_key(recipe, hash_of(last, names), names); });
-  for (const recipe::Load& load : recipe.loads) add(load.name, true, [&](Names names) { return load_key(load, hash_of(last + 1, names), names); });
+  add("cement", cement_key(recipe, plan.back().hash), true);
+  const std::string sample = plan.back().hash;
+  for (const recipe::Load& load : recipe.loads) add(load.name, load_key(load, sample), true);
   return plan;
 }
 
@@ -192,9 +177,9 @@ std::string key_versions() {
   return fmt::format("changed keys {} {} {} {} {}", packing_version, loading_version, cement_version, load_version, clipped_dashpot_version);
 }
 
-std::string film_key(const fs::path& film, FilmSource& source, const recipe::FilmRecipe& recipe, Names names) {
+std::string film_key(const fs::path& film, FilmSource& source, const recipe::FilmRecipe& recipe) {
   HashBuilder hash;
-  hash.add("film version", film_version).add("recipe", text_of(recipe, names));
+  hash.add("film version", film_version).add("recipe", changed_keys(recipe));
   add_film(hash, "film", film, source);
   const auto beside = [&](const std::string& file) { return fs::path(recipe.source_file).parent_path() / file; };
   const auto add_reference = [&](const char* name, const std::string& file) {

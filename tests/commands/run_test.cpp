@@ -96,25 +96,6 @@ TEST(RunFolder, SaysWhatItPutsAsideAndWhichExportsAreStale) {
   EXPECT_EQ(arenite(run + " --set contact.friction=0.1").err, "") << "nothing moved";
 }
 
-TEST(RunFolder, FindsResultsUnderTheirLongNamesOfBefore) {
-  const TemporaryFolder folder;
-  const auto file = write(folder, recipe("", short_load));
-  const auto out = folder / "out";
-  const std::string run = "run " + file + " --quiet --out " + out.string();
-  arenite(run);
-  for (const std::string stage : {"packing", "load"}) {
-    const auto path = stage_file(out, stage);
-    const auto hash = nlohmann::json::parse(arenite("show --json " + path.string()).out).at("provenance").at("input_hash").get<std::string>();
-    ASSERT_EQ(hash.size(), 32u);
-    const std::string name = path.filename().string(), former = name.substr(0, name.size() - 15) + hash + ".h5";
-    EXPECT_TRUE(contains(name, hash.substr(0, 12) + ".h5")) << name;
-    fs::rename(path, out / former);
-  }
-  const auto again = arenite("run " + file + " --out " + out.string());
-  EXPECT_TRUE(contains(again.err, "packing      taken from an earlier run") && contains(again.err, "load         taken from an earlier run")) << again.err;
-  EXPECT_FALSE(fs::exists(out / "earlier"));
-}
-
 TEST(RunFolder, AFileWhoseNameAgreesButWhoseHashDoesNotIsMadeAnew) {
   const TemporaryFolder folder;
   const auto file = write(folder, recipe("", short_load));

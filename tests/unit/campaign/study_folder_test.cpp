@@ -168,23 +168,18 @@ TEST(Collect, MeansOverReplicatesCarryTheStandardErrorOfTheScatter) {
   EXPECT_THROW(averaged(table, {"cement.widht"}), InputError);
 }
 
-TEST(StudyFolder, RunsOfVersion01CountAsDone) {
+TEST(StudyFolder, RunsOfVersion01AreLeftWithASentence) {
   const test::TemporaryFolder folder;
   const std::string file = folder / "study.toml";
   std::ofstream(file) << test::small_study;
-  const Study study = read_study(file);
   const StudyFolder place(folder / "out");
-  std::filesystem::create_directories(place.run(study.runs[1].former));
-  std::ofstream(place.run(study.runs[1].former) / "numbers.json") << "{\"x\": 7}";
-  std::ofstream(place.run(study.runs[1].former) / study.runs[1].stages[0].former.back()) << "a packing";
-  write_status(place, study.runs[1].former, {Kind::done, 1, {}});
-  const Study again = read_study(file, {}, folder / "out");
-  const RunResult result = result_of(place, again.runs[1]);
-  EXPECT_EQ(result.state.kind, Kind::done);
-  EXPECT_EQ(result.numbers["x"].get<double>(), 7);
-  ASSERT_EQ(result.stages.size(), 1u);
-  EXPECT_EQ(read_states(place).at(study.runs[1].name).kind, Kind::done);
-  EXPECT_EQ(result_of(place, again.runs[0]).state.kind, Kind::waiting);
+  std::filesystem::create_directories(place.run("fedcba9876543210"));
+  std::ofstream(place.run("fedcba9876543210") / "numbers.json") << "{\"x\": 7}";
+  write_status(place, "fedcba9876543210", {Kind::done, 1, {}});
+  const Study study = read_study(file, {}, folder / "out");
+  ASSERT_EQ(study.notices.size(), 1u);
+  EXPECT_EQ(study.notices[0], "runs by version 0.1 in " + (folder / "out/runs").string() + " (1) are not taken up; all runs are done anew beside them");
+  EXPECT_EQ(result_of(place, study.runs[1]).state.kind, Kind::waiting);
 }
 
 TEST(StudyFolder, NumbersThatAreNotFiniteAreKeptAsUnknown) {

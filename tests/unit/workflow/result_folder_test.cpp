@@ -1,0 +1,30 @@
+#include "workflow/result_folder.hpp"
+
+#include <gtest/gtest.h>
+
+#include "io/results/results.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace arenite::workflow {
+namespace {
+
+TEST(ResultFolder, SaysThatNoRunGoesOnWithResultsOfVersion01) {
+  for (const bool is_old : {true, false}) {
+    const test::TemporaryFolder folder;
+    StageResult packing;
+    packing.name = "packing";
+    packing.provenance.recipe = std::string("seed = 1\n\n") + (is_old ? "[frame]" : "[container]") + "\nwidth = \"1 m\"\n";
+    io::write_stage(folder / "01-packing-0123.h5", packing);
+    EXPECT_EQ(is_of_version_0_1(folder / "01-packing-0123.h5"), is_old);
+    const ResultFolder out(folder.path(), {"01-packing-4567.h5"});
+    const std::string sentence = out.what_was_put_aside();
+    EXPECT_EQ(sentence.starts_with(is_old ? "a result of version 0.1, with which no run goes on, moved to " : "a result of other settings moved to "), true)
+        << sentence;
+    EXPECT_TRUE(std::filesystem::exists(folder / "earlier/01-packing-0123.h5"));
+  }
+}
+
+TEST(ResultFolder, AFileThatIsNoResultIsNotOfVersion01) { EXPECT_FALSE(is_of_version_0_1("there is none.h5")); }
+
+}  // namespace
+}  // namespace arenite::workflow
