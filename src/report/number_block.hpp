@@ -32,7 +32,7 @@ class NumberBlock {
   NumberRef add_reals(std::span<const double> values, std::string unit = "");   ///< rounded to float32
   NumberRef add_coarse(std::span<const double> values, std::string unit = "");  ///< float32 with 11 bits behind the first: three digits, half the bytes
   /// Whole numbers from 0 on, in the narrowest of u1, u2, u4.
-  template <class Range> NumberRef add_indices(const Range& values) {
+  template <class Range = std::vector<std::uint32_t>> NumberRef add_indices(const Range& values) {
     return add_narrowest(mapped(values, [](auto value) { return static_cast<std::uint32_t>(value); }));
   }
   NumberRef add_integers(std::span<const std::int32_t> values);  ///< i4

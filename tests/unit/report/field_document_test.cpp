@@ -112,7 +112,7 @@ TEST(FieldDocument, SaysUnitsAndMeaningsAsTheyAreDeclared) {
   EXPECT_EQ(load["components"]["ux"]["unit"], "m");
   EXPECT_EQ(load["meanings"]["modulus_Pa"], Json({"Pa", "Apparent modulus, mean stress over strain"}));
   EXPECT_EQ(load["meanings"]["stress.sigma_yy.sample_mean_Pa"][0], "Pa");
-  EXPECT_EQ(load["convergence"]["residual"]["unit"], Json());
+  EXPECT_FALSE(load["convergence"]["residual"].contains("unit"));
 }
 
 TEST(FieldDocument, StandsBesideAPackingOrWithoutOne) {
