@@ -120,7 +120,9 @@ void bind_fields(py::module_& m) {
           "iteration, residual (relative).")
       .def_property_readonly(
           "curve", [](const py::object& self) { return columns_of(self.cast<const FieldResult&>().curve, self); },
-          "Of a test to failure: strain, stress (Pa), work, elastic, released (J/m), broken.")
+          "Of a test to failure: strain, stress, work, elastic and released energy (a metre of depth), broken bonds; `curve_units` has their units.")
+      .def_property_readonly(
+          "curve_units", [](const FieldResult& f) { return history_units(f.curve); }, "Unit of every column of `curve`; \"1\": none.")
       .def_property_readonly("cracks", &cracks_of,
                              "Broken bonds in the order of breaking: x, y (m, float32), type (1 matrix, 2 interface, 3 particle), strain of the sample.")
       .def_property_readonly(

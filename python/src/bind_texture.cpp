@@ -47,6 +47,14 @@ py::dict per_grain(const Packing& packing, double border) {
   return d;
 }
 
+py::array_t<double> stresses_of(const Packing& packing) {
+  Call call;
+  const auto stresses = call.without_lock([&] { return texture::grain_stresses(packing); });
+  std::vector<double> values;
+  for (const Tensor2& s : stresses) values.insert(values.end(), {s.xx, s.xy, s.yx, s.yy});
+  return taken_over(std::move(values), {static_cast<py::ssize_t>(stresses.size()), 2, 2});
+}
+
 using Pair = std::optional<std::pair<Quantity, Quantity>>;
 
 std::optional<Vec2> lengths_of(const Pair& pair, const char* name) {
@@ -95,6 +103,9 @@ void bind_texture(py::module_& m) {
         "Statistics of every grain, as writable arrays: considered, rattler (bool), contacts, sigma_hyd (Pa, tension positive), sigma_norm (over "
         "the mean of the "
         "considered), psi6.");
+  m.def("grain_stresses", &stresses_of, py::arg("packing"),
+        "Mean stress tensor of every grain over its own volume by its contacts, bonds and pulls across gaps (T eq. 1.11), Pa, tension positive, as an array "
+        "(grain, 2, 2); first index that of the force.");
   m.def("read_packing", &packing_of_files, py::arg("grains"), py::arg("contacts") = py::none(), py::arg("format") = "auto", py::kw_only(),
         py::arg("box") = py::none(), py::arg("origin") = py::none(), py::arg("thickness") = py::none(), py::arg("periodic") = "",
         py::arg("length_unit") = py::none(), py::arg("force_unit") = py::none(), py::arg("pixel") = py::none(), py::arg("materials") = py::none(),

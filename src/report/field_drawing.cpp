@@ -6,12 +6,14 @@
 #include <vector>
 
 #include "core/mapped.hpp"
+#include "solid/stress/stress.hpp"
 
 namespace arenite::report {
 namespace {
 
 constexpr int most_nodes = 512, most_zoomed = 256;  // across a picture
 constexpr double view_over_radius = 1.35;
+constexpr double rounding = 1e-6;  // nodes, of a centre that lies on one
 
 /// Nodes of a map from its lower left corner: every `step`th.
 struct View {
@@ -31,48 +33,35 @@ int kind_of(const PhaseMap& map, std::size_t node) {
   return size == GrainClass::small ? 3 : size == GrainClass::large ? 4 : 2;
 }
 
+/// Of a grain, in nodes.
 struct Disk {
-  double x = 0, y = 0, nodes = 0;
-  double radius() const { return std::sqrt(nodes / std::numbers::pi); }
+  Vec2 centre;
+  double radius = 0;
 };
-
-std::vector<Disk> disks_of(const PhaseMap& map) {
-  std::vector<Disk> disks(map.grain_class.size());
-  for (int y = 0; y < map.height; ++y)
-    for (int x = 0; x < map.width; ++x)
-      if (const std::int32_t grain = map.grain[map.index(x, y)]; grain >= 0) {
-        Disk& disk = disks[static_cast<std::size_t>(grain)];
-        disk.x += x;
-        disk.y += y;
-        ++disk.nodes;
-      }
-  for (Disk& disk : disks)
-    if (disk.nodes > 0) disk.x /= disk.nodes, disk.y /= disk.nodes;
-  return disks;
-}
 
 /// The large grain nearest to the middle.
 Disk middle_grain(const PhaseMap& map) {
-  const auto disks = disks_of(map);
-  const bool classes = std::find(map.grain_class.begin(), map.grain_class.end(), GrainClass::large) != map.grain_class.end();
+  const stress::GrainStresses grains = stress::measure_grains(map, {}, 0, 1);
+  const bool classes = std::ranges::count(map.grain_class, GrainClass::large) > 0;
   Disk best;
   double least = INFINITY;
-  for (std::size_t g = 0; g < disks.size(); ++g) {
-    const double away = std::hypot(disks[g].x - 0.5 * map.width, disks[g].y - 0.5 * map.height);
-    if (disks[g].nodes == 0 || (classes && map.grain_class[g] != GrainClass::large) || away >= least) continue;
-    best = disks[g];
+  for (std::size_t g = 0; g < grains.nodes.size(); ++g) {
+    const Vec2 centre = (1 / map.dx) * grains.centre[g] - Vec2{0.5, 0.5};
+    const double away = norm(centre - 0.5 * Vec2{static_cast<double>(map.width), static_cast<double>(map.height)});
+    if (grains.nodes[g] == 0 || (classes && map.grain_class[g] != GrainClass::large) || away >= least) continue;
+    best = {centre, std::sqrt(static_cast<double>(grains.nodes[g]) / std::numbers::pi)};
     least = away;
   }
-  if (best.nodes == 0) throw InputError("the sample has no grain to look at");
+  if (best.radius == 0) throw InputError("the sample has no grain to look at");
   return best;
 }
 
 View about(const Disk& disk, const PhaseMap& map) {
-  const int reach = static_cast<int>(std::ceil(view_over_radius * disk.radius()));
+  const int reach = static_cast<int>(std::ceil(view_over_radius * disk.radius));
   View view;
   view.step = (2 * reach + most_zoomed - 1) / most_zoomed;
-  view.x = std::max(0, static_cast<int>(disk.x) - reach);
-  view.y = std::max(0, static_cast<int>(disk.y) - reach);
+  view.x = std::max(0, static_cast<int>(disk.centre.x + rounding) - reach);
+  view.y = std::max(0, static_cast<int>(disk.centre.y + rounding) - reach);
   view.width = std::min(map.width - view.x, 2 * reach) / view.step;
   view.height = std::min(map.height - view.y, 2 * reach) / view.step;
   return view;

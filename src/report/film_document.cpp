@@ -1,5 +1,6 @@
-#include <array>
+#include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "core/mapped.hpp"
 #include "report/page_document.hpp"
@@ -8,22 +9,14 @@
 namespace arenite::report {
 namespace {
 
-/// Steps of a map's codes over its middle half width: noise does not deflate, so maps of nothing else have coarse ones; a
-/// phase comes to a tenth of a degree.
-constexpr double picture_steps = 2000, phase_steps = 1000, fine = 500, coarse = 125;
+/// Which maps the page has, with the steps of their codes over their middle half width: noise does not deflate, so maps of nothing else have coarse
+/// ones; a phase comes to a tenth of a degree.
+constexpr double picture_steps = 2000, fine = 500, coarse = 125;
+constexpr std::pair<std::string_view, double> steps_of_maps[] = {
+    {"amplitude", fine}, {"phase", 1000}, {"in_phase", fine}, {"second_harmonic", coarse}, {"standard_error", coarse}, {"residual", coarse}};
 
-struct MapColumn {
-  const char* name;
-  std::vector<float> LockinMaps::*member;
-  double levels;
-};
-
-constexpr std::array map_columns{MapColumn{"amplitude", &LockinMaps::amplitude, fine},
-                                 MapColumn{"phase", &LockinMaps::phase, phase_steps},
-                                 MapColumn{"in_phase", &LockinMaps::in_phase, fine},
-                                 MapColumn{"second_harmonic", &LockinMaps::second_harmonic, coarse},
-                                 MapColumn{"standard_error", &LockinMaps::standard_error, coarse},
-                                 MapColumn{"residual", &LockinMaps::residual, coarse}};
+/// Kelvin are digital levels in a film of these.
+std::string unit_in(const FilmInfo& film, const std::string& unit) { return unit == "K" && film.quantity == FilmQuantity::digital_level ? "DL" : unit; }
 
 /// One map, rows from the top; where pixels have no value, "holes" lists them.
 Numbers map_of(int width, int height, const std::vector<float>& values, double levels, NumberBlock& block) {
@@ -41,12 +34,17 @@ Numbers map_of(int width, int height, const std::vector<float>& values, double l
 Numbers maps_of(const FilmResult& r, NumberBlock& block) {
   Numbers all = Numbers::tree();
   const std::size_t pixels = r.film.pixels();
-  const auto add = [&](const char* name, const std::vector<float>& values, double levels) {
-    if (pixels > 0 && values.size() == pixels) all[name] = map_of(r.film.width, r.film.height, values, levels, block);
+  const auto add = [&](std::string_view name, const char* unit, const std::vector<float>& values, double levels) {
+    if (pixels == 0 || values.size() != pixels) return;
+    all[name] = map_of(r.film.width, r.film.height, values, levels, block);
+    all[name]["unit"] = unit_in(r.film, unit);
   };
-  add("picture", r.picture, picture_steps);
-  add("fitted", r.fit.picture, fine);
-  for (const MapColumn& column : map_columns) add(column.name, r.maps.*column.member, column.levels);
+  add("picture", "K", r.picture, picture_steps);
+  add("fitted", "K", r.fit.picture, fine);
+  for (const auto& [name, steps] : steps_of_maps) {
+    const LockinMap& map = *std::ranges::find(lockin_maps, name, &LockinMap::name);
+    add(name, map.unit, r.maps.*map.values, steps);
+  }
   return all;
 }
 
@@ -59,7 +57,7 @@ Numbers film_of(const FilmResult& r) {
           {"integration", f.integration},
           {"format", f.format},
           {"camera", f.camera},
-          {"unit", f.quantity == FilmQuantity::digital_level ? "DL" : "K"},
+          {"unit", unit_in(f, "K")},
           {"pixel", r.pixel},
           {"used", r.maps.frames},
           {"frequency", r.maps.frequency},
@@ -93,23 +91,23 @@ Numbers grains_of(const FilmResult& r, const workflow::FilmStresses& stresses, N
   const Grains& grains = r.packing.grains;
   const PictureGrains circles = circles_of(r);
   Numbers out{{"count", circles.size() == grains.size() ? grains.size() : 0}};
-  const auto reals = [&](const char* name, const std::vector<double>& values) {
-    if (!values.empty() && values.size() == grains.size()) out[name] = block.add_reals(values);
+  const auto reals = [&](const char* name, const std::vector<double>& values, const std::string& unit) {
+    if (!values.empty() && values.size() == grains.size()) out[name] = block.add_reals(values, unit);
   };
   out["id"] = block.add_integers(std::vector<std::int32_t>(grains.id.begin(), grains.id.end()));
-  out["material"] = block.add_indices(unsigned_copy(grains.material));
-  reals("x", mapped(circles.centre, &Vec2::x));
-  reals("y", mapped(circles.centre, &Vec2::y));
-  reals("radius", circles.radius);
-  reals("position_error", circles.position_error);
-  reals("radius_error", circles.radius_error);
-  reals("temperature", r.peak_to_peak.temperature);
-  reals("sigma_hyd", r.peak_to_peak.sigma_hyd);
-  reals("error", r.peak_to_peak.error);
-  reals("motion_x", way(r.motion, r.maps.reference_phase, &Vec2::x));
-  reals("motion_y", way(r.motion, r.maps.reference_phase, &Vec2::y));
-  reals("motion_error", r.motion.error);
-  if (!stresses.considered.empty()) out["considered"] = block.add_indices(unsigned_copy(stresses.considered));
+  out["material"] = block.add_indices(grains.material);
+  reals("x", mapped(circles.centre, &Vec2::x), "px");
+  reals("y", mapped(circles.centre, &Vec2::y), "px");
+  reals("radius", circles.radius, "px");
+  reals("position_error", circles.position_error, "px");
+  reals("radius_error", circles.radius_error, "px");
+  reals("temperature", r.peak_to_peak.temperature, unit_in(r.film, "K"));
+  reals("sigma_hyd", r.peak_to_peak.sigma_hyd, "Pa");
+  reals("error", r.peak_to_peak.error, "Pa");
+  reals("motion_x", way(r.motion, r.maps.reference_phase, &Vec2::x), "px");
+  reals("motion_y", way(r.motion, r.maps.reference_phase, &Vec2::y), "px");
+  reals("motion_error", r.motion.error, "px");
+  if (!stresses.considered.empty()) out["considered"] = block.add_indices(stresses.considered);
   return out;
 }
 
@@ -117,16 +115,9 @@ Numbers contacts_of(const FilmResult& r, NumberBlock& block) {
   const Contacts& contacts = r.packing.contacts;
   Numbers out = pairs_of(r.packing, block);
   out["count"] = contacts.size();
-  const auto reals = [&](const char* name, const std::vector<double>& values) {
-    if (values.size() == contacts.size()) out[name] = block.add_reals(values);
-  };
-  reals("nx", mapped(contacts.normal, &Vec2::x));
-  reals("ny", mapped(contacts.normal, &Vec2::y));
-  reals("fn", contacts.fn);
-  reals("ft", contacts.ft);
-  reals("fn_error", r.fn_error);
-  reals("ft_error", r.ft_error);
-  reals("presence", r.presence);
+  add_columns(out, contacts, io::contact_columns, {"nx", "ny", "fn", "ft"}, block);
+  for (const auto& [name, values, unit] : {std::tuple{"fn_error", &r.fn_error, "N"}, {"ft_error", &r.ft_error, "N"}, {"presence", &r.presence, ""}})
+    if (values->size() == contacts.size()) out[name] = block.add_reals(*values, unit);
   return out;
 }
 
@@ -142,8 +133,7 @@ Numbers frame_of(const FilmResult& r) {
 Numbers stresses_of(const workflow::FilmStresses& stresses, NumberBlock& block) {
   Numbers all = Numbers::tree();
   for (const workflow::GrainStresses& s : stresses.sources)
-    all[s.source] = {
-        {"mean", s.mean}, {"sigma_hyd", block.add_reals(s.sigma_hyd)}, {"sigma_norm", block.add_reals(s.sigma_norm)}, {"statistics", shortened(s.statistics)}};
+    all[s.source] = {{"mean", s.mean}, {"sigma_hyd", block.add_reals(s.sigma_hyd, "Pa")}, {"sigma_norm", block.add_reals(s.sigma_norm)}};
   return all;
 }
 
@@ -160,7 +150,16 @@ Numbers agreement_of(const Packing& packing, const workflow::FilmStresses& stres
       statistics::put(to, "rms_Pa", a.rms, "Pa", "Root mean square difference of the stresses");
       statistics::put(to, "rms_norm", a.rms_norm, "", "The same of stresses over their mean");
     }
-  return shortened(std::move(all));
+  return all;
+}
+
+/// The result's own, with the statistics of what the page compares: "stresses" by their source, and the "agreement" of each with the film.
+void add_all_numbers(Numbers& out, const FilmResult& r, const workflow::FilmStresses& stresses) {
+  Numbers numbers = r.numbers;
+  for (const workflow::GrainStresses& s : stresses.sources) numbers["stresses"][s.source] = s.statistics;
+  numbers["agreement"] = agreement_of(r.packing, stresses);
+  add_numbers(out, numbers);
+  for (auto&& [name, meaning] : out["meanings"].items()) meaning[0] = unit_in(r.film, meaning[0].get<std::string>());
 }
 
 Numbers one_film(const FilmResult& r, NumberBlock& block) {
@@ -170,21 +169,20 @@ Numbers one_film(const FilmResult& r, NumberBlock& block) {
     if (r.bad[k]) bad.push_back(static_cast<std::uint32_t>(k));
   Numbers materials = Numbers::list();
   for (const Material& m : r.packing.materials) materials.push_back({{"name", m.name}});
-  return {{"name", r.name},
-          {"converged", r.converged},
-          {"outcome", r.outcome},
-          {"provenance", provenance_of(r.provenance)},
-          {"film", film_of(r)},
-          {"maps", maps_of(r, block)},
-          {"bad", block.add_indices(bad)},
-          {"materials", materials},
-          {"grains", grains_of(r, stresses, block)},
-          {"contacts", contacts_of(r, block)},
-          {"frame", frame_of(r)},
-          {"stresses", stresses_of(stresses, block)},
-          {"agreement", agreement_of(r.packing, stresses)},
-          {"numbers", shortened(r.numbers)},
-          {"texture_meanings", meanings_of(r.numbers.value("texture", Numbers::tree()))}};
+  Numbers out{{"name", r.name},
+              {"converged", r.converged},
+              {"outcome", r.outcome},
+              {"provenance", provenance_of(r.provenance)},
+              {"film", film_of(r)},
+              {"maps", maps_of(r, block)},
+              {"bad", block.add_indices(bad)},
+              {"materials", materials},
+              {"grains", grains_of(r, stresses, block)},
+              {"contacts", contacts_of(r, block)},
+              {"frame", frame_of(r)},
+              {"stresses", stresses_of(stresses, block)}};
+  add_all_numbers(out, r, stresses);
+  return out;
 }
 
 }  // namespace

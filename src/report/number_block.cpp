@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace arenite::report {
 namespace {
@@ -40,8 +41,8 @@ Coding coding_of(std::vector<double> sample, bool companded, double levels) {
 
 static_assert(std::endian::native == std::endian::little, "the block's bytes are written as they lie in memory");
 
-template <class T> NumberRef NumberBlock::add(std::span<const T> values, const char* type) {
-  const NumberRef ref{bytes_.size(), values.size(), type};
+template <class T> NumberRef NumberBlock::add(std::span<const T> values, const char* type, std::string unit) {
+  NumberRef ref{bytes_.size(), values.size(), type, std::move(unit)};
   bytes_.resize(bytes_.size() + values.size_bytes());
   const auto* from = reinterpret_cast<const std::uint8_t*>(values.data());
   std::uint8_t* to = bytes_.data() + ref.offset;
@@ -50,28 +51,22 @@ template <class T> NumberRef NumberBlock::add(std::span<const T> values, const c
   return ref;
 }
 
-NumberRef NumberBlock::add_reals(std::span<const double> values) {
+NumberRef NumberBlock::add_reals(std::span<const double> values, std::string unit) {
   const std::vector<float> narrow(values.begin(), values.end());
-  return add<float>(narrow, "f4");
+  return add<float>(narrow, "f4", std::move(unit));
 }
 
-NumberRef NumberBlock::add_coarse(std::span<const double> values) {
+NumberRef NumberBlock::add_coarse(std::span<const double> values, std::string unit) {
   std::vector<float> narrow(values.begin(), values.end());
   for (float& value : narrow)
     if (std::isfinite(value)) value = std::bit_cast<float>((std::bit_cast<std::uint32_t>(value) + 0x800u) & ~0xfffu);
-  return add<float>(narrow, "f4");
+  return add<float>(narrow, "f4", std::move(unit));
 }
 
-NumberRef NumberBlock::add_indices(std::span<const std::uint32_t> values) {
-  const std::uint32_t largest = values.empty() ? 0 : *std::max_element(values.begin(), values.end());
-  if (largest < 0x100) {
-    const std::vector<std::uint8_t> narrow(values.begin(), values.end());
-    return add<std::uint8_t>(narrow, "u1");
-  }
-  if (largest < 0x10000) {
-    const std::vector<std::uint16_t> narrow(values.begin(), values.end());
-    return add<std::uint16_t>(narrow, "u2");
-  }
+NumberRef NumberBlock::add_narrowest(const std::vector<std::uint32_t>& values) {
+  const std::uint32_t largest = values.empty() ? 0 : std::ranges::max(values);
+  if (largest < 0x100) return add<std::uint8_t>(std::vector<std::uint8_t>(values.begin(), values.end()), "u1");
+  if (largest < 0x10000) return add<std::uint16_t>(std::vector<std::uint16_t>(values.begin(), values.end()), "u2");
   return add<std::uint32_t>(values, "u4");
 }
 

@@ -5,27 +5,36 @@
 #include <string>
 #include <vector>
 
+#include "core/mapped.hpp"
 #include "statistics/numbers.hpp"
 
 namespace arenite::report {
 
-/// Where an array lies in a NumberBlock: byte offset, number of elements, type "f4", "u1", "u2", "u4" or "i4".
+/// Where an array lies in a NumberBlock: byte offset, number of elements, type "f4", "u1", "u2", "u4" or "i4", and its SI unit.
 struct NumberRef {
   std::size_t offset = 0;
   std::size_t count = 0;
   const char* type = "f4";
+  std::string unit = {};
 
-  /// {"at", "n", "as"}, as a document says where its arrays are.
-  operator Numbers() const { return {{"at", offset}, {"n", count}, {"as", type}}; }
+  /// {"at", "n", "as"}, as a document says where its arrays are; "unit" where they have one.
+  operator Numbers() const {
+    Numbers j{{"at", offset}, {"n", count}, {"as", type}};
+    if (!unit.empty() && unit != "1") j["unit"] = unit;
+    return j;
+  }
 };
 
 /// Arrays of numbers as the page carries them: little-endian, the bytes of equal rank of one array side by side (which
 /// lets deflate find the repeats of exponents and high bytes), all of them deflated together and written in base64.
 class NumberBlock {
  public:
-  NumberRef add_reals(std::span<const double> values);           ///< rounded to float32
-  NumberRef add_coarse(std::span<const double> values);          ///< float32 with 11 bits behind the first: three digits, half the bytes
-  NumberRef add_indices(std::span<const std::uint32_t> values);  ///< in the narrowest of u1, u2, u4
+  NumberRef add_reals(std::span<const double> values, std::string unit = "");   ///< rounded to float32
+  NumberRef add_coarse(std::span<const double> values, std::string unit = "");  ///< float32 with 11 bits behind the first: three digits, half the bytes
+  /// Whole numbers from 0 on, in the narrowest of u1, u2, u4.
+  template <class Range = std::vector<std::uint32_t>> NumberRef add_indices(const Range& values) {
+    return add_narrowest(mapped(values, [](auto value) { return static_cast<std::uint32_t>(value); }));
+  }
   NumberRef add_integers(std::span<const std::int32_t> values);  ///< i4
 
   std::size_t size() const { return bytes_.size(); }
@@ -33,7 +42,8 @@ class NumberBlock {
   std::string text() const;
 
  private:
-  template <class T> NumberRef add(std::span<const T> values, const char* type);
+  NumberRef add_narrowest(const std::vector<std::uint32_t>& values);
+  template <class T> NumberRef add(std::span<const T> values, const char* type, std::string unit = "");
   std::vector<std::uint8_t> bytes_;
 };
 

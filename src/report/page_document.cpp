@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <deque>
+#include <tuple>
 #include <utility>
 
 #include "core/mapped.hpp"
@@ -28,9 +29,11 @@ std::vector<double> thinned(const std::vector<double>& values) {
 }
 
 void shorten(Numbers& value) {
-  if (value.is_real()) value = std::strtod(fmt::format("{:.6g}", value.get<double>()).c_str(), nullptr);
-  else
-    for (Numbers& part : value) shorten(part);
+  for (Numbers& part : value) shorten(part);
+  if (!value.is_real()) return;
+  Numbers kept = std::strtod(fmt::format("{:.6g}", value.get<double>()).c_str(), nullptr);
+  kept.means_as(value);
+  value = std::move(kept);
 }
 
 Numbers materials_of(const Materials& materials) {
@@ -38,21 +41,19 @@ Numbers materials_of(const Materials& materials) {
 }
 
 Numbers grains_of(const Grains& grains, NumberBlock& block) {
-  const std::vector<std::int32_t> ids(grains.id.begin(), grains.id.end());
   Numbers out = {{"count", grains.size()},
-                 {"id", block.add_integers(ids)},
-                 {"radius", block.add_reals(grains.radius)},
-                 {"material", block.add_indices(unsigned_copy(grains.material))},
-                 {"zone", block.add_indices(unsigned_copy(grains.zone))}};
+                 {"id", block.add_integers(std::vector<std::int32_t>(grains.id.begin(), grains.id.end()))},
+                 {"radius", block.add_reals(grains.radius, "m")},
+                 {"material", block.add_indices(grains.material)},
+                 {"zone", block.add_indices(grains.zone)}};
   if (!grains.shapes.empty()) out["shapes"] = shapes_of(grains, block);
   return out;
 }
 
 Numbers contacts_of(const Packing& packing, NumberBlock& block) {
   Numbers out = pairs_of(packing, block);
-  out["fn"] = block.add_reals(packing.contacts.fn);
-  out["ft"] = block.add_reals(packing.contacts.ft);
-  out["glued"] = block.add_indices(unsigned_copy(packing.contacts.glued));
+  add_columns(out, packing.contacts, io::contact_columns, {"fn", "ft"}, block);
+  out["glued"] = block.add_indices(packing.contacts.glued);
   return out;
 }
 
@@ -65,42 +66,39 @@ Numbers domain_of(const Domain& domain, NumberBlock& block) {
   return out;
 }
 
-/// The statistics as texture writes them; the rows by grain go into the block.
-Numbers texture_of(const texture::Texture& texture, NumberBlock& block) {
+/// The statistics as texture writes them, with what else is `known` of the state; the rows by grain go into the block.
+Numbers texture_of(const texture::Texture& texture, const Numbers& known, NumberBlock& block) {
   Numbers out = texture::numbers(texture, true);
   out.erase("by_grain");
+  for (const auto& [name, number] : known.items())
+    if (!out.contains(name)) out[name] = number;
   out = shortened(std::move(out));
   const texture::PerGrain& rows = texture.per_grain;
   const texture::Window& window = texture.window;
   out["window"] = {{"known", window.known}, {"x", {window.x_min, window.x_max}}, {"y", {window.y_min, window.y_max}}};
   if (!rows.sigma_norm.empty()) out["grain_sigma_norm"] = block.add_reals(rows.sigma_norm);
-  out["grain_considered"] = block.add_indices(unsigned_copy(rows.considered));
+  out["grain_considered"] = block.add_indices(rows.considered);
   return out;
 }
 
-Numbers frame_of(const Frame& frame, std::size_t stage, const texture::Texture* texture, NumberBlock& block) {
-  const Grains& grains = frame.packing.grains;
+Numbers frame_of(const Frame& frame, std::size_t stage, NumberBlock& block) {
   Numbers out{{"stage", stage},
               {"label", frame.label},
               {"time", frame.time},
               {"step", frame.step},
               {"domain", domain_of(frame.packing.domain, block)},
-              {"x", block.add_reals(mapped(grains.position, &Vec2::x))},
-              {"y", block.add_reals(mapped(grains.position, &Vec2::y))},
-              {"angle", block.add_reals(grains.angle)},
-              {"contacts", contacts_of(frame.packing, block)},
-              {"equilibrium", rest_of(frame.equilibrium, "wall_speed")}};
+              {"contacts", contacts_of(frame.packing, block)}};
   add_grain_values(out, frame.packing, block);
   if (!frame.packing.bonds.empty()) out["bonds"] = bonds_of(frame.packing, block);
   if (!frame.packing.cohesive.empty()) out["cohesive"] = cohesive_of(frame.packing, block);
-  if (texture) out["texture"] = texture_of(*texture, block);
   return out;
 }
 
 Numbers test_of(const TestCurves& curves, NumberBlock& block) {
   Numbers out{{"strain_name", curves.strain_name}, {"ratio_name", curves.ratio_name()}};
-  for (const auto& [name, values] : {std::pair{"strain", &curves.strain}, {"ratio", &curves.ratio}, {"volume", &curves.volume}})
-    out[name] = block.add_reals(thinned(*values));
+  for (const auto& [name, values, unit] :
+       {std::tuple{"strain", &curves.strain, ""}, {"ratio", &curves.ratio, curves.ratio_unit()}, {"volume", &curves.volume, ""}})
+    out[name] = block.add_reals(thinned(*values), unit);
   if (const auto state = critical_state(curves)) out["critical_state"] = shortened(numbers_of(curves, *state));
   return out;
 }
@@ -161,8 +159,9 @@ void add_states(Numbers& frames, Numbers& meanings, const ShownStage& stage, std
     std::optional<texture::Texture> now;
     const texture::Texture* texture = is_last ? stage.last : nullptr;
     if (!texture && (is_last || grains <= small)) texture = &now.emplace(texture::measure(packing, stage.options));
-    frames.push_back(frame_of(states[f], s, texture, block));
-    if (is_last) meanings = meanings_of(texture::numbers(*texture));
+    frames.push_back(frame_of(states[f], s, block));
+    if (texture) frames.back()["texture"] = texture_of(*texture, is_last ? stage.result->texture : Numbers::tree(), block);
+    if (is_last) meanings.update(meanings_of(frames.back()["texture"]));
     if (!is_last && f % every != 0) continue;
     const double rate = fields::shear_rate_at(stage.result->history, states[f].time);
     if (Numbers fields = coarse_fields_of(packing, rate, block); fields.is_known()) frames.back()["fields"] = std::move(fields);
@@ -177,23 +176,12 @@ Numbers pairs_of(const Packing& packing, NumberBlock& block) {
   std::vector<std::uint32_t> partner(contacts.size());
   for (std::size_t c = 0; c < contacts.size(); ++c)
     partner[c] = contacts.is_wall(c) ? grains + static_cast<std::uint32_t>(contacts.wall_side(c)) : static_cast<std::uint32_t>(contacts.j[c]);
-  return {{"i", block.add_indices(unsigned_copy(contacts.i))}, {"j", block.add_indices(partner)}};
-}
-
-Numbers rest_of(const Equilibrium& now, const char* speed) {
-  using statistics::described;
-  return {{"unbalanced_ratio", described(now.unbalanced_ratio, "", "Mean resultant force on a grain over the mean contact force")},
-          {"kinetic_ratio", described(now.kinetic_ratio, "", "Kinetic over elastic energy")},
-          {"loose_kinetic_ratio", described(now.loose_kinetic, "", "The same of grains that carry nothing")},
-          {"falling", described(now.falling, "", "Share of grains that fall")},
-          {"mobilisation", described(now.mobilisation, "", "Mean |F_t|/F_n")},
-          {speed, described(now.wall_speed, "m/s", "Of the fastest wall or boundary")}};
+  return {{"i", block.add_indices(contacts.i)}, {"j", block.add_indices(partner)}};
 }
 
 Numbers history_of(const History& history, NumberBlock& block) {
-  Numbers columns = Numbers::list();
-  for (const History::Column& column : history.columns)
-    columns.push_back({{"name", column.name}, {"unit", column.unit}, {"values", block.add_reals(thinned(column.values))}});
+  Numbers columns = Numbers::tree();
+  for (const History::Column& column : history.columns) columns[column.name] = block.add_reals(thinned(column.values), column.unit);
   return columns;
 }
 
@@ -209,6 +197,11 @@ Numbers meanings_of(const Numbers& numbers) {
   for (const auto& [name, number, meaning] : named_numbers(numbers))
     if (meaning) out[name] = Numbers::list({meaning->unit, meaning->sentence});
   return out;
+}
+
+void add_numbers(Numbers& out, const Numbers& numbers) {
+  out["numbers"] = shortened(numbers);
+  out["meanings"] = meanings_of(numbers);
 }
 
 Numbers shortened(Numbers numbers) {

@@ -1,17 +1,20 @@
 #pragma once
-#include <cstdint>
+#include <algorithm>
+#include <initializer_list>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/mapped.hpp"
+#include "io/results/groups.hpp"
 #include "report/number_block.hpp"
 #include "report/page.hpp"
 
 namespace arenite::report {
 
-/// The data of a page: a JSON text in which arrays of numbers by grain or contact are {"at": byte, "n": count, "as": type}
-/// into the block `numbers` (NumberBlock::text).
+/// The data of a page: a JSON text in which arrays of numbers by grain or contact are {"at": byte, "n": count, "as": type, "unit"} into the block
+/// `numbers` (NumberBlock::text), and what statistics measured has unit and sentence beside it (`add_numbers`).
 struct PageDocument {
   std::string json;
   std::string numbers;
@@ -21,19 +24,24 @@ PageDocument page_document(const PageData& data);
 
 // Pieces that packings, fields and films write alike.
 
-template <class T> std::vector<std::uint32_t> unsigned_copy(const std::vector<T>& values) {
-  return mapped(values, [](T value) { return static_cast<std::uint32_t>(value); });
+/// Those of an owner's declared columns that have these names, with their units, as `add` writes them; a column without values is left out.
+template <class Owner, std::size_t N>
+void add_columns(Numbers& out, const Owner& owner, const io::Column<Owner> (&declared)[N], std::initializer_list<std::string_view> names, NumberBlock& block,
+                 NumberRef (NumberBlock::*add)(std::span<const double>, std::string) = &NumberBlock::add_reals) {
+  for (const io::Column<Owner>& column : declared)
+    if (std::ranges::count(names, std::string_view(column.name)) > 0)
+      if (const auto values = column.of(owner); !values.empty()) out[column.name] = (block.*add)(values, column.unit);
 }
 
 /// Places of the grains of each contact, "i" and "j"; walls are numbered after the grains by their side.
 Numbers pairs_of(const Packing& packing, NumberBlock& block);
-/// How far a state is from rest; `speed` names that of its walls.
-Numbers rest_of(const Equilibrium& now, const char* speed);
-/// Every column with its unit, at most about a thousand rows of it.
+/// Every column by its name, at most about a thousand rows of it.
 Numbers history_of(const History& history, NumberBlock& block);
 Numbers provenance_of(const Provenance& provenance);
 /// Unit and sentence of each number that a statistic declares, by its dotted name: {"solid_fraction": ["", "Area of grains over ..."]}.
 Numbers meanings_of(const Numbers& numbers);
+/// Adds "numbers", shortened, and their "meanings": from these the page names all that it shows of them.
+void add_numbers(Numbers& out, const Numbers& numbers);
 /// With six significant digits: more than a figure or a standard error can use, and a third of the bytes. A tree where nothing is known.
 Numbers shortened(Numbers numbers);
 
@@ -70,8 +78,8 @@ Numbers coarse_fields_of(const Packing& packing, double shear_rate, NumberBlock&
 /// Rims of grains that are no disks, from their centres where their angles are 0: those of grain g are points first[g] to first[g + 1] - 1.
 Numbers shapes_of(Grains grains, NumberBlock& block);
 
-/// What the page knows of every grain in a state: pressure p = -sigma_hyd and deviator q of its stress, Pa (half the sum and half the difference
-/// of the principal ones), its velocity and its spin. Of a state at rest the last two are left out.
+/// What the page knows of every grain in a state: place and angle, pressure p = -sigma_hyd and deviator q of its stress (half the sum and half the
+/// difference of the principal ones), velocity and spin. Of a state at rest the last two are left out.
 void add_grain_values(Numbers& out, const Packing& packing, NumberBlock& block);
 
 /// Bonds that hold, and how the others broke.

@@ -1,5 +1,3 @@
-#include "report/result_text.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 
 #include "grains/dem/run_stage.hpp"
 #include "recipe/recipe.hpp"
+#include "report/summary.hpp"
 
 namespace arenite::report {
 namespace {

@@ -5,14 +5,15 @@
 #include "io/disk/store_file.hpp"
 #include "io/results/results.hpp"
 #include "report/page_document.hpp"
-#include "report/result_text.hpp"
 #include "report/test_curves.hpp"
 #include "workflow/run.hpp"
 
 namespace arenite::report {
 namespace {
 
+using statistics::Declared;
 using statistics::described;
+using statistics::tree_of;
 
 std::string made_by(const Provenance& p) {
   const std::string title = recipe::title_in(p.recipe);
@@ -26,16 +27,23 @@ Numbers provenance(const Provenance& p) {
   return j;
 }
 
+constexpr Declared<Wall> wall_numbers[] = {{"position_m", "m", "", &Wall::position},
+                                           {"velocity_m_s", "m/s", "", &Wall::velocity},
+                                           {"force_N", "N", "Of the grains on the wall", &Wall::force},
+                                           {"shear_force_N", "N", "Along the wall", &Wall::shear_force}};
+
+constexpr Declared<Equilibrium> equilibrium_numbers[] = {
+    {"unbalanced_ratio", "", "Mean resultant force on a grain over the mean contact force", &Equilibrium::unbalanced_ratio},
+    {"kinetic_ratio", "", "Kinetic over elastic energy", &Equilibrium::kinetic_ratio},
+    {"loose_kinetic_ratio", "", "The same of grains that carry nothing", &Equilibrium::loose_kinetic},
+    {"falling", "", "Share of grains that fall", &Equilibrium::falling},
+    {"mobilisation", "", "Mean |F_t|/F_n", &Equilibrium::mobilisation},
+    {"wall_speed_m_s", "m/s", "Of the fastest wall or boundary", &Equilibrium::wall_speed}};
+
 Numbers walls(const Domain& domain) {
   Numbers j = Numbers::tree();
-  for (std::size_t side = 0; side < domain.wall.size(); ++side) {
-    const Wall& wall = domain.wall[side];
-    if (!wall.present) continue;
-    j[side_names[side]] = {{"position_m", described(wall.position, "m", "")},
-                           {"velocity_m_s", described(wall.velocity, "m/s", "")},
-                           {"force_N", described(wall.force, "N", "Of the grains on the wall")},
-                           {"shear_force_N", described(wall.shear_force, "N", "Along the wall")}};
-  }
+  for (std::size_t side = 0; side < domain.wall.size(); ++side)
+    if (domain.wall[side].present) j[side_names[side]] = tree_of(domain.wall[side], wall_numbers);
   return j;
 }
 
@@ -58,7 +66,7 @@ Numbers state(const Frame& frame) {
             {"time_s", described(frame.time, "s", "Time since the run began")},
             {"step", described(frame.step, "", "Steps since the run began")},
             {"walls", walls(frame.packing.domain)},
-            {"equilibrium", rest_of(frame.equilibrium, "wall_speed_m_s")},
+            {"equilibrium", tree_of(frame.equilibrium, equilibrium_numbers)},
             {"energies_J", energies}};
   if (!frame.packing.domain.boundaries.empty()) j["boundaries"] = boundaries(frame.packing.domain);
   return j;
@@ -81,28 +89,25 @@ Numbers last_texture(const StageResult& last) {
 Summary::Summary(const std::filesystem::path& result) {
   for (const auto& file : io::stage_files(result)) {
     auto any = io::read_result(file);
-    if (const auto* field = std::get_if<FieldResult>(&any)) {
-      fields_.push_back({file.filename().string(), *field, field->numbers});
-    } else if (auto* film = std::get_if<FilmResult>(&any)) {
-      films_.push_back(std::move(*film));
-    } else {
-      StageResult stage = std::get<StageResult>(std::move(any));
-      const std::size_t states = stage.frames.size();
-      if (states > 1) stage.frames.erase(stage.frames.begin(), stage.frames.end() - 1);
-      stages_.push_back({file.filename().string(), std::move(stage), states});
-    }
+    if (auto* film = std::get_if<FilmResult>(&any)) films_.push_back(std::move(*film));
+    else if (const auto* field = std::get_if<FieldResult>(&any)) add(file, *field);
+    else add(file, std::get<StageResult>(any));
   }
 }
 
 Summary::Summary(const workflow::RunOutcome& outcome) {
   auto file = outcome.files.begin();
-  for (const StageResult& s : outcome.stages) {
-    StageResult stage{s, {}, s.history, {}, s.texture, {}};
-    if (!s.frames.empty()) stage.frames.push_back(s.frames.back());
-    stages_.push_back({(file++)->filename().string(), std::move(stage), s.frames.size()});
-  }
-  for (const FieldResult& field : outcome.fields) fields_.push_back({(file++)->filename().string(), field, field.numbers});
+  for (const StageResult& stage : outcome.stages) add(*file++, stage);
+  for (const FieldResult& field : outcome.fields) add(*file++, field);
 }
+
+void Summary::add(const std::filesystem::path& file, const StageResult& stage) {
+  StageResult kept{stage, {}, stage.history, {}, stage.texture, {}};
+  if (!stage.frames.empty()) kept.frames.push_back(stage.frames.back());
+  stages_.push_back({file.filename().string(), std::move(kept), stage.frames.size()});
+}
+
+void Summary::add(const std::filesystem::path& file, const FieldResult& field) { fields_.push_back({file.filename().string(), field, field.numbers}); }
 
 const ResultHead& Summary::last() const { return fields_.empty() ? stages_.back().result : fields_.back().head; }
 

@@ -37,11 +37,19 @@ class Summary {
     ResultHead head;
     Numbers numbers;
   };
+  void add(const std::filesystem::path& file, const StageResult& stage);
+  void add(const std::filesystem::path& file, const FieldResult& field);
   const ResultHead& last() const;
   std::vector<Stage> stages_;
   std::vector<Field> fields_;  ///< after the stages
   std::vector<FilmResult> films_;
 };
+
+/// How the last state of a stage stands: its balance, its grains by material, the forces on its walls.
+std::string state_text(const StageResult& last);
+
+/// The numbers that one asks for first, of grains, of what flows and of nodes, as rows of a table.
+std::string headlines(const Numbers& numbers);
 
 /// One field by itself, as text for people and as numbers.
 std::string field_summary(const FieldResult& result);

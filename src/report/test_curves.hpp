@@ -19,6 +19,7 @@ struct TestCurves {
   std::vector<double> solid_fraction;  ///< of the whole box
 
   std::string ratio_name() const { return sheared ? "mu" : confined ? "q_over_p" : "axial_stress"; }
+  const char* ratio_unit() const { return sheared || confined ? "" : "Pa"; }
 };
 
 /// From the forces on the sides and their places. Nothing for a stage that strains by less than 0.2 %, or kept no history of its sides.

@@ -14,7 +14,14 @@ namespace {
 
 using statistics::described;
 
-const char* const parameter_names[] = {"", "width", "", "thickness_m", "volume_m2"};
+/// What a kind of cement is given by, if by anything.
+constexpr struct {
+  const char *name, *unit, *sentence;
+} parameters[] = {{"", "", ""},
+                  {"width", "", "Half base of a neck over the radius of its grain"},
+                  {"", "", ""},
+                  {"thickness_m", "m", "Thickness of the coat"},
+                  {"volume_m2", "m^2", "Area of a meniscus"}};
 
 /// Volumes of pores or voids over pi radius^2 with their density, and what the rules left out.
 Numbers volumes(const PhaseMap& map, grid::Cavity kind, const grid::CavityRules& rules, double radius) {
@@ -97,7 +104,7 @@ Numbers map_numbers(const PhaseMap& map, const grid::CavityRules& rules, double 
   j["cavity_rules"] = {{"neighbours", rules.eight_connected ? 8 : 4},
                        {"fewest_nodes", rules.fewest_nodes},
                        {"leave_out_border", rules.leave_out_border},
-                       {"reference_radius_m", reference_radius}};
+                       {"reference_radius_m", described(reference_radius, "m", "Radius that volumes of pores and voids are over")}};
   j["pores"] = volumes(map, grid::Cavity::pore, rules, reference_radius);
   j["voids"] = volumes(map, grid::Cavity::void_, rules, reference_radius);
   return j;
@@ -114,7 +121,7 @@ void add_reports(Numbers& j, const SampleReports& reports) {
   Numbers cement{{"kind", recipe::word_of(reports.law.kind)},
                  {"gap_m", described(*reports.law.gap, "m", "Largest gap that a neck bridges")},
                  {"necks", described(c.necks, "", "Pairs of grains with a neck")}};
-  if (parameter_names[kind][0] != '\0') cement[parameter_names[kind]] = c.parameter;
+  if (const auto& [name, unit, sentence] = parameters[kind]; *name != '\0') cement[name] = described(c.parameter, unit, sentence);
   if (reports.law.saturation) cement["saturation_error"] = c.saturation_error;
   if (reports.law.kind == cement::CementParameters::Kind::menisci) cement.update({{"ruptured", c.ruptured}, {"capped", c.capped}});
   j["cement"] = cement;
@@ -159,7 +166,8 @@ void add_load(Numbers& j, const recipe::Load& load, const peridynamics::LoadRepo
 void add_failure(Numbers& j, const recipe::Load& load, const peridynamics::DamageResult& result) {
   Numbers l = as_asked(load);
   const peridynamics::Toughness k = load.toughness.resolved();
-  l["toughness_Pa_m0.5"] = {{"matrix", k.matrix}, {"interface", k.interface}, {"particle", k.particle}};
+  l["toughness_Pa_m0.5"] =
+      described({{"matrix", k.matrix}, {"interface", k.interface}, {"particle", k.particle}}, "Pa m^0.5", "Fracture toughness given to these bonds");
   l.update(
       {{"ending", peridynamics::damage_endings[static_cast<std::size_t>(result.ending)].word}, {"solves", result.solves}, {"iterations", result.iterations}});
   j["load"] = l;

@@ -7,8 +7,9 @@
 #include "report/page.hpp"
 #include "solid/peridynamics/damage.hpp"
 #include "solid/peridynamics/load.hpp"
+#include "solid/stress/stress.hpp"
 #include "support/cemented_sample.hpp"
-#include "support/numbers_of.hpp"
+#include "workflow/field_stages.hpp"
 
 namespace arenite::test {
 
@@ -23,7 +24,7 @@ struct FieldPageSample {
     cement.outcome = "Cemented by bridges.";
     cement.map = cemented_sample(sample);
     cement.provenance = {"0.1.0", "cement", "00112233445566aa", "title = \"<cemented> sample\"\n", 3, "", {}};
-    cement.numbers = test::numbers_of(R"({"saturation": )" + std::to_string(matrix_saturation(cement.map)) + "}");
+    cement.numbers = workflow::map_numbers(cement.map, {}, 0.1 * cement.map.width * cement.map.dx);
     load = pull = cement;
     stretch();
     break_apart(events);
@@ -46,7 +47,8 @@ struct FieldPageSample {
     load.field = std::move(field);
     load.convergence.columns = {{"iteration", "1", {}}, {"residual", "1", report.history}};
     for (std::size_t k = 0; k < report.history.size(); ++k) load.convergence.columns[0].values.push_back(static_cast<double>(k));
-    load.numbers = test::numbers_of(R"({"modulus_Pa": )" + std::to_string(report.modulus) + R"(, "poisson": )" + std::to_string(report.poisson) + "}");
+    workflow::add_load(load.numbers, {}, report, {});
+    load.numbers["stress"] = stress::numbers(stress::measure(load.map, load.field, {}));
   }
 
   void break_apart(int events) {
@@ -55,6 +57,7 @@ struct FieldPageSample {
     options.toughness = {2e4, 2e4, 7e4};
     options.max_events = events;
     const auto result = peridynamics::load_to_failure(pull.map, options);
+    workflow::add_failure(pull.numbers, {}, result);
     pull.name = "failure";
     pull.outcome = result.sentence;
     pull.provenance.stage = "failure";

@@ -8,7 +8,6 @@
 #include "core/random.hpp"
 #include "model/elasticity/disk_field.hpp"
 #include "report/page.hpp"
-#include "support/numbers_of.hpp"
 #include "support/page_sample.hpp"
 #include "workflow/run_film.hpp"
 
@@ -33,9 +32,7 @@ struct FilmPageSample {
     draw_maps();
     find_grains();
     infer_forces();
-    film.numbers =
-        numbers_of(R"({"frequency_Hz": {"value": 3.0002, "error": 0.0001}, "noise_mK": 1.1, "grains": )" + std::to_string(grains) +
-                   R"(, "forces": {"residual": 1.02, "null_space": 0}, "contact_orientations": )" + to_json(workflow::film_orientations(film, &truth_)) + "}");
+    film.numbers = workflow::film_numbers(film, &truth_);
     data.title = "A film of <two> materials in a frame";
     maps_only.name = "maps";
     maps_only.outcome = "Locked in at the load frequency.";
@@ -50,6 +47,7 @@ struct FilmPageSample {
     stresses_only.packing = film.packing;
     stresses_only.packing.contacts = {};
     stresses_only.peak_to_peak = film.peak_to_peak;
+    for (FilmResult* part : {&maps_only, &stresses_only}) part->numbers = workflow::film_numbers(*part);
     data.films = results;
   }
 

@@ -14,16 +14,18 @@ export async function loadData() {
   return { about: JSON.parse(new TextDecoder().decode(document_)), block: await inflate(document.getElementById("numbers").textContent) };
 }
 
-/** The bytes of equal rank lie side by side in the block; here they go back to where they belong. */
-export function unpack(block, { at, n, as }) {
+/** The bytes of equal rank lie side by side in the block; here they go back to where they belong. The array has the unit that the document gives it. */
+export function unpack(block, { at, n, as, unit = "" }) {
   const width = arrays[as].BYTES_PER_ELEMENT;
   const bytes = new Uint8Array(n * width);
   for (let rank = 0; rank < width; ++rank)
     for (let k = 0; k < n; ++k) bytes[k * width + rank] = block[at + rank * n + k];
-  return new arrays[as](bytes.buffer);
+  return Object.assign(new arrays[as](bytes.buffer), { unit });
 }
 
-/** Columns of a history by name: { unit, values }. */
-export function columnsOf(block, columns) {
-  return Object.fromEntries(columns.map(({ name, unit, values }) => [name, { unit, values: unpack(block, values) }]));
+/** A tree whose arrays are in their place. */
+export function unpacked(block, about) {
+  if (about === null || typeof about !== "object") return about;
+  if (Array.isArray(about)) return about.map((item) => unpacked(block, item));
+  return about.as ? unpack(block, about) : Object.fromEntries(Object.entries(about).map(([name, value]) => [name, unpacked(block, value)]));
 }

@@ -15,8 +15,8 @@ export function colourBar({ title, unit, scale, palette, theme, length, mean = n
   const top = 24, height = 24, bins = Math.round(length / 3);
   const counts = histogram(scale.order, scale, bins), most = Math.max(1, ...counts);
   const peaks = counts.map((n, k) => `L${(k * length) / bins},${top + height - (n / most) * (height - 2)}h${length / bins}`).join("");
-  const { factor, prefix } = prefixOf(Math.max(Math.abs(scale.low), Math.abs(scale.high)), unit);
-  const head = unit ? `${title}, ${prefix}${unit}` : title;
+  const { factor, unit: prefixed } = prefixOf(Math.max(Math.abs(scale.low), Math.abs(scale.high)), unit);
+  const head = unit ? `${title}, ${prefixed}` : title;
   const group = s("g", {}, label(0, 8, head, null, { fill: theme.ink }), bar(palette, 0, top, length, height),
     s("path", { d: `M0,${top + height}${peaks}V${top + height}Z`, fill: theme.card, "fill-opacity": 0.55, stroke: theme.ink, "stroke-width": 0.6, "stroke-opacity": 0.6 }));
   const share = (v) => (v < 5e-5 ? "" : `${text.number(100 * v, 2)}\u202f%`);

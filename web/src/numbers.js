@@ -1,144 +1,101 @@
+import { inWords, isEstimate, named, valueOf } from "./declared.js";
 import { h, rich } from "./dom.js";
-import { criticalTiles } from "./figures/test_curves.js";
-import { prefixOf, text } from "./text.js";
-import { tile } from "./tile.js";
+import { prefixOf } from "./text.js";
 
-const plain = (name) => name.replace("-", "\u2013");
+const cell = ({ value, error, unit }, withUnit = true) => [value, error && h("small", {}, ` \u00b1 ${error}`), withUnit && unit && h("small", {}, "\u202f", rich(unit))];
 
-/** An estimate times `scale`, as text: "0.124 ± 0.029". */
-function written(estimate, scale = 1, digits = 4) {
-  if (estimate === undefined || estimate === null) return "";
-  if (typeof estimate === "number") return Number.isInteger(estimate) && scale === 1 ? text.count(estimate) : text.number(estimate * scale, digits);
-  const { value, error } = text.withError(estimate.value * scale, estimate.error * Math.abs(scale));
-  return [value, error && h("small", {}, ` \u00b1 ${error}`)];
+/** A table with a row a number, by dotted names, or [name, symbol] where one is to stand beside its words; null where none is known. */
+export function list(title, numbers, dotted) {
+  const rows = dotted.map((one) => [one].flat()).flatMap(([name, symbol]) => numbers.row(name).map((row) => ({ ...row, symbol: symbol ?? row.symbol })));
+  if (rows.length === 0) return null;
+  return h("table", {}, h("caption", {}, rich(title)), h("tbody", {}, rows.map(({ name, symbol, value, unit, sentence }) =>
+    h("tr", { title: sentence || null }, h("td", {}, rich(name), symbol && [" ", h("span", { class: "symbol" }, rich(symbol))]), h("td", {}, cell(inWords(value, unit)))))));
 }
 
-/** What the program declares of a number of the texture, by its dotted name: unit and sentence. */
-function declared(t, name) {
-  const [unit, sentence] = t.meanings?.[name] ?? ["", ""];
-  return { unit: unit === "deg" ? "\u00b0" : unit, sentence };
-}
-
-/** The prefix that suits the largest of some estimates: { scale, unit }. */
-function inUnit(estimates, unit) {
-  const largest = Math.max(0, ...estimates.filter(Boolean).map((e) => Math.abs(e.value ?? e)));
-  const { factor, prefix } = prefixOf(largest, unit);
-  return { scale: 1 / factor, unit: prefix + unit };
-}
-
-/** A table with a row a set and a column a statistic; `columns` = [{ head, unit, of, scale, digits, sentence }]. */
+/** A table with a row a set, [[name, its Numbers]], and a column a number; `columns` = names, or [name, symbol] where a symbol stands for the words. A unit
+    that a whole column has stands in its head. */
 export function grid(title, sets, columns) {
-  const shown = columns.filter(({ of }) => sets.some(([, set]) => of(set) !== undefined && of(set) !== null));
-  return h("table", {}, h("caption", {}, title),
-    h("thead", {}, h("tr", {}, h("th"), shown.map(({ head, unit, sentence }) => h("th", { title: sentence || null }, rich(head), unit && h("small", {}, `, ${unit}`))))),
-    h("tbody", {}, sets.map(([name, set]) => h("tr", {}, h("td", {}, plain(name)), shown.map(({ of, scale, digits }) => h("td", {}, written(of(set), scale, digits)))))));
+  const shown = columns.map((column) => [column].flat()).flatMap(([name, symbol]) => {
+    const rows = sets.map(([, numbers]) => numbers.row(name));  // of a tensor three, a column each
+    return Array.from({ length: Math.max(...rows.map((row) => row.length)) }, (_, part) => ({ symbol, cells: rows.map((row) => row[part]) }));
+  });
+  if (shown.length === 0) return null;
+  const heads = shown.map(({ symbol, cells }) => {
+    const known = cells.filter(Boolean), units = new Set(known.map(({ unit }) => unit)), [{ name, unit, sentence }] = known;
+    const size = units.size === 1 && unit ? Math.max(...known.map(({ value }) => Math.abs(valueOf(value)))) : undefined;
+    return { words: symbol ?? name, sentence, size, unit: size === undefined ? "" : prefixOf(size, unit).unit };
+  });
+  return h("table", {}, h("caption", {}, rich(title)),
+    h("thead", {}, h("tr", {}, h("th"), heads.map(({ words, sentence, unit }) => h("th", { title: sentence || null }, rich(words), unit && h("small", {}, ", ", rich(unit)))))),
+    h("tbody", {}, sets.map(([name, numbers], row) => h("tr", {}, h("td", {}, rich(nameOf(name, numbers))), shown.map(({ cells }, k) =>
+      h("td", {}, cells[row] && cell(inWords(cells[row].value, cells[row].unit, heads[k].size), heads[k].size === undefined)))))));
 }
 
-/** The same of sets of a texture: `columns` = [[head, key, digits]], the unit and what it is as the program declares them for the set of all. */
-function gridOf(t, group, title, sets, columns) {
-  return grid(title, sets, columns.map(([head, key, digits]) => {
-    const { unit, sentence } = declared(t, `${group}.${key}`), of = (set) => set[key];
-    return { head, sentence, of, digits, ...(unit === "" || unit === "\u00b0" ? { unit } : inUnit(sets.map(([, set]) => of(set)), unit)) };
-  }));
+/** A group's name; where all of its numbers have a unit, this may be in the name. */
+function nameOf(group, numbers) {
+  const units = new Set(Object.keys(numbers.tree).map((name) => numbers.about(name).unit));
+  return named(group, units.size === 1 ? [...units][0] : "").name;
 }
 
-/** A table of single numbers; rows = [name, symbol, estimate, its dotted name], with the unit that the program declares. */
-function list(t, title, rows) {
-  const known = rows.filter(([, , estimate]) => estimate !== undefined && estimate !== null);
-  if (known.length === 0) return null;
-  return h("table", {}, h("caption", {}, title), h("tbody", {}, known.map(([name, symbol, estimate, dotted]) => {
-    const about = declared(t, dotted), { scale, unit } = inUnit([estimate], about.unit);
-    return h("tr", { title: about.sentence || null }, h("td", {}, name, symbol && [" ", h("span", { class: "symbol" }, rich(symbol))]), h("td", {}, written(estimate, scale), unit && h("small", {}, `\u202f${unit}`)));
-  })));
+function areAlike(sets) {
+  if (sets.length < 2) return false;
+  const keys = sets.map(([, set]) => [...set.left, ...set.parts.map(([name]) => name)]), most = keys.reduce((a, b) => (b.length > a.length ? b : a));
+  return keys.every((own) => own.length > 0 && own.filter((key) => most.includes(key)).length * 2 > own.length);
 }
 
-function structure(t) {
-  return list(t, "Structure", [
-    ["grains", "N_{p}", t.considered?.grains, "considered.grains"], ["contacts", "N_{c}", t.considered?.contacts, "considered.contacts"],
-    ["solid fraction", "\u03c6", t.solid_fraction, "solid_fraction"], ["local order", "\u03c8_{6}", t.local_order?.psi6, "local_order.psi6"],
-    ["rattlers", "", t.coordination?.rattlers, "coordination.rattlers"],
-  ]);
+/** "Stress, σ_yy, tail"; whose parts are sets of nodes or grains is not said. */
+function within(title, key, numbers) {
+  if (["sets", "by_material", "by_type"].includes(key)) return title;
+  return [title, nameOf(key, numbers)].filter(Boolean).join(", ").replace(/^[a-z]/, (letter) => letter.toUpperCase());
 }
 
-function coordination(t, materials) {
-  const z = t.coordination ?? {};
-  const names = materials.length > 1 ? Object.keys(z).filter((name) => name.includes("-")) : [];
-  return list(t, "Coordination z", [["all", "", z.all, "coordination.all"], ["without rattlers", "", z.without_rattlers, "coordination.without_rattlers"],
-    ...names.sort((a, b) => b.endsWith("-ANY") - a.endsWith("-ANY")).map((name) => [plain(name).replace("ANY", "any"), "", z[name], `coordination.${name}`])]);
+/** What a group holds that nothing has shown, as { title, names, sets }: its own numbers, then its parts. What is said of several sets alike stands in one
+    table for all of them, level by level; without sets it is a row a number. */
+export function tables(title, numbers) {
+  const sets = numbers.parts, own = numbers.left.length > 0 ? [{ title: title || "Result", names: numbers.left, numbers }] : [];
+  if (!areAlike(sets)) return [...own, ...sets.flatMap(([key, part]) => tables(within(title, key, part), part))];
+  return [...own, ...ofSets(title, sets)];
 }
 
-function fabric(t) {
-  const f = t.fabric;
-  if (!f?.a_c) return null;
-  const sets = [["all", f], ...Object.entries(f.sets ?? {}).filter(([name]) => !/ (strong|weak)$/.test(name))];
-  return gridOf(t, "fabric", "Fabric", sets, [["N_{c}", "contacts"], ["a_{c}", "a_c"], ["noise", "a_c_noise", 2], ["\u03b8_{c}", "theta_c_deg"], ["a_{n}", "a_n"]]);
+/** One table for all sets, and one for what is in each of them. */
+function ofSets(title, sets) {
+  const distinct = (of) => [...new Set(sets.flatMap(([, set]) => of(set)))], names = distinct((set) => set.left);
+  const deeper = distinct((set) => set.parts.map(([key]) => key)).map((key) => [key, sets.filter(([, set]) => set.tree[key]).map(([name, set]) => [name, set.in(key)])]);
+  return [...(names.length > 0 ? [{ title, names, sets }] : []), ...deeper.flatMap(([key, of]) => ofSets(within(title, key, of[0][1]), of))];
 }
 
-function stress(t) {
-  const d = t.stress_details ?? {};
-  const part = (i, j) => t.stress && { value: t.stress.value[i][j], error: t.stress.error?.[i]?.[j] };
-  return list(t, "Stress of the assembly", [
-    ["", "\u03c3_{xx}", part(0, 0), "stress"], ["", "\u03c3_{yy}", part(1, 1), "stress"], ["", "\u03c3_{xy}", part(0, 1), "stress"],
-    ...[["pressure", "p", "pressure_Pa"], ["deviator", "q", "deviator_Pa"], ["axis of compression", "", "axis_of_compression_deg"], ["strong share of p", "", "strong_share_of_pressure"],
-      ["strong share of q", "", "strong_share_of_deviator"]].map(([name, symbol, key]) => [name, symbol, d[key], `stress_details.${key}`]),
-  ]);
+const drawn = ({ title, names, sets, numbers }) => (sets ? grid(title, sets, names) : list(title, numbers, names));
+
+/** Every number that no row names, in tables that are folded; null where there is none. */
+export function remainder(numbers) {
+  const title = numbers.shown.size > 0 ? "All other numbers" : "All numbers", all = tables("", numbers);
+  if (all.length === 0) return null;
+  const between = (least, most) => all.filter(({ sets, names }) => (sets ? names.length : 1) >= least && (sets ? names.length : 1) <= most).map(drawn);
+  return h("details", { class: "remainder" }, h("summary", {}, h("h3", {}, title)),
+    h("div", { class: "tables flowing" }, between(1, 2)), h("div", { class: "tables even" }, between(3, 5)),
+    between(6, Infinity).map((table) => h("div", { class: "scroller" }, table)));
 }
 
-function sets(all, parts) { return all ? [["all", all], ...Object.entries(parts ?? {})] : []; }
-
-function grainStress(t) {
-  const rows = sets(t.sigma_norm, t.sigma_norm?.by_material);
-  return rows.length === 0 ? null : gridOf(t, "sigma_norm", "Stress of grains", rows, [["\u27e8\u03c3_{hyd}\u27e9", "mean_Pa"], ["P_{0}", "P0"], ["\u03b2", "beta"], ["max \u03c3_{norm}", "maximum", 3]]);
+/** Every number of a result, as `arenite show --json` gives it, that no other card shows. */
+export function resultNumbers(numbers) {
+  const rest = remainder(numbers);
+  return rest && h("section", { class: "card numbers" }, rest, notes(numbers));
 }
 
-function forces(t) {
-  const rows = sets(t.force, t.force?.by_type);
-  return rows.length === 0 ? null : gridOf(t, "force", "Contact forces", rows, [
-    ["\u27e8F_{n}\u27e9", "mean_N"], ["above mean", "strong_share"], ["\u03b1", "alpha"], ["\u03b2", "beta"], ["T eq. 1.5", "beta2_over_product"],
-  ]);
+export const notes = ({ tree }) => h("ul", { class: "notes" }, (tree.notes ?? []).map((note) => h("li", {}, note)));
+
+/** Numbers that one asks for first: rows = [words, symbol, dotted name], with "%" behind them where a share is said in per cent, "\u2030" in per mille. */
+export function tilesOf(numbers, rows) {
+  return rows.map(([words, symbol, name, share]) => {
+    const number = numbers.at(name), { unit, sentence } = numbers.about(name), times = { "%": 100, "\u2030": 1000 }[share] ?? 1;
+    const scaled = isEstimate(number) ? { value: times * number.value, error: times * number.error } : typeof number === "number" && times > 1 ? { value: times * number } : number;
+    return { words, symbol, sentence, known: number !== undefined, ...(number === undefined ? { value: "\u2013", error: "", unit: "" } : inWords(scaled, unit)), ...(share && { unit: share }) };
+  });
 }
 
-/** The six numbers that one asks for first; those of a critical state before all others. */
-export function headlines(sample, state) {
-  const box = h("div", { class: "headlines" });
-  const refresh = () => {
-    const t = sample.texture(state.get("frame"));
-    if (!t) return box.replaceChildren();
-    const critical = criticalTiles(sample.stages[sample.about.frames[state.get("frame")].stage]).map((tile) => [...tile, 1, ""]);
-    const tiles = [
-      ...critical,
-      ["solid fraction", "\u03c6", t.solid_fraction, 1, ""],
-      ["coordination", "z", t.coordination?.all, 1, ""],
-      ["anisotropy", "a_{c}", t.fabric?.a_c, 1, ""],
-      ["mean force", "\u27e8F_{n}\u27e9", t.force?.mean_N, null, "N"],
-      ["strong contacts", "", t.force?.strong_share, 100, "%"],
-      ["grains above mean", "P_{0}", t.sigma_norm?.P0, 100, "%"],
-    ].slice(0, 6);
-    box.replaceChildren(...tiles.map(([name, symbol, estimate, scale, unit]) => {
-      if (!estimate) return tile(name, symbol, "\u2013");
-      const { factor, prefix } = scale === null ? prefixOf(estimate.value, unit) : { factor: 1 / scale, prefix: "" };
-      const { value, error } = text.withError(estimate.value / factor, estimate.error / factor);
-      return tile(name, symbol, value, h("small", {}, error && ` \u00b1 ${error}`, unit && `\u202f${prefix}${unit}`));
-    }));
-  };
-  state.watch(["frame"], refresh);
-  refresh();
-  return box;
-}
-
-/** What is measured of a packing, in three columns with a caption and notes; `title` above it. */
-export function textureCard(title, t, materials) {
-  const column = (...tables) => h("div", {}, tables.filter(Boolean));
-  return h("section", { class: "card numbers" }, h("div", { class: "title" }, h("h3", {}, title)),
-    h("div", { class: "tables" }, column(structure(t), coordination(t, materials)), column(fabric(t), forces(t)), column(grainStress(t), stress(t))),
-    h("p", { class: "caption" }, rich("With standard errors, from grains away from the walls. a_{c}, \u03b8_{c}: contact orientations; noise: a_{c} of as many random orientations; a_{n}: normal forces.")), h("ul", { class: "notes" }, (t.notes ?? []).map((note) => h("li", {}, note))));
-}
-
-/** Every number with its standard error and unit, for the state that is shown. */
-export function numbersTable(sample, state) {
-  const holder = h("div");
-  const refresh = () => holder.replaceChildren(textureCard("Numbers", sample.texture(state.get("frame")) ?? {}, sample.materials));
-  state.watch(["frame"], refresh);
-  refresh();
-  return holder;
+/** The tiles side by side. */
+export function headlines(tiles) {
+  return h("div", { class: "headlines" }, tiles.map(({ words, symbol, sentence, value, error, unit }) =>
+    h("div", { class: "tile", title: sentence || null }, h("p", {}, words, symbol && [" ", h("i", {}, rich(symbol))]),
+      h("strong", {}, value, (error || unit) && h("small", {}, error && ` \u00b1 ${error}`, unit && ["\u202f", rich(unit)])))));
 }

@@ -1,4 +1,4 @@
-import { columnsOf, unpack } from "./block.js";
+import { unpack, unpacked } from "./block.js";
 import { text } from "./text.js";
 
 /** The data of the page: grains, materials, stages and frames; arrays of a frame are unpacked when first asked for. */
@@ -11,20 +11,17 @@ export class Sample {
     this.about = about;
     this.title = about.title;
     this.materials = about.materials ?? [];
-    this.stages = about.stages.map((stage) => ({ ...stage, history: columnsOf(block, stage.history), test: unpacked(block, stage.test) }));
-    this.sizes = about.sizes ? { asked: unpacked(block, about.sizes.asked), measured: unpacked(block, about.sizes.measured) } : null;
+    this.stages = unpacked(block, about.stages);
+    this.sizes = unpacked(block, about.sizes ?? null);
     this.frameCount = about.frames.length;
     this.count = about.grains?.count ?? 0;
-    if (about.grains)
-      for (const name of ["id", "radius", "material", "zone"]) this[name] = this.#array(about.grains[name]);
-    if (about.grains?.shapes) this.shapes = Object.fromEntries(["first", "x", "y"].map((name) => [name, this.#array(about.grains.shapes[name])]));
+    const { id, radius, material, zone, shapes } = unpacked(block, about.grains ?? {});
+    Object.assign(this, { id, radius, material, zone, shapes });
     this.types = contactTypes(this.materials);
     this.meanRadius = this.count ? this.radius.reduce((sum, r) => sum + r, 0) / this.count : 1;
     this.materialCounts = this.materials.map((_, m) => (this.count ? this.material.reduce((sum, other) => sum + (other === m), 0) : 0));
     this.hasZones = this.count > 0 && this.zone.some((z) => z > 0);
   }
-
-  #array(reference) { return unpack(this.#block, reference); }
 
   frame(k) {
     if (!this.#frames.has(k)) {
@@ -35,17 +32,11 @@ export class Sample {
   }
 
   #unpackFrame(k) {
-    const about = this.about.frames[k];
-    const frame = { ...about, index: k };
-    for (const name of ["x", "y", "angle", "pressure"]) frame[name] = this.#array(about[name]);
-    for (const name of ["deviator", "vx", "vy", "spin"]) frame[name] = about[name] ? this.#array(about[name]) : new Float32Array(this.count);
-    frame.boundaries = (about.domain.boundaries ?? []).map((boundary) => ({ ...boundary, x: this.#array(boundary.x), y: this.#array(boundary.y) }));
-    frame.contacts = {};
-    for (const [name, reference] of Object.entries(about.contacts)) frame.contacts[name] = this.#array(reference);
+    const { texture = null, fields: _, ...about } = this.about.frames[k];
+    const frame = { ...unpacked(this.#block, about), index: k, texture };
+    for (const name of ["deviator", "vx", "vy", "omega"]) frame[name] ??= new Float32Array(this.count);
+    frame.boundaries = frame.domain.boundaries ?? [];
     frame.contacts.type = this.#typesOf(frame.contacts);
-    for (const group of ["bonds", "cohesive"])
-      frame[group] = about[group] && Object.fromEntries(Object.entries(about[group]).map(([name, reference]) => [name, this.#array(reference)]));
-    frame.texture = about.texture ?? null;
     frame.meanForce = frame.texture?.force?.mean_N?.value ?? meanOfPositive(frame.contacts.fn);
     // In equilibrium the dashpots leave traces of tension that mean nothing.
     frame.tensile = -1e-3 * frame.meanForce;
@@ -59,8 +50,11 @@ export class Sample {
     const known = this.about.frames.map((frame, f) => (frame.texture ? f : -1)).filter((f) => f >= 0);
     if (known.length === 0) return null;
     const nearest = known.reduce((best, f) => (Math.abs(f - k) < Math.abs(best - k) ? f : best));
-    return { ...this.about.frames[nearest].texture, meanings: this.about.meanings, frame: nearest };
+    return { ...this.about.frames[nearest].texture, frame: nearest };
   }
+
+  /** Unit of an array by grain that any of the states has, or that all share; empty: it has none. */
+  unitOf(name) { return this.about.grains[name]?.unit ?? this.about.frames.find((frame) => frame[name])?.[name].unit ?? ""; }
 
   /** The coarse-grained fields of a frame, or of the nearest that has them; null where none has. */
   fields(k) {
@@ -72,7 +66,7 @@ export class Sample {
 
   /** Hydrostatic stress of each grain over the mean of the grains that the texture considers (of all without texture). */
   #sigmaNorm(frame) {
-    if (frame.texture?.grain_sigma_norm) return this.#array(frame.texture.grain_sigma_norm);
+    if (frame.texture?.grain_sigma_norm) return unpack(this.#block, frame.texture.grain_sigma_norm);
     const average = mean(frame.pressure) || 1;
     return frame.pressure.map((p) => p / average);
   }
@@ -120,12 +114,6 @@ export class Sample {
   }
 
   name(grain) { return text.material(this.materials[this.material[grain]]); }
-}
-
-/** A tree whose arrays are in their place. */
-function unpacked(block, about) {
-  if (!about) return null;
-  return Object.fromEntries(Object.entries(about).map(([name, value]) => [name, value?.as ? unpack(block, value) : value]));
 }
 
 function contactTypes(materials) {

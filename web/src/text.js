@@ -18,8 +18,8 @@ export const text = {
   /** A quantity in SI with the prefix that suits it: 15000 N is "15.0 kN". */
   quantity(value, unit, digits = 3) {
     if (!Number.isFinite(value)) return "\u2013";
-    const { factor, prefix } = prefixOf(Math.abs(value), unit);
-    return `${text.number(value / factor, digits)}\u202f${prefix}${unit}`;
+    const { factor, unit: prefixed } = prefixOf(Math.abs(value), unit);
+    return `${text.number(value / factor, digits)}\u202f${prefixed}`;
   },
 
   /** { value, error } as text, both to the place that the error's two leading digits reach; an error of rounding is none. */
@@ -42,11 +42,15 @@ export function superscript(exponent) {
   return String(exponent).replace(/./g, (c) => "\u207b\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079"["-0123456789".indexOf(c)]);
 }
 
+/** A unit as it is printed: "kg/m^3" is kg/m³, "deg" the sign. */
+export const typeset = (unit) => unit.replace(/^deg$/, "\u00b0").replace(/\^0\.5/g, "^{1/2}").replace(/\^(-?\d+)/g, (_, power) => superscript(power)).replaceAll(" ", "\u2009");
+
+const scaled = ["N", "Pa", "J", "m", "s", "N/m", "J/m", "Pa m^0.5", "W", "K"];
 const prefixes = [[1e9, "G"], [1e6, "M"], [1e3, "k"], [1, ""], [1e-3, "m"], [1e-6, "\u00b5"], [1e-9, "n"]];
 
-/** The prefix under which a number of this size is written. */
+/** The prefix under which a number of this size is written, and the unit with it. */
 export function prefixOf(size, unit) {
-  if (!(size > 0) || !["N", "Pa", "J", "m", "s", "N/m", "J/m", "Pa\u2009m^{1/2}", "W", "K"].includes(unit)) return { factor: 1, prefix: "" };
+  if (!(size > 0) || !scaled.includes(unit)) return { factor: 1, prefix: "", unit: typeset(unit) };
   const [factor, prefix] = prefixes.find(([f]) => size >= f * 0.9995) ?? prefixes.at(-1);
-  return { factor, prefix };
+  return { factor, prefix, unit: prefix + typeset(unit) };
 }

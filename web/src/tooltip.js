@@ -35,7 +35,7 @@ export class Tooltip {
 function grainNumbers(g, sample, frame, theme) {
   const rows = [
     ["diameter", text.millimetres(2 * sample.radius[g])],
-    ["\u03c3_{hyd}", text.quantity(-frame.pressure[g], "Pa")],
+    ["\u03c3_{hyd}", text.quantity(-frame.pressure[g], frame.pressure.unit)],
     ["\u03c3_{norm}", text.number(frame.sigmaNorm[g])],
     ["contacts z", String(sample.coordination(frame, g))],
   ];
@@ -53,8 +53,8 @@ function contactNumbers(c, sample, frame, theme) {
   const kind = sample.types[type[c]];
   const partner = kind.wall ? sideName(frame, j[c] - sample.count) : String(sample.id[j[c]]);
   const rows = [
-    ["F_{n}", text.quantity(fn[c], "N")],
-    ["F_{t}", text.quantity(ft[c], "N")],
+    ["F_{n}", text.quantity(fn[c], fn.unit)],
+    ["F_{t}", text.quantity(ft[c], ft.unit)],
     ["F_{n}/\u27e8F_{n}\u27e9", text.number(fn[c] / frame.meanForce)],
     ["|F_{t}|/F_{n}", text.number(Math.abs(ft[c] / fn[c]), 2)],
   ];

@@ -252,7 +252,7 @@ test("contact orientations in film and simulation stand side by side on one scal
     name: g.dataset.set, petals: g.querySelectorAll("path[fill-opacity]").length, radii: [...g.querySelectorAll("circle")].map((c) => Number(c.getAttribute("r"))), words: g.textContent })));
   assert.deepEqual(roses.map((r) => r.name), ["film", "simulation"]);
   assert.deepEqual(roses[0].radii, roses[1].radii);
-  const said = await page.evaluate(() => window.arenite.film.film.numbers.contact_orientations);
+  const said = await page.evaluate(() => window.arenite.film.film.declared.at("contact_orientations"));
   for (const [k, set] of [said.film, said.simulation].entries()) {
     assert.equal(roses[k].petals, 36);
     assert.equal(set.sectors.reduce((a, b) => a + b, 0), set.contacts);

@@ -389,6 +389,30 @@ test("the slider moves the grains and the numbers with it", async (page) => {
   await settle(page);
 });
 
+test("a number that the page knows nothing of stands at the end of its card with its unit and sentence", async (page) => {
+  await page.evaluate(() => {
+    const { sample, state } = window.arenite, last = sample.frameCount - 1;
+    sample.about.frames[last].texture.branch_length_m = { value: 0.01234, error: 0.00056 };
+    sample.about.meanings.branch_length_m = ["m", "Mean distance of touching grains"];
+    state.set({ frame: 0 });
+    state.set({ frame: last });
+  });
+  const more = page.locator(".numbers details.remainder");
+  await more.locator("summary").click();
+  const row = more.locator('tr[title="Mean distance of touching grains"]');
+  assert.match(await row.innerText(), /^branch length\s+12\.34 \u00b1 0\.56\u202fmm$/);
+  await more.locator("summary").click();
+});
+
+test("every number that is declared of a state is in a row", async (page) => {
+  const lost = await page.evaluate(() => {
+    const { sample, state } = window.arenite, cells = document.querySelectorAll(".numbers td, .numbers th").length;
+    const known = Object.keys(sample.about.meanings).filter((name) => name.split(".").reduce((tree, step) => tree?.[step], sample.texture(state.get("frame"))) !== undefined);
+    return { known: known.length, cells };
+  });
+  assert.ok(lost.known > 100 && lost.cells > lost.known, `${lost.cells} cells for ${lost.known} numbers`);
+});
+
 test("the dark theme darkens page and packing", async (page) => {
   assert.ok(difference(await (await painted(page))(2, 400), light.page) <= 2);
   await page.click("button.theme");

@@ -1,7 +1,8 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { zoomIdentity } from "d3-zoom";
-import { named, tables } from "../src/field/numbers.js";
+import { inWords, named, Numbers } from "../src/declared.js";
+import { tables } from "../src/numbers.js";
 import { histogram, makeScale } from "../src/field/scale.js";
 import { wrapped } from "../src/film/maps.js";
 import { quantityWithError } from "../src/film/tooltip.js";
@@ -9,7 +10,7 @@ import { boundaryElement, chainWidth, segmentsOf } from "../src/packing/chains.j
 import { Camera } from "../src/camera.js";
 import { stageWithCurves } from "../src/figures/test_curves.js";
 import { State } from "../src/state.js";
-import { prefixOf, text } from "../src/text.js";
+import { prefixOf, text, typeset } from "../src/text.js";
 
 test("a value and its error end at the error's second digit", () => {
   assert.deepEqual(text.withError(0.123456, 0.02891), { value: "0.123", error: "0.029" });
@@ -41,7 +42,7 @@ test("quantities take the prefix that suits them", () => {
   assert.equal(text.quantity(0.02, "m", 1), "20\u202fmm");
   assert.equal(text.quantity(0, "N"), "0\u202fN");
   assert.equal(text.quantity(12, "%"), "12.0\u202f%");
-  assert.deepEqual(prefixOf(999.9, "N"), { factor: 1000, prefix: "k" });
+  assert.deepEqual(prefixOf(999.9, "N"), { factor: 1000, prefix: "k", unit: "kN" });
 });
 
 test("very large and very small numbers are written with a power of ten", () => {
@@ -165,26 +166,52 @@ test("the width of a chain is proportional to its force", () => {
   assert.ok(Math.abs(chainWidth(sample, frame, 4) - 2 * chainWidth(sample, frame, 2)) < 1e-15);
 });
 
-test("keys of numbers become words of the field with their unit", () => {
-  assert.deepEqual(named("mean_Pa"), { name: "mean", unit: "Pa" });
-  assert.deepEqual(named("toughness_Pa_m0.5"), { name: "toughness", unit: "Pa\u2009m^{1/2}" });
-  assert.deepEqual(named("work_J_per_m"), { name: "work", unit: "J/m" });
-  assert.deepEqual(named("S_m"), { name: "S_{m}", unit: "" });
-  assert.deepEqual(named("Z_ls"), { name: "Z_{ls}", unit: "" });
-  assert.deepEqual(named("sigma_yy"), { name: "\u03c3_{yy}", unit: "" });
-  assert.deepEqual(named("dx_m"), { name: "node distance", unit: "m" });
+test("keys of numbers become words of the field, without the unit that is declared", () => {
+  assert.deepEqual(named("mean_Pa", "Pa"), { name: "mean", symbol: "" });
+  assert.deepEqual(named("toughness_Pa_m0.5", "Pa m^0.5"), { name: "toughness", symbol: "" });
+  assert.deepEqual(named("work_J_per_m", "J/m"), { name: "work", symbol: "" });
+  assert.deepEqual(named("lost_area_m2", "m^2"), { name: "lost area", symbol: "" });
+  assert.deepEqual(named("S_m"), { name: "S_{m}", symbol: "" });
+  assert.deepEqual(named("Z_ls"), { name: "Z_{ls}", symbol: "" });
+  assert.deepEqual(named("sigma_yy"), { name: "\u03c3_{yy}", symbol: "" });
+  assert.deepEqual(named("dx_m", "m"), { name: "node distance", symbol: "" });
+  assert.deepEqual(named("pressure_Pa", "Pa"), { name: "pressure", symbol: "p" });
+  assert.deepEqual(named("POM-ANY"), { name: "POM\u2013any", symbol: "" });
+  assert.deepEqual(named("thinnest_neck_m"), { name: "thinnest neck m", symbol: "" }, "a unit is declared, never guessed");
 });
 
-test("what is said of several sets alike stands in one table, and what is drawn is left out", () => {
+test("units are printed as in books", () => {
+  assert.deepEqual(["kg/m^3", "deg", "m^2", "Pa m^0.5", "m/s", ""].map(typeset), ["kg/m\u00b3", "\u00b0", "m\u00b2", "Pa\u2009m^{1/2}", "m/s", ""]);
+});
+
+test("what is said of several sets alike stands in one table, and what is drawn, or was shown, is left out", () => {
   const of = (count) => ({ count, tail: { slope: { value: 5, error: 1 }, low: 2 }, histogram: { low: -1, width: 0.05 } });
-  const all = tables("Result", { modulus_Pa: 1, stress: { nodes: 9, sigma_yy: { sets: { all: of(9), matrix: of(3), large: of(6) } } }, load: { stiffness_Pa: { matrix: 1, grain: 2 }, toughness_Pa: { matrix: 3, grain: 4 } } });
-  assert.deepEqual(all.map(({ title, keys, rows }) => [title, keys, rows.map(([name]) => name)]), [
-    ["Result", null, ["modulus_Pa"]],
-    ["Stress", null, ["nodes"]],
+  const numbers = new Numbers({
+    modulus_Pa: 1, poisson: 0.3, stress: { nodes: 9, sigma_yy: { sets: { all: of(9), matrix: of(3), large: of(6) } } },
+    load: { stiffness_Pa: { matrix: 1, grain: 2 }, "toughness_Pa_m0.5": { matrix: 1, grain: 2 } }, notes: ["a sentence"],
+  }, { modulus_Pa: ["Pa", "Young's modulus"] });
+  assert.deepEqual(numbers.row("poisson").map(({ value }) => value), [0.3]);
+  assert.deepEqual(tables("", numbers).map(({ title, names, sets }) => [title, names, sets?.map(([name]) => name) ?? null]), [
+    ["Result", ["modulus_Pa"], null],
+    ["Stress", ["nodes"], null],
     ["Stress, \u03c3_{yy}", ["count"], ["all", "matrix", "large"]],
     ["Stress, \u03c3_{yy}, tail", ["slope", "low"], ["all", "matrix", "large"]],
-    ["Load", ["matrix", "grain"], ["stiffness_Pa", "toughness_Pa"]],
+    ["Load", ["matrix", "grain"], ["stiffness_Pa", "toughness_Pa_m0.5"]],
   ]);
+  assert.deepEqual(numbers.row("modulus_Pa"), [{ name: "modulus", symbol: "E", unit: "Pa", sentence: "Young's modulus", value: 1 }]);
+});
+
+test("names with dots are found, and a tensor has a row a component", () => {
+  const numbers = new Numbers({ quantiles: { "0.01 %": 3 }, stress: { value: [[1, 2], [2, 4]], error: [[0.1, 0.2], [0.2, 0.4]] } }, { stress: ["Pa", "Stress"], "quantiles.0.01 %": ["Pa", "Quantile"] });
+  assert.deepEqual(numbers.in("quantiles").row("0.01 %").map(({ value, unit }) => [value, unit]), [[3, "Pa"]]);
+  assert.deepEqual(numbers.row("stress").map(({ name, value, unit }) => [name, value.value, value.error, unit]), [["\u03c3_{xx}", 1, 0.1, "Pa"], ["\u03c3_{yy}", 4, 0.4, "Pa"], ["\u03c3_{xy}", 2, 0.2, "Pa"]]);
+});
+
+test("a number is written with its error and the prefix that suits it", () => {
+  assert.deepEqual(inWords({ value: 1234, error: 56 }, "N"), { value: "1.234", error: "0.056", unit: "kN" });
+  assert.deepEqual(inWords(7, ""), { value: "7", error: "", unit: "" });
+  assert.deepEqual(inWords(true, ""), { value: "yes", error: "", unit: "" });
+  assert.deepEqual(inWords({ value: 5, error: 1 }, "Pa", 5000), { value: "0.0050", error: "0.0010", unit: "kPa" });
 });
 
 test("an angle comes into half a turn to both sides", () => {

@@ -6,7 +6,7 @@ from matplotlib.lines import Line2D
 
 from .histories import moving_wall, sides
 from .packings import circles, frame
-from .style import key_below, pale, scaled, tension, weak
+from .style import key_below, labelled, pale, tension, weak
 
 kinds = {1: ("tension", tension), 2: ("bending", "#e69f00"), 3: ("shear", "#0072b2")}  # as `broken` counts them
 opposite = {"left": "right", "right": "left", "bottom": "top", "top": "bottom"}
@@ -22,7 +22,7 @@ def strain(history, side):
     return sides[side] * (position - position[0]) / abs(position[0] - other)
 
 
-def draw_broken_bonds(axes, history):
+def draw_broken_bonds(axes, history, units={}):
     """Broken bonds by kind against the strain by the wall that moves farthest, with the force on it; against time where none moves."""
     side = moving_wall(history)
     x = 100 * strain(history, side) if side else history["time"] - history["time"][0]
@@ -33,12 +33,12 @@ def draw_broken_bonds(axes, history):
     if not side:
         return
     force = history[f"{side}_force"]
-    factor, unit = scaled(np.abs(force).max(), "N")
+    factor, label = labelled(f"force on the {side} wall", force, units.get(f"{side}_force"))
     axes.set_zorder(1)
     axes.patch.set_visible(False)
     right = axes.twinx()
     right.plot(x, force / factor, color=weak, linewidth=0.8)
-    right.set_ylabel(f"force on the {side} wall, {unit}", color=weak)
+    right.set_ylabel(label, color=weak)
     axes.tick_params(right=False)
 
 

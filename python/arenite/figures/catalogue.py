@@ -15,6 +15,16 @@ def one(draw, data, **options):
     return lambda figure, part: draw(figure.add_subplot(), data(part), **options)
 
 
+def of_history(draw):
+    """A drawing of what was sampled while the stage ran."""
+    return lambda figure, state: draw(figure.add_subplot(), state.history, units=state.stage.history_units)
+
+
+def of_curve(draw):
+    """A drawing of a test to failure."""
+    return lambda figure, field: draw(figure.add_subplot(), field.curve, units=field.curve_units)
+
+
 def with_bar(draw, data, label, **options):
     """The same with a colour bar."""
     def drawn(figure, part):
@@ -44,7 +54,7 @@ def coordination(figure, state):
 
 
 def travel(figure, state):
-    histories.draw_travel(figure.add_subplot(), state.history, state.stage.frames)
+    histories.draw_travel(figure.add_subplot(), state.history, state.stage.frames, state.stage.history_units)
 
 
 def has_contacts(state):
@@ -109,12 +119,12 @@ figures = [
     Figure("rev", "stage", one(textures.draw_rev, lambda s: s.texture), has("rev")),
     Figure("threshold", "stage", one(textures.draw_threshold, lambda s: s.texture["fabric"]["threshold"]), has("fabric", "threshold")),
     Figure("stress-path", "stage", panels.stress_path, lambda s: sum(len(frame.packing.contacts) > 10 for frame in s.frames) > 2, 0.4, True),
-    Figure("wall-forces", "stage", one(histories.draw_wall_forces, lambda s: s.history), has_time(*(f"{side}_force" for side in histories.sides))),
+    Figure("wall-forces", "stage", of_history(histories.draw_wall_forces), has_time(*(f"{side}_force" for side in histories.sides))),
     Figure("travel", "stage", travel, lambda s: histories.moving_wall(s.history) is not None),
-    Figure("energies", "stage", one(histories.draw_energies, lambda s: s.history), has_time("elastic")),
+    Figure("energies", "stage", of_history(histories.draw_energies), has_time("elastic")),
     Figure("stress-strain", "stage", loadings.stress_strain, loadings.has_test, 1.1),
     Figure("cycles", "stage", loadings.cycles, loadings.has_cycles),
-    Figure("broken-bonds", "stage", one(bonds.draw_broken_bonds, lambda s: s.history), lambda s: bonds.has_broken(s.history)),
+    Figure("broken-bonds", "stage", of_history(bonds.draw_broken_bonds), lambda s: bonds.has_broken(s.history)),
     Figure("cracks", "stage", one(bonds.draw_cracks, lambda s: s.packing), lambda s: bonds.has_broken(s.history), of_packing),
     Figure("discharge", "stage", one(histories.draw_discharge, lambda s: s.history), has_time("passed_mass")),
     Figure("equilibrium", "stage", one(histories.draw_equilibrium, lambda s: s.history), has_time("unbalanced_ratio")),
@@ -127,10 +137,10 @@ figures = [
     density_figure("sigma_xy", "stress-pdf-xy"),
     density_figure("sigma_hyd", "stress-pdf-hyd"),
     Figure("convergence", "field", one(failure.draw_convergence, lambda f: f.convergence), lambda f: len(f.convergence.get("residual", [])) > 1),
-    Figure("stress-strain", "field", one(failure.draw_stress_strain, lambda f: f.curve), has_curve),
+    Figure("stress-strain", "field", of_curve(failure.draw_stress_strain), has_curve),
     Figure("cracks", "field", one(fields.draw_cracks, lambda f: f), has_curve, of_field),
     Figure("broken-bonds", "field", one(failure.draw_broken_bonds, lambda f: f), lambda f: has_curve(f) and len(f.cracks["type"]) > 0),
-    Figure("energy-balance", "field", one(failure.draw_energy_balance, lambda f: f.curve), has_curve),
+    Figure("energy-balance", "field", of_curve(failure.draw_energy_balance), has_curve),
     Figure("maps", "film", panels.film_maps, height=0.46, wide=True),
     Figure("film-fit", "film", films.draw_fit, lambda f: has_forces(f) and f.fitted.size > 0, 0.4, True),
     Figure("grains", "film", with_bar(films.draw_film_grains, lambda f: f, sigma_norm), lambda f: len(f.sigma_hyd) > 0, 0.9),

@@ -1,8 +1,8 @@
-"""Curves of a test to failure and of the solver."""
+"""Curves of a test to failure and of the solver; labels have the units of their columns where these are given (`Field.curve_units`)."""
 
 import numpy as np
 
-from .style import colours, crack_colours, scaled, strong
+from .style import colours, crack_colours, labelled, strong
 
 
 def draw_convergence(axes, convergence):
@@ -11,11 +11,11 @@ def draw_convergence(axes, convergence):
     axes.set(xlabel="iteration", ylabel="relative residual")
 
 
-def draw_stress_strain(axes, curve):
+def draw_stress_strain(axes, curve, units={}):
     """Mean stress of the tested row against strain, before every round of breaking."""
-    factor, unit = scaled(np.max(curve["stress"]), "Pa")
+    factor, label = labelled("stress", curve["stress"], units.get("stress"))
     axes.plot(1e3 * np.append(0, curve["strain"]), np.append(0, curve["stress"]) / factor, color=colours[0])
-    axes.set(xlabel=r"strain, $10^{-3}$", ylabel=f"stress, {unit}", ylim=(0, None), xlim=(0, None))
+    axes.set(xlabel=r"strain, $10^{-3}$", ylabel=label, ylim=(0, None), xlim=(0, None))
 
 
 def draw_broken_bonds(axes, field):
@@ -29,11 +29,11 @@ def draw_broken_bonds(axes, field):
     axes.legend()
 
 
-def draw_energy_balance(axes, curve):
+def draw_energy_balance(axes, curve, units={}):
     """Work of the clamp, stored elastically or released by broken bonds, per unit thickness."""
-    factor, unit = scaled(np.max(curve["work"]), "J/m")
+    factor, label = labelled("energy", curve["work"], units.get("work"))
     step = np.arange(1, len(curve["work"]) + 1)
     axes.stackplot(step, curve["released"] / factor, curve["elastic"] / factor, labels=["released", "elastic"], colors=[colours[1], colours[0]], alpha=0.5, linewidth=0)
     axes.plot(step, curve["work"] / factor, color=strong, label="work")
-    axes.set(xlabel="step", ylabel=f"energy, {unit}")
+    axes.set(xlabel="step", ylabel=label)
     axes.legend()

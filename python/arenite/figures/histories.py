@@ -1,8 +1,8 @@
-"""What was sampled while a stage ran (`Stage.history`)."""
+"""What was sampled while a stage ran (`Stage.history`); labels have the units of its columns where these are given (`Stage.history_units`)."""
 
 import numpy as np
 
-from .style import colours, scaled, soft, strong
+from .style import colours, labelled, scaled, soft, strong
 
 sides = {"bottom": 1, "top": -1, "left": 1, "right": -1}  # direction into the sample
 
@@ -22,12 +22,12 @@ def _lines(axes, history, names, factor=1.0, positive=False, columns=3):
         axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1), ncols=columns, columnspacing=1, handlelength=1.4, handletextpad=0.4)
 
 
-def draw_wall_forces(axes, history):
+def draw_wall_forces(axes, history, units={}):
     """Normal force of the grains on each wall."""
     present = [f"{side}_force" for side in sides if f"{side}_force" in history]
-    factor, unit = scaled(max(np.abs(history[name]).max() for name in present), "N")
+    factor, label = labelled("force", [np.abs(history[name]).max() for name in present], units.get(present[0]))
     _lines(axes, history, [(name, name.split("_")[0]) for name in present], factor, columns=4)
-    axes.set_ylabel(f"force, {unit}")
+    axes.set_ylabel(label)
 
 
 def moving_wall(history):
@@ -37,26 +37,26 @@ def moving_wall(history):
     return side if side and ways[side] > 1e-9 else None
 
 
-def draw_travel(axes, history, frames=()):
+def draw_travel(axes, history, frames=(), units={}):
     """Force on the wall that moves farthest against its travel into the sample; dots: the stored states `frames`."""
     side = moving_wall(history)
     start, force = history[f"{side}_position"][0], history[f"{side}_force"]
-    factor, unit = scaled(np.abs(force).max(), "N")
+    factor, label = labelled("force", force, units.get(f"{side}_force"))
     axes.plot(1e3 * sides[side] * (history[f"{side}_position"] - start), force / factor, color=soft if len(frames) else colours[0])
     walls = [frame.packing.domain[side] for frame in frames]
     axes.plot([1e3 * sides[side] * (w["position"] - start) for w in walls], [w["force"] / factor for w in walls], "o", color=strong, label="stored states")
-    axes.set(xlabel=f"travel of the {side} wall, mm", ylabel=f"force, {unit}")
+    axes.set(xlabel=f"travel of the {side} wall, mm", ylabel=label)
     if walls:
         axes.legend()
 
 
-def draw_energies(axes, history):
+def draw_energies(axes, history, units={}):
     """Stored and dissipated energy and work, logarithmic."""
     names = [("elastic", "elastic"), ("kinetic", "kinetic"), ("dissipated_friction", "friction"), ("dissipated_normal", "dashpots"),
              ("dissipated_drag", "drag"), ("work_walls", "work of walls"), ("work_gravity", "work of gravity")]
     _lines(axes, history, names, positive=True)
     values = np.concatenate([history[name] for name, _ in names if name in history])
-    axes.set(ylabel="energy, J", yscale="log")
+    axes.set(ylabel=", ".join(filter(None, ["energy", units.get("elastic")])), yscale="log")
     if (values > 0).any():  # a sample at rest would stretch the axis over tens of decades
         axes.set_ylim(max(values[values > 0].min(), 1e-7 * values.max()) / 2, 2 * values.max())
 

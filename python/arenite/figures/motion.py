@@ -9,6 +9,7 @@ import numpy as np
 from matplotlib.collections import EllipseCollection, LineCollection, PolyCollection
 from matplotlib.patches import Rectangle
 
+from .._core import grain_stresses
 from .packings import bars, kind_colours, kinds_of, segments
 from .style import chain_width, colours, diverging_map, even_map, pale, stress_map, strong, tension, weak, widest_chain
 
@@ -53,19 +54,6 @@ def ends_of(packing):
 def contact_numbers(packing):
     """How many contacts each grain has, those with walls too."""
     return np.bincount(ends_of(packing)[0], minlength=len(packing)).astype(float)
-
-
-def grain_stresses(packing):
-    """Stress tensor of each grain by its contact forces (T 1.11), Pa, tension positive, shape (n, 2, 2)."""
-    c = packing.contacts
-    grain, at, sign = ends_of(packing)
-    n, t = np.column_stack([c.nx, c.ny]), np.column_stack([-c.ny, c.nx])
-    force = (c.fn[:, None] * n + c.ft[:, None] * t)[at] * sign[:, None]
-    arm = np.where(sign > 0, c.arm_i[at], c.arm_j[at])
-    branch = -n[at] * (sign * arm)[:, None]
-    sums = np.zeros((len(packing), 2, 2))
-    np.add.at(sums, grain, force[:, :, None] * branch[:, None, :])
-    return sums / (np.pi * packing.radius**2 * packing.domain["thickness"])[:, None, None]
 
 
 def pressure(shot):

@@ -5,6 +5,7 @@ import logging
 import math
 
 import matplotlib
+import numpy as np
 from matplotlib.colors import LinearSegmentedColormap
 from matplotlib.patches import Patch
 from matplotlib.ticker import ScalarFormatter
@@ -114,6 +115,12 @@ def scaled(largest, unit):
         if abs(largest) >= factor:
             return factor, prefix + unit
     return 1, unit
+
+
+def labelled(words, values, unit):
+    """(factor, label) of an axis with these values in `unit`, SI; without a unit the words alone."""
+    factor, prefixed = scaled(np.max(np.abs(values), initial=0), unit) if unit else (1, "")
+    return factor, f"{words}, {prefixed}" if unit else words
 
 
 def bare(axes):

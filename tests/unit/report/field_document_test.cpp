@@ -28,7 +28,8 @@ TEST(FieldDocument, HoldsAMapOnceForAllResultsOnIt) {
 TEST(FieldDocument, HoldsStressesOnlyWhereTheSampleWasLoaded) {
   const Json document = Json::parse(report::page_document(field_sample().data).json);
   EXPECT_TRUE(document["fields"][0]["components"].empty());
-  for (const char* name : {"xx", "yy", "xy", "ux", "uy"}) EXPECT_EQ(document["fields"][1]["components"][name]["residual"]["n"], 96 * 96) << name;
+  for (const char* name : {"sigma_xx", "sigma_yy", "sigma_xy", "ux", "uy"})
+    EXPECT_EQ(document["fields"][1]["components"][name]["residual"]["n"], 96 * 96) << name;
 }
 
 TEST(FieldDocument, GivesTheMeanOverWhatIsNotVoid) {
@@ -38,7 +39,7 @@ TEST(FieldDocument, GivesTheMeanOverWhatIsNotVoid) {
   std::size_t count = 0;
   for (std::size_t k = 0; k < load.map.size(); ++k)
     if (load.map.phase[k] != Phase::empty) sum += load.field.yy[k], ++count;
-  EXPECT_NEAR(document["fields"][1]["components"]["yy"]["mean"], sum / static_cast<double>(count), 1e-9 * sum);
+  EXPECT_NEAR(document["fields"][1]["components"]["sigma_yy"]["mean"], sum / static_cast<double>(count), 1e-9 * sum);
 }
 
 TEST(FieldDocument, MeasuresDensitiesAsTheLoadsStatisticsAsk) {
@@ -93,7 +94,7 @@ TEST(FieldDocument, HoldsVoidsAndPoresOfTheMap) {
     const Json& cavities = document["maps"][0]["cavities"][kind];
     EXPECT_EQ(cavities["label"]["n"], 96 * 96);
     EXPECT_GT(cavities["nodes"]["n"], 0);
-    EXPECT_GT(cavities["volumes"]["mean"]["value"], 0);
+    EXPECT_GT(document["fields"][0]["numbers"][kind]["mean"]["value"], 0);
   }
 }
 
@@ -103,6 +104,15 @@ TEST(FieldDocument, HoldsCracksAndTheCurveOfAPull) {
   EXPECT_EQ(pull["cracks"]["count"], field_sample().pull.cracks.size());
   EXPECT_EQ(pull["curve"].size(), 6u);
   EXPECT_FALSE(document["fields"][1].contains("cracks"));
+}
+
+TEST(FieldDocument, SaysUnitsAndMeaningsAsTheyAreDeclared) {
+  const Json load = Json::parse(report::page_document(field_sample().data).json)["fields"][1];
+  EXPECT_EQ(load["components"]["sigma_yy"]["unit"], "Pa");
+  EXPECT_EQ(load["components"]["ux"]["unit"], "m");
+  EXPECT_EQ(load["meanings"]["modulus_Pa"], Json({"Pa", "Apparent modulus, mean stress over strain"}));
+  EXPECT_EQ(load["meanings"]["stress.sigma_yy.sample_mean_Pa"][0], "Pa");
+  EXPECT_FALSE(load["convergence"]["residual"].contains("unit"));
 }
 
 TEST(FieldDocument, StandsBesideAPackingOrWithoutOne) {

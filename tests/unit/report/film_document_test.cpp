@@ -67,8 +67,22 @@ TEST(FilmDocument, OfMapsAloneHasNeitherGrainsNorStresses) {
   EXPECT_EQ(film["grains"]["count"], 0);
   EXPECT_EQ(film["contacts"]["count"], 0);
   EXPECT_TRUE(film["stresses"].empty());
-  EXPECT_TRUE(film["agreement"].empty());
+  EXPECT_TRUE(film["numbers"]["agreement"].empty());
   EXPECT_TRUE(film["frame"].is_null());
+}
+
+TEST(FilmDocument, SaysUnitsAndMeaningsAsTheyAreDeclaredAndLevelsWhereTheFilmHasThese) {
+  const Json film = document_of(film_sample().film);
+  EXPECT_EQ(film["maps"]["amplitude"]["unit"], "K");
+  EXPECT_EQ(film["contacts"]["fn"]["unit"], "N");
+  EXPECT_EQ(film["meanings"]["lockin.frequency_Hz"], Json({"Hz", "Frequency of the load"}));
+  EXPECT_EQ(film["meanings"]["texture.force.mean_N"][0], "N");
+  EXPECT_EQ(film["meanings"]["stresses.film.mean_Pa"][0], "Pa");
+  EXPECT_EQ(film["meanings"]["agreement.simulation_peak_to_peak.all.rms_Pa"][0], "Pa");
+  FilmResult levels = film_sample().film;
+  levels.film.quantity = FilmQuantity::digital_level;
+  EXPECT_EQ(document_of(levels)["maps"]["amplitude"]["unit"], "DL");
+  EXPECT_EQ(document_of(levels)["meanings"]["lockin.standard_error_K"][0], "DL");
 }
 
 TEST(FilmDocument, PutsTheFrameWhereItsWallsAre) {

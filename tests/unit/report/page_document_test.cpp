@@ -55,8 +55,22 @@ TEST(PageDocument, KeepsAboutAThousandRowsOfALongHistoryAndItsLast) {
   test::PageSample sample(60);
   for (auto& column : sample.stage.history.columns) column.values.assign(4096, 1.0);
   const Json document = Json::parse(report::page_document(sample.data).json);
-  EXPECT_LE(document["stages"][0]["history"][0]["values"]["n"], 1001);
-  EXPECT_GE(document["stages"][0]["history"][0]["values"]["n"], 500);
+  EXPECT_LE(document["stages"][0]["history"]["time"]["n"], 1001);
+  EXPECT_GE(document["stages"][0]["history"]["time"]["n"], 500);
+}
+
+TEST(PageDocument, SaysUnitsAndMeaningsAsTheyAreDeclared) {
+  test::PageSample sample(60);
+  sample.stage.texture["new_number_m"] = statistics::described(2.5, "m", "That no page knows of");
+  const Json document = Json::parse(report::page_document(sample.data).json);
+  const Json& last = document["frames"].back();
+  EXPECT_EQ(last["x"]["unit"], "m");
+  EXPECT_EQ(last["angle"]["unit"], "rad");
+  EXPECT_EQ(last["contacts"]["fn"]["unit"], "N");
+  EXPECT_EQ(document["stages"][0]["history"]["time"]["unit"], "s");
+  EXPECT_EQ(document["meanings"]["force.mean_N"][0], "N");
+  EXPECT_EQ(last["texture"]["new_number_m"], 2.5);
+  EXPECT_EQ(document["meanings"]["new_number_m"], Json({"m", "That no page knows of"}));
 }
 
 TEST(PageDocument, OfAnEmptyRunHasNoFrames) { EXPECT_TRUE(Json::parse(report::page_document({.title = "nothing"}).json)["frames"].empty()); }

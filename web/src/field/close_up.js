@@ -23,13 +23,13 @@ function rows(result, g) {
   const list = [["diameter", text.quantity(2 * result.radiusOfGrain(g), "m")], ["nodes", text.count(result.grains.nodes[g])]];
   if (!result.loaded) return list;
   const s = result.stressOfGrain(g), { first, second, angle } = principal(s.xx, s.yy, s.xy);
-  const [least, most] = extremes(result, g);
+  const [least, most] = extremes(result, g), { unit } = result.grains.yy;
   return [...list,
-    ["mean \u03c3_{yy}", text.quantity(s.yy, "Pa")],
+    ["mean \u03c3_{yy}", text.quantity(s.yy, unit)],
     ["over \u27e8\u03c3_{yy}\u27e9", text.number(s.yy / result.mean)],
-    ["\u03c3_{1}, \u03c3_{2}", `${text.quantity(first, "Pa")}, ${text.quantity(second, "Pa")}`],
+    ["\u03c3_{1}, \u03c3_{2}", `${text.quantity(first, unit)}, ${text.quantity(second, unit)}`],
     ["direction of \u03c3_{1}", `${Math.round((angle * 180) / Math.PI)}\u00b0`],
-    ["\u03c3_{yy} from, to", `${text.quantity(least, "Pa")}, ${text.quantity(most, "Pa")}`]];
+    ["\u03c3_{yy} from, to", `${text.quantity(least, unit)}, ${text.quantity(most, unit)}`]];
 }
 
 function extremes(result, g) {

@@ -6,7 +6,7 @@ export const crackTypes = [null, "matrix", "interface", "particle"];
 /** How many bonds are broken at a step of the curve. */
 export function brokenAt(result, step) {
   if (!result.cracks) return 0;
-  return Math.min(result.cracks.x.length, Math.round(result.curve.broken?.values[step] ?? result.cracks.x.length));
+  return Math.min(result.cracks.x.length, Math.round(result.curve.broken?.[step] ?? result.cracks.x.length));
 }
 
 /** How many of the first `count` are of each type. */

@@ -13,7 +13,7 @@ export const legendHeight = 92;
 export function legend(result, camera, theme, state, width, broken) {
   const group = s("g", { "font-family": theme.font, "font-size": 11.5, fill: theme.soft });
   const scale = scaleOf(result, state), room = Math.max(150, Math.min(420, width - 150));
-  if (scale) group.append(scaleKey(scale, theme, room));
+  if (scale) group.append(scaleKey(result, scale, theme, room));
   else if (state.get("show") === "phases") group.append(phaseKey(result, theme, width - 130));
   else group.append(cavityKey(result, theme, state, room));
   if (broken > 0) group.append(crackKey(result, theme, broken));
@@ -22,10 +22,10 @@ export function legend(result, camera, theme, state, width, broken) {
   return richSvg(group);
 }
 
-function scaleKey(scale, theme, length) {
-  const { symbol, unit } = components[scale.name], largest = Math.max(Math.abs(scale.low), Math.abs(scale.high));
+function scaleKey(result, scale, theme, length) {
+  const { symbol } = components[scale.name], largest = Math.max(Math.abs(scale.low), Math.abs(scale.high));
   const mean = scale.name === "yy" || scale.mean > 0.02 * largest ? scale.mean : null;
-  return colourBar({ title: symbol, unit, scale, palette: mapOf(theme, scale), theme, length, mean });
+  return colourBar({ title: symbol, unit: result.unitOf(scale.name), scale, palette: mapOf(theme, scale), theme, length, mean });
 }
 
 const square = (x, y, fill, theme) => s("rect", { x, y: y - 6, width: 12, height: 12, rx: 2.5, fill, stroke: theme.ink, "stroke-opacity": 0.25 });

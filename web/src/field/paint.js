@@ -14,7 +14,7 @@ export function scaleOf(result, state) {
   result.orders ??= new Map();
   if (!result.orders.has(name)) result.orders.set(name, sorted(result.values(name), result.map.kind));
   const order = result.orders.get(name);
-  const mean = result.about.components[name]?.mean ?? order.reduce((sum, v) => sum + v, 0) / (order.length || 1);
+  const mean = result.about.components[components[name].stored]?.mean ?? order.reduce((sum, v) => sum + v, 0) / (order.length || 1);
   const around = sequential && state.get("around") !== "ends" ? "ends" : state.get("around");
   result.scaleKey = key;
   return (result.keptScale = { ...makeScale(order, { around, symlog: state.get("law") === "symlog", clip: clips[state.get("clip")], mean }), order, mean, name });

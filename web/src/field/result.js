@@ -1,4 +1,5 @@
-import { columnsOf, unpack } from "../block.js";
+import { unpack, unpacked } from "../block.js";
+import { Numbers } from "../declared.js";
 import { components } from "./components.js";
 import { decodeField } from "./decode.js";
 
@@ -15,7 +16,7 @@ export class PhaseMap {
     this.kind = new Uint8Array(phase.length);
     for (let k = 0; k < phase.length; ++k)
       this.kind[k] = phase[k] < 2 ? phase[k] : classes.particle + (this.grainClass[this.label[k] - 1] ?? 0);
-    this.cavities = cavitiesOf(about.cavities ?? {}, block);
+    this.cavities = unpacked(block, about.cavities ?? {});
     this.counts = [0, 0, 0, 0, 0];
     for (const kind of this.kind) ++this.counts[kind];
   }
@@ -37,11 +38,6 @@ export class PhaseMap {
   }
 }
 
-/** Voids and pores by kind: label and nodes unpacked, the rest as it is. */
-function cavitiesOf(about, block) {
-  return Object.fromEntries(Object.entries(about).map(([kind, c]) => [kind, { ...c, label: unpack(block, c.label), nodes: unpack(block, c.nodes) }]));
-}
-
 /** A result on a grid: fields are decoded when first asked for. */
 export class FieldResult {
   #block;
@@ -49,14 +45,11 @@ export class FieldResult {
 
   constructor(about, maps, block, title) {
     this.#block = block;
-    Object.assign(this, { about, title, name: about.name, map: maps[about.map], numbers: about.numbers, statistics: about.statistics });
-    this.convergence = columnsOf(block, about.convergence);
-    this.curve = columnsOf(block, about.curve);
-    this.steps = this.curve.strain?.values.length ?? 0;
-    this.grains = Object.fromEntries(Object.entries(about.grains).map(([name, ref]) => [name, unpack(block, ref)]));
-    this.cracks = about.cracks ? Object.fromEntries(["x", "y", "type"].map((name) => [name, unpack(block, about.cracks[name])])) : null;
+    Object.assign(this, { about, title, name: about.name, map: maps[about.map], declared: new Numbers(about.numbers, about.meanings), statistics: about.statistics });
+    for (const name of ["convergence", "curve", "grains", "cracks"]) this[name] = unpacked(block, about[name] ?? null);
+    this.steps = this.curve.strain?.length ?? 0;
     /** Mean stress sigma_yy over the nodes that are not void; what sizes are compared with. */
-    this.mean = about.components.yy?.mean ?? null;
+    this.mean = about.components.sigma_yy?.mean ?? null;
   }
 
   get resultName() { return this.name; }
@@ -64,16 +57,21 @@ export class FieldResult {
   /** Figures ask for the texture of a packing; a field has none. */
   texture() { return null; }
 
-  get loaded() { return this.about.components.yy !== undefined; }
+  get loaded() { return this.about.components.sigma_yy !== undefined; }
 
   /** Size that "strong" is measured by: the mean of sigma_yy, or of the largest component under shear. */
   get scale() {
-    return Math.max(...["yy", "xx", "xy"].map((name) => Math.abs(this.about.components[name]?.mean ?? 0))) || 1;
+    return Math.max(...["sigma_yy", "sigma_xx", "sigma_xy"].map((name) => Math.abs(this.about.components[name]?.mean ?? 0))) || 1;
   }
 
   has(name) {
-    const { stored, needs = [stored] } = components[name];
-    return needs.every((part) => this.about.components[part]);
+    const { stored, needs } = components[name];
+    return needs ? needs.every((part) => this.has(part)) : this.about.components[stored] !== undefined;
+  }
+
+  unitOf(name) {
+    const { stored, needs } = components[name];
+    return needs ? this.unitOf(needs[0]) : this.about.components[stored].unit;
   }
 
   values(name) {

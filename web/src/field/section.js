@@ -2,10 +2,10 @@ import { forms, keepInAddress } from "../address.js";
 import { h } from "../dom.js";
 import { figureCard } from "../figures/card.js";
 import { fieldFigures } from "../figures/index.js";
+import { resultNumbers } from "../numbers.js";
 import { State } from "../state.js";
 import { available } from "./components.js";
 import { fieldHeadlines } from "./headlines.js";
-import { resultNumbers } from "./numbers.js";
 import { fieldPanel } from "./panel.js";
 
 /** What the reader may choose on the section of one result. */
@@ -27,6 +27,6 @@ export function fieldSection(result, page) {
   page.watch(["theme"], () => state.set({ theme: page.get("theme") }));
   const { panel, view } = fieldPanel(result, state, result.title);
   const figures = fieldFigures.filter((figure) => figure.when({}, result)).map((figure) => figureCard(figure, result, state));
-  const element = h("div", {}, h("main", {}, panel, h("div", { class: "results" }, fieldHeadlines(result), h("div", { class: "figures" }, figures))), resultNumbers(result));
+  const element = h("div", {}, h("main", {}, panel, h("div", { class: "results" }, fieldHeadlines(result), h("div", { class: "figures" }, figures))), resultNumbers(result.declared));
   return { element, state, view, result };
 }

@@ -39,6 +39,6 @@ export function stepSlider(result, state) {
 
 function describe(result, step) {
   const { strain, stress } = result.curve;
-  return [`step ${step + 1} of ${result.steps}`, `strain ${text.number(strain.values[step], 3)}`, `stress ${text.quantity(stress.values[step], "Pa")}`,
+  return [`step ${step + 1} of ${result.steps}`, `strain ${text.number(strain[step], 3)}`, `stress ${text.quantity(stress[step], stress.unit)}`,
     `${text.count(brokenAt(result, step))} bonds broken`].join(" \u00b7 ");
 }

@@ -19,20 +19,20 @@ export function nodeNumbers(result, node, theme, which) {
 const name = (kind) => kindNames[kind][0].toUpperCase() + kindNames[kind].slice(1);
 
 function stressRows(result, node) {
-  const at = (component) => result.values(component)[node];
+  const at = (component) => result.values(component)[node], written = (value, like) => text.quantity(value, result.unitOf(like));
   const [xx, yy, xy] = ["xx", "yy", "xy"].map(at);
   const { first, angle } = principal(xx, yy, xy);
   const rows = [
-    ["\u03c3_{yy}", text.quantity(yy, "Pa")], ["\u03c3_{xx}", text.quantity(xx, "Pa")], ["\u03c3_{xy}", text.quantity(xy, "Pa")],
-    ["\u03c3_{1}", `${text.quantity(first, "Pa")} at ${Math.round((angle * 180) / Math.PI)}\u00b0`],
+    ["\u03c3_{yy}", written(yy, "yy")], ["\u03c3_{xx}", written(xx, "xx")], ["\u03c3_{xy}", written(xy, "xy")],
+    ["\u03c3_{1}", `${written(first, "yy")} at ${Math.round((angle * 180) / Math.PI)}\u00b0`],
     ["\u03c3_{yy}/\u27e8\u03c3_{yy}\u27e9", text.number(yy / result.mean)],
   ];
-  if (result.has("ux") && result.has("uy")) rows.push(["u_{x}, u_{y}", `${text.quantity(at("ux"), "m")}, ${text.quantity(at("uy"), "m")}`]);
+  if (result.has("ux") && result.has("uy")) rows.push(["u_{x}, u_{y}", `${written(at("ux"), "ux")}, ${written(at("uy"), "uy")}`]);
   return rows;
 }
 
 function grainRows(result, g) {
   const rows = [["grain\u2019s diameter", text.quantity(2 * result.radiusOfGrain(g), "m")]];
-  if (result.loaded) rows.push(["grain\u2019s mean \u03c3_{yy}", text.quantity(result.stressOfGrain(g).yy, "Pa")]);
+  if (result.loaded) rows.push(["grain\u2019s mean \u03c3_{yy}", text.quantity(result.stressOfGrain(g).yy, result.grains.yy.unit)]);
   return rows;
 }

@@ -4,15 +4,17 @@ import { chart, decadesAround, logAxis } from "./chart.js";
 
 const kinds = [["pores", "pores", 0], ["voids", "voids", 1]];
 
-function sets({ map }, theme) {
-  return kinds.filter(([kind]) => map.cavities[kind]?.volumes).map(([kind, name, k]) =>
-    ({ name: `${name} ${text.count(map.cavities[kind].nodes.length)}`, colour: theme.materialLine[k], ...map.cavities[kind].volumes }));
+const volumesOf = ({ declared }, kind) => declared.at(kind) ?? {};
+
+function sets(result, theme) {
+  return kinds.map(([kind, name, k]) => ({ ...volumesOf(result, kind), name, colour: theme.materialLine[k] })).filter(({ pdf }) => pdf)
+    .map(({ name, count, ...set }) => ({ ...set, name: `${name} ${text.count(count)}` }));
 }
 
 export const cavityVolumes = {
   id: "cavities", title: "Single pores and voids",
   caption: "Probability density of the volume of a single pore (not grain) and void (not grain, not matrix) over that of a large grain of nominal radius (reference radius in the table), with counting errors. Those cut by the edge and specks of the grid are left out as the table says.",
-  when: (_, result) => kinds.some(([kind]) => result.map.cavities[kind]?.volumes?.density.filter((d) => d > 0).length > 2),
+  when: (_, result) => kinds.some(([kind]) => (volumesOf(result, kind).pdf?.density.filter((d) => d > 0).length ?? 0) > 2),
   key: ({ sample, theme }) => sets(sample, theme).map(({ name, colour, mean, cv }) => ({ name, colour, values: [["mean", { value: mean.value }], ["c.v.", { value: cv.value }]] })),
   draw({ sample, theme, width }) {
     const lines = sets(sample, theme).map((set) => ({ ...set, rows: rowsOf(set) }));
@@ -31,6 +33,6 @@ export const cavityVolumes = {
 };
 
 /** Bins that hold any, at their geometric middle. */
-function rowsOf({ edge, density, error }) {
+function rowsOf({ pdf: { edge, density, error } }) {
   return density.map((y, k) => ({ x: Math.sqrt(edge[k] * edge[k + 1]), y, error: error[k], low: edge[k], high: edge[k + 1] })).filter(({ x, y }) => y > 0 && x > 0);
 }

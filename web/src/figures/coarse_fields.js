@@ -1,22 +1,23 @@
 import { label, richSvg, s } from "../dom.js";
-import { prefixOf, text } from "../text.js";
+import { prefixOf, text, typeset } from "../text.js";
 import { bytes } from "../theme.js";
 
-/** What is drawn of the coarse-grained fields. A member gives: label, symbol, unit, map, `of(fields)` = array by cell, `signed` = zero in the
+/** What is drawn of the coarse-grained fields. A member gives: label, symbol, map, `of(fields)` = array by cell, `signed` = zero in the
     middle, `arrows` = with velocities. A new one is one more row. */
 export const layers = {
-  solid_fraction: { label: "Solid fraction", symbol: "\u03c6", unit: "", map: "viridis", closed: true },
-  density: { label: "Density", symbol: "\u03c1", unit: "kg/m\u00b3", map: "viridis", closed: true },
-  speed: { label: "Velocity", symbol: "|v|", unit: "m/s", map: "viridis", arrows: true, needs: "vx", of: ({ vx, vy }) => vx.map((v, k) => Math.hypot(v, vy[k])) },
-  vx: { label: "Velocity along x", symbol: "v_{x}", unit: "m/s", map: "diverging", signed: true },
-  vy: { label: "Velocity along y", symbol: "v_{y}", unit: "m/s", map: "diverging", signed: true },
-  pressure: { label: "Pressure", symbol: "p", unit: "Pa", map: "magma" },
-  deviator: { label: "Deviator of stress", symbol: "q", unit: "Pa", map: "magma" },
-  shear: { label: "Shear stress", symbol: "\u03c3_{xy}", unit: "Pa", map: "diverging", signed: true },
-  kinetic: { label: "Kinetic pressure", symbol: "p_{kin}", unit: "Pa", map: "magma" },
+  solid_fraction: { label: "Solid fraction", symbol: "\u03c6", map: "viridis", closed: true },
+  density: { label: "Density", symbol: "\u03c1", map: "viridis", closed: true },
+  speed: { label: "Velocity", symbol: "|v|", map: "viridis", arrows: true, needs: "vx", of: ({ vx, vy }) => vx.map((v, k) => Math.hypot(v, vy[k])) },
+  vx: { label: "Velocity along x", symbol: "v_{x}", map: "diverging", signed: true },
+  vy: { label: "Velocity along y", symbol: "v_{y}", map: "diverging", signed: true },
+  pressure: { label: "Pressure", symbol: "p", map: "magma" },
+  deviator: { label: "Deviator of stress", symbol: "q", map: "magma" },
+  shear: { label: "Shear stress", symbol: "\u03c3_{xy}", map: "diverging", signed: true },
+  kinetic: { label: "Kinetic pressure", symbol: "p_{kin}", map: "magma" },
 };
 
 const known = (fields) => Object.entries(layers).filter(([name, { needs = name }]) => fields?.[needs]);
+const unitOf = (fields, name) => fields[layers[name].needs ?? name].unit;
 const valuesOf = (fields, name) => layers[name].of?.(fields) ?? fields[name];
 
 /** Ends of the colours: all but a hundredth of the cells. */
@@ -60,11 +61,11 @@ function arrowsOf(fields, place, theme) {
   return group;
 }
 
-function ramp({ label: words, unit, map }, [low, high], theme, y) {
-  const { factor, prefix } = prefixOf(Math.max(Math.abs(low), Math.abs(high)), unit), length = 170, steps = 48;
+function ramp({ label: words, map }, si, [low, high], theme, y) {
+  const { factor, unit } = prefixOf(Math.max(Math.abs(low), Math.abs(high)), si), length = 170, steps = 48;
   const bars = Array.from({ length: steps }, (_, k) => s("rect", { x: (k * length) / steps, y: y + 16, width: length / steps + 0.6, height: 8, fill: theme.maps[map]((k + 0.5) / steps) }));
   const at = (share, anchor) => label(share * length, y + 34, text.number((low + share * (high - low)) / factor, 3), anchor);
-  return s("g", {}, label(0, y + 6, prefix + unit ? `${words}, ${prefix}${unit}` : words, null, { fill: theme.ink }), bars, at(0), at(0.5, "middle"), at(1, "end"));
+  return s("g", {}, label(0, y + 6, unit ? `${words}, ${unit}` : words, null, { fill: theme.ink }), bars, at(0), at(0.5, "middle"), at(1, "end"));
 }
 
 export const coarseFields = {
@@ -80,7 +81,7 @@ export const coarseFields = {
     const svg = s("svg", { viewBox: `0 0 ${width} ${h + 52}`, width, height: h + 52, "font-family": theme.font, "font-size": 11.5, fill: theme.soft },
       s("image", { href: pictureOf(fields, values, range, theme, layer.map), x, y: 0, width: w, height: h, preserveAspectRatio: "none" }),
       s("rect", { x, y: 0.5, width: w, height: h - 1, fill: "none", stroke: theme.rule }),
-      layer.arrows && arrowsOf(fields, place, theme), ramp(layer, range, theme, h + 8));
+      layer.arrows && arrowsOf(fields, place, theme), ramp(layer, unitOf(fields, name), range, theme, h + 8));
     svg.numbers = [tableOf(fields)];
     return richSvg(svg);
   },
@@ -90,6 +91,6 @@ export const coarseFields = {
 function tableOf(fields) {
   const { columns, bounds: [left, right, bottom, top], rows } = fields, there = known(fields);
   const at = (k) => ({ x: left + ((k % columns + 0.5) * (right - left)) / columns, y: bottom + ((Math.floor(k / columns) + 0.5) * (top - bottom)) / rows });
-  const arrays = there.map(([name, { symbol, unit }]) => [unit ? `${symbol}, ${unit}` : symbol, valuesOf(fields, name)]);
+  const arrays = there.map(([name, { symbol }]) => [[symbol, typeset(unitOf(fields, name))].filter(Boolean).join(", "), valuesOf(fields, name)]);
   return { x: "x, m", y: "y, m", points: Array.from({ length: columns * rows }, (_, k) => ({ ...at(k), more: Object.fromEntries(arrays.map(([head, values]) => [head, values[k]])) })) };
 }

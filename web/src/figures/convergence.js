@@ -4,10 +4,10 @@ import { chart, decadesAround, logAxis } from "./chart.js";
 export const convergence = {
   id: "convergence", title: "Convergence of the solver",
   caption: "Residual relative to that of uniform strain, after every iteration.",
-  when: (_, result) => (result.convergence.residual?.values.length ?? 0) > 1,
+  when: (_, result) => (result.convergence.residual?.length ?? 0) > 1,
   draw({ sample, theme, width }) {
     const { residual, iteration } = sample.convergence;
-    const rows = Array.from(residual.values, (y, k) => ({ x: iteration?.values[k] ?? k, y })).filter(({ y }) => y > 0);
+    const rows = Array.from(residual, (y, k) => ({ x: iteration?.[k] ?? k, y })).filter(({ y }) => y > 0);
     const values = rows.map(({ y }) => y);
     const domain = decadesAround(Math.min(...values), Math.max(...values));
     return chart(theme, {

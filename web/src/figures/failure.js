@@ -4,7 +4,11 @@ import { prefixOf, text } from "../text.js";
 import { chart } from "./chart.js";
 import { withUnit } from "./tips.js";
 
-const column = (result, name) => Array.from(result.curve[name]?.values ?? []);
+/** A column of the test with the prefix that suits it: { values, unit }. */
+function column(result, name, like = name) {
+  const values = Array.from(result.curve[name] ?? []), { factor, unit } = prefixOf(Math.max(...result.curve[like]), result.curve[like].unit);
+  return { values: values.map((v) => v / factor), unit };
+}
 const hasCurve = (_, result) => result.steps > 1;
 const strainAxis = { label: "strain", unit: "10\u207b\u00b3", nice: true };
 
@@ -15,12 +19,12 @@ export const stressStrain = {
   caption: "Mean stress of the loaded row against strain, one state before every round of breaking. Dot: the step that the picture shows. A click on the curve goes there.",
   when: hasCurve,
   draw({ sample, state, theme, width }) {
-    const stress = column(sample, "stress"), { factor, prefix } = prefixOf(Math.max(...stress), "Pa");
-    const rows = column(sample, "strain").map((strain, k) => ({ x: 1e3 * strain, y: stress[k] / factor, k }));
+    const { values: stress, unit } = column(sample, "stress");
+    const rows = Array.from(sample.curve.strain, (strain, k) => ({ x: 1e3 * strain, y: stress[k], k }));
     const line = [{ x: 0, y: 0 }, ...rows];  // straight until the first bond breaks
     const svg = chart(theme, {
-      width, height: 262, x: strainAxis, y: { label: "stress", unit: `${prefix}Pa`, zero: true },
-      tips: { points: rows, by: "both", reach: Infinity, lines: [["step", ({ k }) => text.count(k + 1)], ["strain", ({ x }) => withUnit(x, strainAxis.unit)], ["stress", ({ y }) => withUnit(y, `${prefix}Pa`)]] },
+      width, height: 262, x: strainAxis, y: { label: "stress", unit, zero: true },
+      tips: { points: rows, by: "both", reach: Infinity, lines: [["step", ({ k }) => text.count(k + 1)], ["strain", ({ x }) => withUnit(x, strainAxis.unit)], ["stress", ({ y }) => withUnit(y, unit)]] },
       marks: [
         Plot.ruleY([0], { stroke: theme.rule }),
         Plot.line(line, { x: "x", y: "y", stroke: theme.weak, strokeWidth: 1.1 }),
@@ -64,12 +68,11 @@ export const energyBalance = {
   when: (_, result) => hasCurve(_, result) && result.curve.work && result.curve.elastic && result.curve.released,
   key: ({ theme }) => [{ name: "work", colour: theme.strong, values: [] }, { name: "elastic", colour: theme.materialLine[0], values: [] }, { name: "released", colour: theme.materialLine[1], values: [] }],
   draw({ sample, state, theme, width }) {
-    const work = column(sample, "work"), elastic = column(sample, "elastic"), released = column(sample, "released");
-    const { factor, prefix } = prefixOf(Math.max(...work), "J");
-    const rows = work.map((w, k) => ({ x: k + 1, work: w / factor, elastic: elastic[k] / factor, released: released[k] / factor, all: (released[k] + elastic[k]) / factor }));
+    const [{ values: work, unit }, { values: elastic }, { values: released }] = ["work", "elastic", "released"].map((name) => column(sample, name, "work"));
+    const rows = work.map((w, k) => ({ x: k + 1, work: w, elastic: elastic[k], released: released[k], all: released[k] + elastic[k] }));
     return chart(theme, {
-      width, height: 254, x: { label: "step" }, y: { label: "energy", unit: `${prefix}J/m`, zero: true },
-      tips: { points: rows.map((r) => ({ ...r, y: r.work })), lines: [["step", ({ x }) => String(x)], ...["work", "elastic", "released"].map((name) => [name, (r) => withUnit(r[name], `${prefix}J/m`)])] },
+      width, height: 254, x: { label: "step" }, y: { label: "energy", unit, zero: true },
+      tips: { points: rows.map((r) => ({ ...r, y: r.work })), lines: [["step", ({ x }) => String(x)], ...["work", "elastic", "released"].map((name) => [name, (r) => withUnit(r[name], unit)])] },
       marks: [
         Plot.areaY(rows, { x: "x", y1: 0, y2: "released", fill: theme.materialLine[1], fillOpacity: 0.5 }),
         Plot.areaY(rows, { x: "x", y1: "released", y2: "all", fill: theme.materialLine[0], fillOpacity: 0.4 }),

@@ -20,11 +20,11 @@ export const rankedForces = {
     const name = state.get("component"), force = sample.contacts[name], error = sample.contacts[`${name}_error`];
     if (!force) return null;
     const order = Array.from(force.keys()).filter((c) => Number.isFinite(force[c])).sort((a, b) => force[b] - force[a]);
-    const { factor, prefix } = prefixOf(force.reduce((most, f) => Math.max(most, Math.abs(f)), 0), "N");
+    const { factor, unit } = prefixOf(force.reduce((most, f) => Math.max(most, Math.abs(f)), 0), force.unit);
     const rows = order.map((c, k) => ({ x: k + 1, y: force[c] / factor, error: (error?.[c] ?? 0) / factor, colour: colourOf(theme, sample.isUncertain(c)), name: contactName(sample, c) }));
     return chart(theme, {
       width, height: 262,
-      x: { label: "rank", domain: [0, rows.length + 1], ticks: 6 }, y: { label: `F_{${name[1]}}`, unit: `${prefix}N`, nice: true },
+      x: { label: "rank", domain: [0, rows.length + 1], ticks: 6 }, y: { label: `F_{${name[1]}}`, unit, nice: true },
       tips: { points: rows },
       marks: [
         Plot.ruleY([0], { stroke: theme.soft, strokeWidth: 0.8 }),

@@ -14,11 +14,11 @@ export const rankedStresses = {
   draw({ sample, theme, width }) {
     const { sigma_hyd: sigma, error, material } = sample.grains;
     const order = Array.from(sigma.keys()).filter((g) => Number.isFinite(sigma[g])).sort((a, b) => sigma[a] - sigma[b]);
-    const { factor, prefix } = prefixOf(sigma.reduce((most, v) => Math.max(most, Math.abs(v) || 0), 0), "Pa");
+    const { factor, unit } = prefixOf(sigma.reduce((most, v) => Math.max(most, Math.abs(v) || 0), 0), sigma.unit);
     const rows = order.map((g, k) => ({ x: k + 1, y: -sigma[g] / factor, error: (error?.[g] || 0) / factor, colour: materialLine(theme, material[g]), name: grainName(sample, g) }));
     return chart(theme, {
       width, height: 262,
-      x: { label: "rank", domain: [0, rows.length + 1], ticks: 5 }, y: { label: "\u2212\u03c3_{hyd}", unit: `${prefix}Pa`, nice: true },
+      x: { label: "rank", domain: [0, rows.length + 1], ticks: 5 }, y: { label: "\u2212\u03c3_{hyd}", unit, nice: true },
       tips: { points: rows },
       marks: [
         Plot.ruleY([0], { stroke: theme.soft, strokeWidth: 0.8 }),

@@ -6,9 +6,9 @@ export const filmOrientations = {
   id: "film-orientations", title: "Contact orientations",
   caption: "Share of contacts between grains in sectors of 10\u00b0, over the isotropic share (dashed circle), away from the border. Film: contacts whose force changes with the load; " +
     "simulation: those at the largest load. Line: 1 + a_{c} cos 2(\u03b8 \u2212 \u03b8_{c}).",
-  when: (_, film) => Boolean(film.numbers?.contact_orientations?.film?.sectors),
+  when: (_, film) => Boolean(film.declared.at("contact_orientations.film.sectors")),
   draw({ sample, theme, width }) {
-    const { film, simulation } = sample.numbers.contact_orientations;
+    const { film, simulation } = sample.declared.at("contact_orientations");
     const list = [{ label: "film", colour: theme.strong, set: film }, { label: "simulation", colour: theme.accent, set: simulation }].filter(({ set }) => set?.sectors);
     const cell = width / list.length, radius = Math.min(0.5 * cell - 18, 110), height = 2 * radius + 96;
     const reach = Math.max(...list.map(({ set }) => reachOf(set)));

@@ -6,18 +6,21 @@ import { chart } from "./chart.js";
 import { cumulativeChart } from "./distributions.js";
 import { grainName, known, sourceName } from "./film_grains.js";
 
-/** The two to compare, as pressures over their means or in Pa: { rows, factor, prefix, about }. */
+/** How the film agrees with the simulation that is chosen, by set. */
+const agreement = ({ declared }, state) => declared.in("agreement").in(`simulation_${state.get("companion")}`).tree;
+
+/** The two to compare, as pressures over their means or in Pa: { rows, factor, shown (the unit), about }. */
 function pairs(film, state, theme) {
   const simulation = film.stresses[`simulation_${state.get("companion")}`], own = film.stresses.film, norm = state.get("over") === "mean";
   if (!simulation) return null;
-  const { factor, prefix } = norm ? { factor: 1, prefix: "" } : prefixOf(Math.max(Math.abs(own.mean), Math.abs(simulation.mean)), "Pa");
+  const { factor, unit: shown } = norm ? { factor: 1, unit: "" } : prefixOf(Math.max(Math.abs(own.mean), Math.abs(simulation.mean)), own.sigma_hyd.unit);
   const value = (source, g) => (norm ? source.sigma_norm[g] : -source.sigma_hyd[g] / factor);
   const unit = norm ? Math.abs(own.mean) : factor, rows = [];
   for (let g = 0; g < film.count; ++g) {
     const row = { x: value(simulation, g), y: value(own, g), error: (film.grains.error?.[g] || 0) / unit, colour: materialLine(theme, film.grains.material[g]), name: grainName(film, g) };
     if (Number.isFinite(row.x) && Number.isFinite(row.y)) rows.push(row);
   }
-  return { rows, factor, prefix, norm, about: film.about.agreement[`simulation_${state.get("companion")}`] ?? {} };
+  return { rows, factor, shown, norm, about: agreement(film, state) };
 }
 
 const inOrder = ({ value, error }) => {
@@ -33,15 +36,15 @@ export const againstSimulation = {
   choices: { companion: ["", [["peak_to_peak", "Peak to peak"], ["state", "Largest load"]]], over: ["", [["mean", "\u03c3_{norm}"], ["unit", "Pa"]]] },
   when: (_, film) => film.hasSimulation,
   key: ({ sample, state, theme }) => {
-    const about = sample.about.agreement[`simulation_${state.get("companion")}`] ?? {};
+    const about = agreement(sample, state);
     return sample.materials.map(({ name }, m) => ({ name, colour: materialLine(theme, m), values: about[name]?.correlation ? [["r", about[name].correlation]] : [] }));
   },
   draw({ sample, state, theme, width }) {
     const data = pairs(sample, state, theme);
     if (!data || data.rows.length === 0) return null;
-    const { rows, prefix, norm, factor, about: { all } } = data;
+    const { rows, shown: unit, norm, factor, about: { all } } = data;
     const most = 1.04 * Math.max(...rows.flatMap((r) => [r.x, r.y])), least = Math.min(0, ...rows.flatMap((r) => [r.x, r.y]));
-    const label = norm ? "\u03c3_{norm}" : "\u2212\u03c3_{hyd}", unit = norm ? "" : `${prefix}Pa`, domain = [least, most];
+    const label = norm ? "\u03c3_{norm}" : "\u2212\u03c3_{hyd}", domain = [least, most];
     const height = Math.round(Math.min(380, Math.max(240, width - 10)));
     const svg = chart(theme, {
       width, height, x: { label: `simulation, ${label}`, unit, domain, ticks: 5 }, y: { label: `film, ${label}`, unit, domain },
@@ -52,7 +55,7 @@ export const againstSimulation = {
         Plot.dot(rows, { x: "x", y: "y", fill: "colour", fillOpacity: 0.8, r: rows.length > 300 ? 1.6 : 2.2 }),
       ],
     });
-    return all?.correlation ? withCorner(svg, theme, [`r = ${inOrder(all.correlation)}`, `r.m.s. difference ${norm ? text.number(all.rms_norm, 2) : text.number(all.rms_Pa / factor, 2)}${norm ? "" : `\u202f${prefix}Pa`}`]) : svg;
+    return all?.correlation ? withCorner(svg, theme, [`r = ${inOrder(all.correlation)}`, `r.m.s. difference ${norm ? text.number(all.rms_norm, 2) : text.number(all.rms_Pa / factor, 2)}${unit && `\u202f${unit}`}`]) : svg;
   },
 };
 

@@ -6,20 +6,20 @@ const opposite = { left: "right", right: "left", bottom: "top", top: "bottom" };
 const inward = { left: 1, right: -1, bottom: 1, top: -1 };
 
 const stageOf = (sample, state) => sample.stages[sample.about.frames[state.get("frame")].stage];
-const brokenIn = (stage, kind) => stage.history[`broken_in_${kind}`]?.values;
+const brokenIn = (stage, kind) => stage.history[`broken_in_${kind}`];
 const hasBroken = (stage) => kinds.some((kind) => brokenIn(stage, kind)?.some((count) => count > 0));
 const colours = (theme) => [theme.tension, theme.mixedLine[0], theme.strong];
 
 /** Strain by the wall that moves farthest, in percent, shortening positive; the time where none moves. */
 function axisOf(stage) {
-  const positions = Object.keys(inward).map((side) => ({ side, at: stage.history[`${side}_position`].values }));
+  const positions = Object.keys(inward).map((side) => ({ side, at: stage.history[`${side}_position`] }));
   const way = ({ at }) => Math.abs(at[at.length - 1] - at[0]);
   const { side, at } = positions.reduce((most, one) => (way(one) > way(most) ? one : most));
   if (!(way({ at }) > 1e-9)) {
-    const time = stage.history.time.values;
-    return { label: "time", unit: "s", values: Array.from(time, (t) => t - time[0]) };
+    const { time } = stage.history;
+    return { label: "time", unit: time.unit, values: Array.from(time, (t) => t - time[0]) };
   }
-  const length = Math.abs(at[0] - stage.history[`${opposite[side]}_position`].values[0]);
+  const length = Math.abs(at[0] - stage.history[`${opposite[side]}_position`][0]);
   return { label: `strain by the ${side} wall`, short: "strain", unit: "%", values: Array.from(at, (x) => (100 * inward[side] * (x - at[0])) / length) };
 }
 

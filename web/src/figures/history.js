@@ -7,12 +7,12 @@ const sides = ["bottom", "top", "left", "right"];
 /** The stage of the state that is shown. */
 export const stageOf = (sample, state) => sample.stages[sample.about.frames[state.get("frame")].stage];
 
-/** The columns of these names of one stage: { name, rows: [{ x: time since the stage began, s; y }] }. */
+/** The columns of these names of one stage: { name, unit, rows: [{ x: time since the stage began, s; y }] }. */
 function columns(stage, names) {
-  const time = stage.history.time?.values;
+  const { time } = stage.history;
   if (!time || time.length < 2) return [];
   return names.filter((name) => stage.history[name])
-    .map((name) => ({ name, rows: Array.from(stage.history[name].values, (y, k) => ({ x: time[k] - time[0], y })) }));
+    .map((name) => ({ name, unit: stage.history[name].unit, rows: Array.from(stage.history[name], (y, k) => ({ x: time[k] - time[0], y })) }));
 }
 
 const anyStageHas = (sample, names) => sample.stages.some((stage) => columns(stage, names).length > 0);
@@ -24,11 +24,11 @@ function lineColours(theme) {
 const dashes = [null, "6 3", null, "6 3"];
 
 function now(sample, state, theme) {
-  const start = stageOf(sample, state).history.time.values[0];
+  const start = stageOf(sample, state).history.time[0];
   return Plot.ruleX([Math.max(0, sample.about.frames[state.get("frame")].time - start)], { stroke: theme.accent, strokeWidth: 1.25 });
 }
 
-const timeAxis = (sample, state) => ({ label: `time in \u201c${stageOf(sample, state).name}\u201d`, short: "time", unit: "s", ticks: 5 });
+const timeAxis = (sample, state) => ({ label: `time in \u201c${stageOf(sample, state).name}\u201d`, short: "time", unit: stageOf(sample, state).history.time.unit, ticks: 5 });
 
 /** The points of lines for tips: { rows, name }. */
 const pointsOf = (lines) => lines.flatMap(({ rows, name }) => rows.map((r) => ({ ...r, name })));
@@ -42,10 +42,10 @@ export const wallForces = {
     const lines = columns(stageOf(sample, state), sides.map((side) => `${side}_force`));
     if (lines.length === 0) return null;
     const largest = Math.max(...lines.flatMap(({ rows }) => rows.map((r) => Math.abs(r.y))));
-    const { factor, prefix } = prefixOf(largest, "N");
+    const { factor, unit } = prefixOf(largest, lines[0].unit);
     return chart(theme, {
       width, height: 254,
-      x: timeAxis(sample, state), y: { label: "force", unit: `${prefix}N` },
+      x: timeAxis(sample, state), y: { label: "force", unit },
       tips: { points: pointsOf(lines.map(({ rows, name }) => ({ name: name.replace("_force", " wall"), rows: rows.map(({ x, y }) => ({ x, y: y / factor })) }))) },
       marks: [now(sample, state, theme), ...lines.map(({ rows, name }) => {
         const k = sides.findIndex((side) => name.startsWith(side));
@@ -59,7 +59,7 @@ const stored = [["elastic", "elastic"], ["kinetic", "kinetic"], ["dissipated_fri
 
 function energyLines(stage) {
   return columns(stage, stored.map(([name]) => name))
-    .map((line) => ({ label: stored.find(([name]) => name === line.name)[1], rows: line.rows.filter((r) => r.y > 0) }))
+    .map((line) => ({ label: stored.find(([name]) => name === line.name)[1], unit: line.unit, rows: line.rows.filter((r) => r.y > 0) }))
     .filter((line) => line.rows.length > 1);
 }
 
@@ -76,7 +76,7 @@ export const energies = {
     const domain = decadesAround(low, high);
     return chart(theme, {
       width, height: 254,
-      x: timeAxis(sample, state), y: { ...logAxis("energy", domain), unit: "J", clamp: true },
+      x: timeAxis(sample, state), y: { ...logAxis("energy", domain), unit: lines[0].unit, clamp: true },
       tips: { points: pointsOf(lines.map(({ label, rows }) => ({ name: label, rows: rows.filter((r) => r.y >= domain[0]) }))) },
       marks: [now(sample, state, theme), ...lines.map(({ rows }, k) => Plot.line(rows.filter((r) => r.y >= domain[0]), { x: "x", y: "y", stroke: lineColours(theme)[k], strokeWidth: 1.5 }))],
     });
@@ -113,8 +113,8 @@ export const forceDisplacement = {
     const stage = stageOf(sample, state), moving = movingWall(stage);
     if (!moving) return null;
     const { side, inward } = moving;
-    const { values: position } = stage.history[`${side}_position`], { values: force } = stage.history[`${side}_force`];
-    const { factor, prefix } = prefixOf(force.reduce((most, f) => Math.max(most, Math.abs(f)), 0), "N");
+    const position = stage.history[`${side}_position`], force = stage.history[`${side}_force`];
+    const { factor, unit } = prefixOf(force.reduce((most, f) => Math.max(most, Math.abs(f)), 0), force.unit);
     const point = (x, f) => ({ x: 1e3 * inward * (x - position[0]), y: f / factor });
     const curve = Array.from(position, (x, k) => point(x, force[k]));
     const wall = ["left", "right", "bottom", "top"].indexOf(side);
@@ -122,7 +122,7 @@ export const forceDisplacement = {
       .map(({ frame: { domain: { walls } }, k }) => ({ ...point(walls[wall].position, walls[wall].force), here: k === state.get("frame") }));
     return chart(theme, {
       width, height: 254,
-      x: { label: `displacement of the ${side} wall`, short: "displacement", unit: "mm" }, y: { label: "force", unit: `${prefix}N` },
+      x: { label: `displacement of the ${side} wall`, short: "displacement", unit: "mm" }, y: { label: "force", unit },
       tips: { points: curve, by: "both", reach: 200 },
       marks: [
         Plot.line(curve, { x: "x", y: "y", stroke: theme.weak, strokeWidth: 1.1 }),
@@ -135,7 +135,7 @@ export const forceDisplacement = {
 function movingWall(stage) {
   let best = null;
   for (const [side, inward] of [["left", 1], ["right", -1], ["bottom", 1], ["top", -1]]) {
-    const position = stage.history[`${side}_position`]?.values;
+    const position = stage.history[`${side}_position`];
     if (!position || position.length < 2 || !stage.history[`${side}_force`]) continue;
     const way = Math.abs(position.at(-1) - position[0]);
     if (way > (best?.way ?? 1e-9)) best = { side, inward, way };

@@ -1,4 +1,5 @@
 import * as Plot from "@observablehq/plot";
+import { inWords } from "../declared.js";
 import { prefixOf } from "../text.js";
 import { chart, sideBySide } from "./chart.js";
 import { stageOf } from "./history.js";
@@ -30,9 +31,9 @@ export function stageWithCurves(sample, state) {
 
 /** The stress of a test without confinement or in tension: its ratio says nothing, and its volume is not that of the box. */
 function uniaxial(test, factor) {
-  const { factor: size, prefix } = prefixOf(Math.max(...Array.from(test.ratio, Math.abs)), "Pa");
+  const { factor: size, unit } = prefixOf(Math.max(...Array.from(test.ratio, Math.abs)), test.ratio.unit);
   return {
-    strain: { label: test.strain_name, unit: "%" }, ratioLabel: ratioLabels.axial_stress, ratioUnit: `${prefix}Pa`,
+    strain: { label: test.strain_name, unit: "%" }, ratioLabel: ratioLabels.axial_stress, ratioUnit: unit,
     ratio: Array.from(test.strain, (x, k) => ({ x: factor * x, y: test.ratio[k] / size })).filter(({ y }) => Number.isFinite(y)),
   };
 }
@@ -40,11 +41,11 @@ function uniaxial(test, factor) {
 /** A number of the critical state with half its 95 % interval as error. */
 const half = ({ value, low_95: low, high_95: high }) => ({ value, low, high, error: (high - low) / 2 });
 
-/** What a stage's critical state says, for the headlines: [[name, symbol, { value, error }]]; none without one. */
+/** What a stage's critical state says, for the headlines; none without one. */
 export function criticalTiles(stage) {
   const curves = curvesOf(stage);
   if (!curves?.critical) return [];
-  return [["critical state, 95 %", curves.symbol, curves.critical.ratio], ["critical state, 95 %", "\u03c6", curves.critical.solid]];
+  return [[curves.symbol, curves.critical.ratio], ["\u03c6", curves.critical.solid]].map(([symbol, number]) => ({ words: "critical state, 95\u202f%", symbol, ...inWords(number, "") }));
 }
 
 /** The curve thinned to means over about as many stretches as can be told apart. */
@@ -109,11 +110,10 @@ export const discharge = {
   draw({ sample, state, theme, width }) {
     const { time, passed_mass: mass } = stageOf(sample, state).history;
     if (!mass) return null;
-    const { factor, prefix } = prefixOf(1e3 * Math.max(...mass.values, 1e-12), "g");
-    const points = Array.from(mass.values, (m, k) => ({ x: time.values[k] - time.values[0], y: (1e3 * m) / factor }));
+    const points = Array.from(mass, (m, k) => ({ x: time[k] - time[0], y: m }));
     return chart(theme, {
       width, height: 236,
-      x: { label: "time", unit: "s", ticks: 5 }, y: { label: "mass passed", unit: `${prefix}g` }, tips: { points },
+      x: { label: "time", unit: time.unit, ticks: 5 }, y: { label: "mass passed", unit: mass.unit }, tips: { points },
       marks: [Plot.line(points, { x: "x", y: "y", stroke: theme.strong, strokeWidth: 1.7 })],
     });
   },

@@ -52,7 +52,7 @@ function lineKey(film, camera, theme, state) {
     film.materials.forEach(({ name }, m) => add((at) => s("circle", { cx: at + 13, cy: 0, r: 5.5, fill: "none", stroke: materialLine(theme, m), "stroke-width": 2 }), name));
   if (state.get("forces") && film.hasForces) {
     const stroke = Math.min(10, Math.max(1, barWidth(film, film.meanForce) * camera.scale));
-    add((at) => s("line", { x1: at + 5, x2: at + 17, y1: 0, y2: 0, stroke: theme.strong, "stroke-width": stroke, "stroke-linecap": "round" }), `\u27e8F_{n}\u27e9 = ${text.quantity(film.meanForce, "N")}`);
+    add((at) => s("line", { x1: at + 5, x2: at + 17, y1: 0, y2: 0, stroke: theme.strong, "stroke-width": stroke, "stroke-linecap": "round" }), `\u27e8F_{n}\u27e9 = ${text.quantity(film.meanForce, film.contacts.fn.unit)}`);
     add((at) => s("line", { x1: at, x2: at + 22, y1: 0, y2: 0, stroke: theme.strong, "stroke-width": 1.3, "stroke-dasharray": "3 4" }), "may be absent");
   }
   if (state.get("motion") && film.grains.motion_x)

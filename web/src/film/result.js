@@ -1,11 +1,10 @@
-import { unpack } from "../block.js";
+import { unpack, unpacked } from "../block.js";
+import { Numbers, valueOf } from "../declared.js";
 import { decodeField } from "../field/decode.js";
 import { maps } from "./maps.js";
 
 /** Probability from which a contact is there without doubt. */
 const sure = 0.95;
-
-const arraysOf = (about, block) => Object.fromEntries(Object.entries(about ?? {}).map(([name, value]) => [name, value?.at === undefined ? value : unpack(block, value)]));
 
 /** A film of a loaded packing: maps are decoded when first asked for; grains in pixels, y down. */
 export class FilmResult {
@@ -14,15 +13,12 @@ export class FilmResult {
 
   constructor(about, block, title) {
     this.#block = block;
-    Object.assign(this, { about, title, name: about.name, numbers: about.numbers, materials: about.materials, frame: about.frame });
+    Object.assign(this, { about, title, name: about.name, declared: new Numbers(about.numbers, about.meanings), materials: about.materials, frame: about.frame });
     this.width = about.film.width;
     this.height = about.film.height;
-    this.grains = arraysOf(about.grains, block);
-    this.contacts = arraysOf(about.contacts, block);
-    this.bad = unpack(block, about.bad);
-    this.stresses = Object.fromEntries(Object.entries(about.stresses).map(([name, s]) => [name, { ...s, sigma_hyd: unpack(block, s.sigma_hyd), sigma_norm: unpack(block, s.sigma_norm) }]));
-    const stated = about.numbers?.forces?.mean_N;
-    this.meanForce = stated?.value ?? stated ?? meanOf(this.contacts.fn ?? [], (force, c) => force > 0 && !this.isUncertain(c));
+    for (const name of ["grains", "contacts", "bad", "stresses"]) this[name] = unpacked(block, about[name]);
+    for (const [name, source] of Object.entries(this.stresses)) source.statistics = about.numbers.stresses[name];
+    this.meanForce = valueOf(this.declared.at("forces.mean_N")) ?? meanOf(this.contacts.fn ?? [], (force, c) => force > 0 && !this.isUncertain(c));
     this.meanRadius = meanOf(this.grains.radius ?? [], () => true) || 1;
   }
 
@@ -35,7 +31,7 @@ export class FilmResult {
   get hasForces() { return this.contacts.count > 0 && this.contacts.fn?.some((force) => force !== 0); }
   get hasSimulation() { return Boolean(this.stresses.film && (this.stresses.simulation_peak_to_peak || this.stresses.simulation_state)); }
   get box() { return { left: -0.5, right: this.width - 0.5, bottom: 0.5 - this.height, top: 0.5 }; }
-  unitOf(map) { return maps[map].unit === "K" ? this.about.film.unit : maps[map].unit; }
+  unitOf(map) { return maps[map].unit ?? this.about.maps[maps[map].stored].unit; }
 
   /** A contact that counts as there, and by its force and its gap may not be. */
   isUncertain(c) { return (this.contacts.presence?.[c] ?? 1) < sure; }

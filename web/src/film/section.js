@@ -1,8 +1,8 @@
 import { h } from "../dom.js";
 import { figureCard } from "../figures/card.js";
-import { resultNumbers } from "../field/numbers.js";
 import { filmFigures } from "../figures/index.js";
-import { textureCard } from "../numbers.js";
+import { resultNumbers } from "../numbers.js";
+import { textureCard } from "../packing/texture.js";
 import { State } from "../state.js";
 import { filmHeadlines } from "./headlines.js";
 import { comparisonNumbers } from "./numbers.js";
@@ -24,7 +24,7 @@ export function filmSection(film, page) {
   page.watch(["theme"], () => state.set({ theme: page.get("theme") }));
   const { panel, view } = available(film).length ? filmPanel(film, state) : { panel: h("section", { class: "card" }, h("p", { class: "nothing" }, "This film has no maps.")), view: null };
   const cards = filmFigures.filter((figure) => figure.when({}, film)).map((figure) => figureCard(figure, film, state));
-  const element = h("div", {}, h("main", {}, panel, h("div", { class: "results" }, filmHeadlines(film), h("div", { class: "figures" }, cards), missing(film))), [comparisonNumbers(film), film.numbers?.texture && textureCard("Microstructure and forces", { ...film.numbers.texture, meanings: film.about.texture_meanings }, film.materials), resultNumbers(film)]);
+  const element = h("div", {}, h("main", {}, panel, h("div", { class: "results" }, filmHeadlines(film), h("div", { class: "figures" }, cards), missing(film))), [comparisonNumbers(film), film.declared.at("texture") && textureCard("Microstructure and forces", film.declared.in("texture")), resultNumbers(film.declared)]);
   return { element, state, view, film };
 }
 
@@ -36,6 +36,6 @@ function missing(film) {
     film.count > 0 && !film.hasForces && "Contact forces were not inferred.",
     film.stresses.film && !film.hasSimulation && "No simulation of the same grains accompanies this film.",
   ].filter(Boolean);
-  for (const doubt of film.numbers?.checks?.doubts ?? []) sentences.push(`${doubt[0].toUpperCase()}${doubt.slice(1)}.`);
+  for (const doubt of film.declared.at("checks.doubts") ?? []) sentences.push(`${doubt[0].toUpperCase()}${doubt.slice(1)}.`);
   return sentences.length ? h("p", { class: "caption missing" }, sentences.join(" ")) : null;
 }

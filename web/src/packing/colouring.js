@@ -1,6 +1,6 @@
 import { prefixOf } from "../text.js";
 import { bytes, materialColour } from "../theme.js";
-import { quantities, topOf, valuesOf } from "./quantities.js";
+import { quantities, topOf, unitOf, valuesOf } from "./quantities.js";
 import { shareOf } from "./scale.js";
 
 /** How far grains fade towards the background while force chains lie over them. */
@@ -51,11 +51,11 @@ export function scaleOf(sample, state, mode = state.get("colour")) {
   const { range, map, closed, title } = colourings[mode];
   if (!range) return null;
   const [least, most] = range(sample), chosen = state.get("scales")?.[mode] ?? {};
-  const { factor, prefix } = prefixOf(Math.max(Math.abs(least), Math.abs(most)), quantities[mode].unit);
+  const { factor, unit } = prefixOf(Math.max(Math.abs(least), Math.abs(most)), unitOf(mode, sample));
   const high = chosen.high ?? most, log = Boolean(chosen.log) && high > 0;
   let low = chosen.low ?? least;
   if (log && !(low > 0 && low < high)) low = high / 10 ** decadesOfLog;
-  return { low, high, log, map: chosen.map ?? map, open: !closed || chosen.high !== undefined, title: title ?? quantities[mode].label, factor, unit: prefix + quantities[mode].unit };
+  return { low, high, log, map: chosen.map ?? map, open: !closed || chosen.high !== undefined, title: title ?? quantities[mode].label, factor, unit };
 }
 
 function extent(values) {

@@ -1,7 +1,7 @@
 import { h, rich } from "../dom.js";
 import { fileName, saveText } from "../save.js";
 import { prefixOf, text } from "../text.js";
-import { knownQuantities, topOf, valuesOf } from "./quantities.js";
+import { knownQuantities, topOf, unitOf, valuesOf } from "./quantities.js";
 
 const rowHeight = 25, spare = 8;  // px; rows beyond either end of what is seen
 
@@ -11,9 +11,9 @@ function columnsOf(sample) {
     { key: "id", head: "grain", unit: "", si: "", factor: 1, of: () => (g) => sample.id[g], write: String },
     { key: "material", head: "material", unit: "", si: "", factor: 1, of: () => (g) => sample.name(g), write: String },
   ];
-  return [...names, ...knownQuantities(sample).map(([key, { symbol, label, unit }]) => {
-    const { factor, prefix } = prefixOf(topOf(key, sample), unit);
-    return { key, head: symbol, label, unit: prefix + unit, si: unit, factor, write: (v) => (key === "coordination" ? String(v) : text.number(v / factor)), of: (frame) => {
+  return [...names, ...knownQuantities(sample).map(([key, { symbol, label }]) => {
+    const si = unitOf(key, sample), { factor, unit } = prefixOf(topOf(key, sample), si);
+    return { key, head: symbol, label, unit, si, factor, write: (v) => (key === "coordination" ? String(v) : text.number(v / factor)), of: (frame) => {
       const values = valuesOf(key, sample, frame);
       return (g) => values[g];
     } };

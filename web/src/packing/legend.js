@@ -59,7 +59,7 @@ function chainKey(sample, frame, camera, theme, width) {
     group.append(s("line", { x1: x, x2: x + 20, y1: 53, y2: 53, stroke: colour, "stroke-width": stroke, "stroke-linecap": "round" }), label(x + 29, 53, name));
     x += 46 + 6.4 * name.length;
   }
-  const mean = `F_{n} > \u27e8F_{n}\u27e9 = ${text.quantity(frame.meanForce, "N")}`;
+  const mean = `F_{n} > \u27e8F_{n}\u27e9 = ${text.quantity(frame.meanForce, frame.contacts.fn.unit)}`;
   group.append(label(x + 2, 53, width < 480 ? mean : `thickness \u221d F_{n};  strong: ${mean}`));
   return group;
 }

@@ -1,30 +1,30 @@
-/** What is known of every grain in a state. A member gives: `label` in words, `symbol`, `unit` (SI), `find(sample, frame)` = array by
-    grain, `when(sample)` = is it known (always unless given). Colours, the table, the scatter and what the pointer tells are made from these;
+/** What is known of every grain in a state. A member gives: `label` in words, `symbol`, `find(sample, frame)` = array by grain, `like` = the array of
+    the document whose unit it has, where it has one, `when(sample)` = is it known (always unless given). Colours, the table, the scatter and what the pointer tells are made from these;
     a new one is one more row. */
 export const quantities = {
-  x: { label: "Place along x", symbol: "x", unit: "m", find: (sample, frame) => frame.x },
-  y: { label: "Place along y", symbol: "y", unit: "m", find: (sample, frame) => frame.y },
-  size: { label: "Diameter", symbol: "d", unit: "m", find: (sample) => sample.radius.map((r) => 2 * r) },
-  coordination: { label: "Contacts", symbol: "z", unit: "", find: (sample, frame) => byGrain(sample, (g) => sample.coordination(frame, g)) },
-  pressure: { label: "Pressure of grains", symbol: "p", unit: "Pa", find: (sample, frame) => frame.pressure },
-  deviator: { label: "Deviator of grains", symbol: "q", unit: "Pa", when: has("deviator"), find: (sample, frame) => frame.deviator },
-  stress: { label: "Stress over its mean", symbol: "\u03c3_{norm}", unit: "", find: (sample, frame) => frame.sigmaNorm },
+  x: { label: "Place along x", symbol: "x", like: "x", find: (sample, frame) => frame.x },
+  y: { label: "Place along y", symbol: "y", like: "y", find: (sample, frame) => frame.y },
+  size: { label: "Diameter", symbol: "d", like: "radius", find: (sample) => sample.radius.map((r) => 2 * r) },
+  coordination: { label: "Contacts", symbol: "z", find: (sample, frame) => byGrain(sample, (g) => sample.coordination(frame, g)) },
+  pressure: { label: "Pressure of grains", symbol: "p", like: "pressure", find: (sample, frame) => frame.pressure },
+  deviator: { label: "Deviator of grains", symbol: "q", like: "deviator", when: has("deviator"), find: (sample, frame) => frame.deviator },
+  stress: { label: "Stress over its mean", symbol: "\u03c3_{norm}", find: (sample, frame) => frame.sigmaNorm },
   friction: {
     label: "Mobilised friction, mean |F_{t}|/F_{n}", symbol: "|F_{t}|/F_{n}", unit: "",
     when: (sample) => sample.frame(sample.frameCount - 1).contacts.ft?.some((force) => force !== 0), find: mobilisations,
   },
   displacement: {
-    label: "Displacement in the stage", symbol: "|u|", unit: "m", when: (sample) => sample.frameCount > 1,
+    label: "Displacement in the stage", symbol: "|u|", like: "x", when: (sample) => sample.frameCount > 1,
     find: (sample, frame) => displacements(sample, frame).map(([ux, uy]) => Math.hypot(ux, uy)),
   },
   rotation: {
-    label: "Rotation in the stage", symbol: "\u03b8", unit: "rad", when: (sample) => sample.frameCount > 1,
+    label: "Rotation in the stage", symbol: "\u03b8", like: "angle", when: (sample) => sample.frameCount > 1,
     find: (sample, frame) => frame.angle.map((angle, g) => angle - startOf(sample, frame).angle[g]),
   },
-  speed: { label: "Velocity", symbol: "|v|", unit: "m/s", when: has("vx"), find: (sample, frame) => byGrain(sample, (g) => Math.hypot(frame.vx[g], frame.vy[g])) },
-  vx: { label: "Velocity along x", symbol: "v_{x}", unit: "m/s", when: has("vx"), find: (sample, frame) => frame.vx },
-  vy: { label: "Velocity along y", symbol: "v_{y}", unit: "m/s", when: has("vx"), find: (sample, frame) => frame.vy },
-  spin: { label: "Angular velocity", symbol: "\u03c9", unit: "rad/s", when: has("spin"), find: (sample, frame) => frame.spin },
+  speed: { label: "Velocity", symbol: "|v|", like: "vx", when: has("vx"), find: (sample, frame) => byGrain(sample, (g) => Math.hypot(frame.vx[g], frame.vy[g])) },
+  vx: { label: "Velocity along x", symbol: "v_{x}", like: "vx", when: has("vx"), find: (sample, frame) => frame.vx },
+  vy: { label: "Velocity along y", symbol: "v_{y}", like: "vy", when: has("vx"), find: (sample, frame) => frame.vy },
+  spin: { label: "Angular velocity", symbol: "\u03c9", like: "omega", when: has("omega"), find: (sample, frame) => frame.omega },
 };
 
 /** The values of a quantity in a state, kept with it. */
@@ -32,6 +32,9 @@ export function valuesOf(name, sample, frame) {
   frame.values ??= {};
   return (frame.values[name] ??= quantities[name].find(sample, frame));
 }
+
+/** Its SI unit; empty: it has none. */
+export const unitOf = (name, sample) => (quantities[name].like ? sample.unitOf(quantities[name].like) : "");
 
 /** Those that are known of a sample: [[name, quantity]]. */
 export const knownQuantities = (sample) => Object.entries(quantities).filter(([, quantity]) => quantity.when?.(sample) ?? true);

@@ -3,12 +3,12 @@ import { h } from "../dom.js";
 import { figureCard } from "../figures/card.js";
 import { layers } from "../figures/coarse_fields.js";
 import { figures } from "../figures/index.js";
-import { headlines, numbersTable } from "../numbers.js";
 import { State } from "../state.js";
 import { colouringsOf } from "./colouring.js";
 import { grainTable } from "./grain_table.js";
 import { packingPanel } from "./panel.js";
 import { knownQuantities } from "./quantities.js";
+import { numbersTable, packingHeadlines } from "./texture.js";
 
 function begin(sample, page) {
   return new State({
@@ -45,6 +45,6 @@ export function packingSection(sample, page) {
   const drawable = figures.filter((figure) => figure.when(texture ?? {}, sample));
   const { panel, view } = packingPanel(sample, state);
   const cards = h("div", { class: "figures" }, drawable.map((figure) => figureCard(figure, sample, state)));
-  const element = h("div", {}, h("main", {}, panel, h("div", { class: "results" }, headlines(sample, state), cards)), numbersTable(sample, state), grainTable(sample, state));
+  const element = h("div", {}, h("main", {}, panel, h("div", { class: "results" }, packingHeadlines(sample, state), cards)), numbersTable(sample, state), grainTable(sample, state));
   return { element, sample, state, view };
 }
