@@ -11,9 +11,7 @@
 namespace arenite::report {
 namespace {
 
-using statistics::Declared;
 using statistics::described;
-using statistics::tree_of;
 
 std::string made_by(const Provenance& p) {
   const std::string title = recipe::title_in(p.recipe);
@@ -27,23 +25,25 @@ Numbers provenance(const Provenance& p) {
   return j;
 }
 
-constexpr Declared<Wall> wall_numbers[] = {{"position_m", "m", "", &Wall::position},
-                                           {"velocity_m_s", "m/s", "", &Wall::velocity},
-                                           {"force_N", "N", "Of the grains on the wall", &Wall::force},
-                                           {"shear_force_N", "N", "Along the wall", &Wall::shear_force}};
-
-constexpr Declared<Equilibrium> equilibrium_numbers[] = {
-    {"unbalanced_ratio", "", "Mean resultant force on a grain over the mean contact force", &Equilibrium::unbalanced_ratio},
-    {"kinetic_ratio", "", "Kinetic over elastic energy", &Equilibrium::kinetic_ratio},
-    {"loose_kinetic_ratio", "", "The same of grains that carry nothing", &Equilibrium::loose_kinetic},
-    {"falling", "", "Share of grains that fall", &Equilibrium::falling},
-    {"mobilisation", "", "Mean |F_t|/F_n", &Equilibrium::mobilisation},
-    {"wall_speed_m_s", "m/s", "Of the fastest wall or boundary", &Equilibrium::wall_speed}};
+Numbers equilibrium(const Equilibrium& now) {
+  return {{"unbalanced_ratio", described(now.unbalanced_ratio, "", "Mean resultant force on a grain over the mean contact force")},
+          {"kinetic_ratio", described(now.kinetic_ratio, "", "Kinetic over elastic energy")},
+          {"loose_kinetic_ratio", described(now.loose_kinetic, "", "The same of grains that carry nothing")},
+          {"falling", described(now.falling, "", "Fraction of grains that are falling")},
+          {"mobilisation", described(now.mobilisation, "", "Mean |F_t|/F_n")},
+          {"wall_speed_m_s", described(now.wall_speed, "m/s", "Speed of the fastest wall or boundary")}};
+}
 
 Numbers walls(const Domain& domain) {
   Numbers j = Numbers::tree();
-  for (std::size_t side = 0; side < domain.wall.size(); ++side)
-    if (domain.wall[side].present) j[side_names[side]] = tree_of(domain.wall[side], wall_numbers);
+  for (std::size_t side = 0; side < domain.wall.size(); ++side) {
+    const Wall& wall = domain.wall[side];
+    if (!wall.present) continue;
+    j[side_names[side]] = {{"position_m", described(wall.position, "m", "Position along the normal of the wall")},
+                           {"velocity_m_s", described(wall.velocity, "m/s", "Velocity along the normal of the wall")},
+                           {"force_N", described(wall.force, "N", "Normal force of the grains on the wall")},
+                           {"shear_force_N", described(wall.shear_force, "N", "Force of the grains along the wall")}};
+  }
   return j;
 }
 
@@ -51,11 +51,11 @@ Numbers boundaries(const Domain& domain) {
   Numbers j = Numbers::tree();
   for (const Boundary& b : domain.boundaries)
     j[b.name] = {{"present", b.present},
-                 {"centre_m", described({b.centre.x, b.centre.y}, "m", "")},
-                 {"velocity_m_s", described({b.velocity.x, b.velocity.y}, "m/s", "")},
+                 {"centre_m", described({b.centre.x, b.centre.y}, "m", "Centre, which moves with the boundary")},
+                 {"velocity_m_s", described({b.velocity.x, b.velocity.y}, "m/s", "Velocity of the centre")},
                  {"spin_rad_s", described(b.spin, "rad/s", "Counter-clockwise")},
                  {"force_N", described({b.force.x, b.force.y}, "N", "Of the grains on it, along x and y")},
-                 {"torque_N_m", described(b.torque, "N m", "")}};
+                 {"torque_N_m", described(b.torque, "N m", "Torque of the grains about the centre")}};
   return j;
 }
 
@@ -66,7 +66,7 @@ Numbers state(const Frame& frame) {
             {"time_s", described(frame.time, "s", "Time since the run began")},
             {"step", described(frame.step, "", "Steps since the run began")},
             {"walls", walls(frame.packing.domain)},
-            {"equilibrium", tree_of(frame.equilibrium, equilibrium_numbers)},
+            {"equilibrium", equilibrium(frame.equilibrium)},
             {"energies_J", energies}};
   if (!frame.packing.domain.boundaries.empty()) j["boundaries"] = boundaries(frame.packing.domain);
   return j;
