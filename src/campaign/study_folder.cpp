@@ -151,7 +151,7 @@ void keep_numbers(const fs::path& run, const Numbers& numbers) {
   io::write_numbers_file(run / "numbers.hdf5", numbers);
 }
 
-Numbers numbers_of(const fs::path& run) { return io::read_numbers_file(run / "numbers.hdf5", run / "numbers.json"); }
+Numbers numbers_of(const fs::path& run) { return io::read_numbers_file(run / "numbers.hdf5"); }
 
 RunResult result_of(const StudyFolder& folder, const StudyRun& run) {
   RunResult result;

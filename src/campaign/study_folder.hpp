@@ -42,7 +42,7 @@ void note_state(const io::AppendLog& journal, const std::string& run, const RunS
 void write_status(const StudyFolder& folder, const std::string& run, const RunState& state);
 std::optional<RunState> read_status(const StudyFolder& folder, const std::string& run);
 
-/// Keeps the numbers of a run in its folder, and what is kept there; not known if there is nothing. Of runs by version 0.1 it is JSON.
+/// Keeps the numbers of a run in its folder, and what is kept there; not known if there is nothing.
 void keep_numbers(const std::filesystem::path& run, const Numbers& numbers);
 Numbers numbers_of(const std::filesystem::path& run);
 

@@ -14,8 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What is kept of a run's film; not known where there is none. Of films by version 0.1 it is JSON.
-Numbers read(const fs::path& run) { return io::read_numbers_file(run / "virtual-film.hdf5", run / "virtual-film.json"); }
+/// What is kept of a run's film; not known where there is none.
+Numbers read(const fs::path& run) { return io::read_numbers_file(run / "virtual-film.hdf5"); }
 
 Packing state_of(const fs::path& run, const std::string& stage) {
   if (auto state = workflow::last_state(run, stage)) return std::move(*state);

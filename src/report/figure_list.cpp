@@ -7,10 +7,10 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "core/error.hpp"
 #include "core/mapped.hpp"
-#include "io/results/results.hpp"
 #include "recipe/document.hpp"
 
 namespace arenite::report {
@@ -128,15 +128,31 @@ void read_each(Table& table, const char* key, const std::string& file, std::vect
   }
 }
 
+/// What numbers were called in version 0.1, and are called now.
+constexpr std::pair<std::string_view, std::string_view> former_names[] = {{"twin", "simulation"},
+                                                                          {"raster", "grid"},
+                                                                          {"even_pdf", "histogram"},
+                                                                          {"own_even_pdf", "own_histogram"},
+                                                                          {"directions", "contact_orientations"},
+                                                                          {"joints", "necks"},
+                                                                          {"lost_joints", "lost_necks"},
+                                                                          {"thinnest_joint_nodes", "thinnest_neck_nodes"},
+                                                                          {"identity_defect", "reaction_balance_error"},
+                                                                          {"energy_defect", "energy_balance_error"},
+                                                                          {"share_above_mean", "fraction_above_mean"},
+                                                                          {"share_above_own_mean", "fraction_above_own_mean"},
+                                                                          {"share_above_sample_mean", "fraction_above_sample_mean"},
+                                                                          {"share_above_mean_of_all", "fraction_above_mean_of_all"}};
+
 /// Numbers under their names of now, each step of a dotted path.
 void rename_former(std::vector<std::string*> paths, std::vector<std::string>& notices) {
   for (std::string* path : paths)
     for (std::size_t begin = 0; begin < path->size(); begin = std::min(path->find('.', begin), path->size() - 1) + 1) {
       const std::string step = path->substr(begin, path->find('.', begin) - begin);
-      const std::string_view now = io::number_name_now(step);
-      if (now == step) continue;
-      recipe::note_former_name(notices, step, now);
-      path->replace(begin, step.size(), now);
+      const auto* const known = std::ranges::find(former_names, step, [](const auto& names) { return names.first; });
+      if (known == std::end(former_names)) continue;
+      recipe::note_former_name(notices, step, known->second);
+      path->replace(begin, step.size(), known->second);
     }
 }
 

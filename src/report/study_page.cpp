@@ -204,6 +204,6 @@ void write_study_page(const fs::path& path, const StudyPage& page) {
   io::write_atomically(path, html_of(document));
 }
 
-Numbers figures_on(const fs::path& page) { return io::read_numbers_file(numbers_beside(page), {}); }
+Numbers figures_on(const fs::path& page) { return io::read_numbers_file(numbers_beside(page)); }
 
 }  // namespace arenite::report

@@ -2,23 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/mapped.hpp"
 #include "statistics/jackknife.hpp"
 
 namespace arenite::statistics {
 
-double Counts::total() const {
-  double sum = below + above;
-  for (const double c : in) sum += c;
-  return sum;
-}
+double total(const Counts& counts) { return std::accumulate(counts.begin(), counts.end(), 0.0); }
 
 Counts BlockCounts::without(std::size_t b) const {
   Counts rest = all;
-  for (std::size_t k = 0; k < rest.in.size(); ++k) rest.in[k] -= block[b].in[k];
-  rest.below -= block[b].below;
-  rest.above -= block[b].above;
+  for (std::size_t k = 0; k < rest.size(); ++k) rest[k] -= block[b][k];
   return rest;
 }
 
@@ -33,48 +28,44 @@ Bins pdf_bins(std::size_t n, const Spread& s) {
 }
 
 BlockCounts count(const BlockedSample& sample, const Bins& bins) {
-  const std::size_t row = bins.count + 2, blocks = static_cast<std::size_t>(sample.blocks);
-  std::vector<std::uint32_t> tally(row * blocks, 0);
+  const Counts none(bins.count + 2, 0.0);
+  BlockCounts result{bins, none, std::vector<Counts>(static_cast<std::size_t>(sample.blocks), none)};
   const double scale = bins.count ? 1 / bins.width : 0, top = static_cast<double>(bins.count);
   for (std::size_t i = 0; i < sample.x.size(); ++i) {
     const double k = std::clamp((sample.x[i] - bins.low) * scale, -1.0, top);
-    ++tally[sample.block[i] * row + static_cast<std::size_t>(k + 1)];
+    ++result.block[sample.block[i]][static_cast<std::size_t>(k + 1)];
   }
-  BlockCounts result{bins, {std::vector<double>(bins.count, 0.0), 0, 0}, {}};
-  for (std::size_t b = 0; b < blocks; ++b) {
-    const auto* t = tally.data() + b * row;
-    Counts counts{std::vector<double>(t + 1, t + 1 + bins.count), static_cast<double>(t[0]), static_cast<double>(t[row - 1])};
-    for (std::size_t k = 0; k < bins.count; ++k) result.all.in[k] += counts.in[k];
-    result.all.below += counts.below;
-    result.all.above += counts.above;
-    result.block.push_back(std::move(counts));
-  }
+  for (const Counts& block : result.block)
+    for (std::size_t k = 0; k < block.size(); ++k) result.all[k] += block[k];
   return result;
 }
 
 double survival(const Bins& bins, const Counts& counts, double x) {
-  const double total = counts.total(), place = (x - bins.low) / bins.width;
-  double above = counts.above;
-  for (std::size_t k = bins.count; k-- > 0;) {
-    const double part = static_cast<double>(k + 1) - place;
+  const double place = (x - bins.low) / bins.width;
+  double above = counts.back();
+  for (std::size_t k = bins.count; k > 0; --k) {
+    const double part = static_cast<double>(k) - place;
     if (part <= 0) break;
-    above += std::min(part, 1.0) * counts.in[k];
+    above += std::min(part, 1.0) * counts[k];
   }
-  return above / total;
+  return above / total(counts);
 }
 
 double quantile(const Bins& bins, const Counts& counts, double p) {
-  double rest = p * counts.total() - counts.below;
+  double rest = p * total(counts) - counts.front();
   for (std::size_t k = 0; k < bins.count; ++k) {
-    if (rest <= counts.in[k] && counts.in[k] > 0) return bins.edge(k) + std::max(0.0, rest / counts.in[k]) * bins.width;
-    rest -= counts.in[k];
+    const double here = counts[k + 1];
+    if (rest <= here && here > 0) return bins.edge(k) + std::max(0.0, rest / here) * bins.width;
+    rest -= here;
   }
   return bins.edge(bins.count);
 }
 
 std::vector<double> density(const Bins& bins, const Counts& counts) {
-  const double scale = 1 / (counts.total() * bins.width);
-  return mapped(counts.in, [&](double c) { return c * scale; });
+  const double scale = 1 / (total(counts) * bins.width);
+  std::vector<double> of_bins(bins.count);
+  for (std::size_t k = 0; k < bins.count; ++k) of_bins[k] = counts[k + 1] * scale;
+  return of_bins;
 }
 
 Curve pdf(const BlockCounts& counts) {
@@ -83,7 +74,7 @@ Curve pdf(const BlockCounts& counts) {
   const std::vector<double> y = density(counts.bins, counts.all);
   std::vector<std::vector<double>> replicates;
   for (std::size_t b = 0; b < counts.block.size(); ++b)
-    if (const Counts rest = counts.without(b); rest.total() > 0) replicates.push_back(density(counts.bins, rest));
+    if (const Counts rest = counts.without(b); total(rest) > 0) replicates.push_back(density(counts.bins, rest));
   const auto estimates = with_errors(y, replicates);
   for (std::size_t k = 0; k < y.size(); ++k) curve.x.push_back(counts.bins.centre(k));
   curve.y = y;

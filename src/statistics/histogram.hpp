@@ -23,13 +23,9 @@ struct Bins {
   double centre(std::size_t k) const { return low + (static_cast<double>(k) + 0.5) * width; }
 };
 
-/// How many values lie in each bin, below the first and above the last.
-struct Counts {
-  std::vector<double> in;
-  double below = 0, above = 0;
-
-  double total() const;
-};
+/// How many values lie below the first bin, in each bin, and above the last.
+using Counts = std::vector<double>;
+double total(const Counts& counts);
 
 /// Counts of all values and of each block.
 struct BlockCounts {

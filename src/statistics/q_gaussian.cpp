@@ -159,7 +159,7 @@ QGaussian fit_q_gaussian(const BlockCounts& counts, const std::vector<double>& r
   std::vector<std::vector<double>> replicates;
   for (std::size_t b = 0; b < counts.block.size(); ++b) {
     const Counts rest = counts.without(b);
-    if (!(rest.total() > 0)) continue;
+    if (!(total(rest) > 0)) continue;
     const double m = replicate_mean[b];
     std::vector<double> change = density(counts.bins, rest);  // one Newton step away from the fit to all
     for (std::size_t k = 0; k < change.size(); ++k) change[k] -= points.y[k];

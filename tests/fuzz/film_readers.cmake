@@ -1,3 +1,3 @@
-# Film formats and the functions that read them, each a fuzz target and a replayed corpus.
-set(ARENITE_FILM_READERS ptw:open_ptw sfmov:open_sfmov hcc:open_hcc npy:open_npy tiff:open_tiff_film hdf5:open_hdf5_film
-  raw:open_sidecar text:open_text_film)
+# Film formats and what reads them, each a fuzz target and a replayed corpus.
+set(ARENITE_FILM_READERS ptw:ptw_format.open sfmov:sfmov_format.open hcc:hcc_format.open npy:npy_format.open tiff:tiff_format.open
+  hdf5:hdf5_format.open raw:raw_format.open text:text_format.open)

@@ -43,21 +43,9 @@ void read(char format, const Files& files) {
   io::SampleOptions options;
   options.merge_doubled = true;
   if (bare) options.grain_columns = "id,x,y,radius", options.contact_columns = "i,j,fn,ft";
-  io::RawGrains grains;
-  io::RawContacts contacts;
-  if (format == 'l') {
-    grains = io::read_lammps_atoms(files.grains, options, grain_problems);
-    contacts = io::read_lammps_pairs(files.contacts, grains, options, contact_problems);
-  } else if (format == 'y') {
-    grains = io::read_yade_spheres(files.grains, options, grain_problems);
-    contacts = io::read_yade_interactions(files.contacts, grains, options, contact_problems);
-  } else if (format == 'm') {
-    grains = io::read_mercury_data(files.grains, options, grain_problems);
-    contacts = io::read_mercury_fstat(files.contacts, grains, options, contact_problems);
-  } else {
-    grains = io::read_grains_csv(files.grains, options, grain_problems);
-    contacts = io::read_contacts_csv(files.contacts, grains, options, contact_problems);
-  }
+  const io::SampleFormat& of = format == 'l' ? io::lammps_sample : format == 'y' ? io::yade_sample : format == 'm' ? io::mercury_sample : io::csv_sample;
+  io::RawGrains grains = of.grains(files.grains, options, grain_problems);
+  const io::RawContacts contacts = of.contacts(files.contacts, grains, options, contact_problems);
   io::Sample sample;
   io::place_box(grains, grain_problems);
   io::assemble(grains, contacts, options, sample, grain_problems, contact_problems);

@@ -46,7 +46,7 @@ VtkPolyData grains_of(const ExportFrame& from) {
 VtkPolyData lines_at(const ExportFrame& from) {
   VtkPolyData data;
   data.time = from.frame->time;
-  data.cells = VtkPolyData::Cells::lines;
+  data.lines = true;
   return data;
 }
 
@@ -145,8 +145,8 @@ std::string fields_file(int number) { return fmt::format("fields_{:04}.vti", num
 
 /// The list of the files of all states, by their times.
 template <class NameOf> std::string listed(const std::vector<double>& times, NameOf name_of) {
-  std::vector<VtkListed> list;
-  for (std::size_t f = 0; f < times.size(); ++f) list.push_back({times[f], name_of(static_cast<int>(f))});
+  std::vector<std::pair<double, std::string>> list;
+  for (const double time : times) list.emplace_back(time, name_of(static_cast<int>(list.size())));
   return pvd_bytes(list);
 }
 
@@ -171,10 +171,10 @@ VtkPolyData cracks_of(const std::vector<Crack>& cracks) {
 
 std::vector<NamedBytes> vtk_frame(const ExportFrame& frame) {
   std::vector<NamedBytes> files;
-  std::vector<VtkBlock> blocks;
+  std::vector<std::pair<std::string, std::string>> blocks;
   const auto add = [&](const Part& part) {
-    blocks.push_back({part.name, numbered(part.name, frame.number)});
-    files.push_back({blocks.back().file, vtp_bytes(part.of(frame))});
+    files.push_back({numbered(part.name, frame.number), vtp_bytes(part.of(frame))});
+    blocks.emplace_back(part.name, files.back().name);
   };
   for (const Part& part : parts) add(part);
   if (!frame.frame->packing.grains.shapes.empty()) add(outlines);

@@ -110,7 +110,7 @@ std::vector<double> in_space(const std::vector<Vec2>& plane) {
 
 std::string vtp_bytes(const VtkPolyData& data) {
   const std::size_t points = data.points.size() / 3;
-  const bool lines = data.cells == VtkPolyData::Cells::lines;
+  const bool lines = data.lines;
   VtkWriter file("PolyData");
   file.line("<PolyData>");
   file.line("<FieldData>\n<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">{}</DataArray>\n</FieldData>", data.time);
@@ -140,16 +140,16 @@ std::string vti_bytes(const VtkImage& image) {
   return file.finish();
 }
 
-std::string vtm_bytes(const std::vector<VtkBlock>& blocks) {
+std::string vtm_bytes(const std::vector<std::pair<std::string, std::string>>& blocks) {
   std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"vtkMultiBlockDataSet\" version=\"1.0\" byte_order=\"LittleEndian\">\n<vtkMultiBlockDataSet>\n";
   for (std::size_t b = 0; b < blocks.size(); ++b)
-    text += fmt::format("<DataSet index=\"{}\" name=\"{}\" file=\"{}\"/>\n", b, escaped(blocks[b].name), escaped(blocks[b].file));
+    text += fmt::format("<DataSet index=\"{}\" name=\"{}\" file=\"{}\"/>\n", b, escaped(blocks[b].first), escaped(blocks[b].second));
   return text + "</vtkMultiBlockDataSet>\n</VTKFile>\n";
 }
 
-std::string pvd_bytes(const std::vector<VtkListed>& files) {
+std::string pvd_bytes(const std::vector<std::pair<double, std::string>>& files) {
   std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n<Collection>\n";
-  for (const auto& f : files) text += fmt::format("<DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", f.time, escaped(f.file));
+  for (const auto& [time, file] : files) text += fmt::format("<DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", time, escaped(file));
   return text + "</Collection>\n</VTKFile>\n";
 }
 

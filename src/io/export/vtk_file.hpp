@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -20,8 +21,7 @@ std::vector<double> in_space(const std::vector<Vec2>& plane);
 
 /// Points with either one vertex each or straight lines between pairs of them: all that disks, contacts and walls need.
 struct VtkPolyData {
-  enum class Cells { vertices, lines };  ///< a vertex per point; a line per two successive points
-  Cells cells = Cells::vertices;
+  bool lines = false;  ///< a line per two successive points; else a vertex per point
   std::vector<double> points;  ///< x, y, z of each, m
   std::vector<VtkArray> point_arrays, cell_arrays;
   double time = 0;  ///< s; stored as TimeValue
@@ -43,16 +43,9 @@ struct VtkImage {
 std::string vti_bytes(const VtkImage& image);
 
 /// The bytes of a .pvd file: which files belong together at which time (s).
-struct VtkListed {
-  double time = 0;
-  std::string file;
-};
-std::string pvd_bytes(const std::vector<VtkListed>& files);
+std::string pvd_bytes(const std::vector<std::pair<double, std::string>>& files);
 
 /// The bytes of a .vtm file: blocks by name, each a file beside it.
-struct VtkBlock {
-  std::string name, file;
-};
-std::string vtm_bytes(const std::vector<VtkBlock>& blocks);
+std::string vtm_bytes(const std::vector<std::pair<std::string, std::string>>& blocks);
 
 }  // namespace arenite::io

@@ -18,31 +18,8 @@ namespace {
 
 using namespace std::string_view_literals;
 
-struct FormatToRead {
-  bool marked;  ///< begins with a mark that nothing else begins with
-  bool (*is)(std::string_view head);
-  FilmPointer (*open)(const Bytes& bytes, const FilmChoice& choice);
-};
-
 /// In the order in which they are tried: text last, for it has no mark.
-constexpr FormatToRead formats_to_read[] = {
-    {true, is_ptw, open_ptw},     {true, is_npy, open_npy},  {true, is_tiff, open_tiff_film},   {true, is_hdf5, open_hdf5_film},
-    {true, is_sfmov, open_sfmov}, {false, is_hcc, open_hcc}, {false, is_sidecar, open_sidecar}, {false, is_text_film, open_text_film},
-};
-
-struct FormatToWrite {
-  const char* name;
-  std::vector<std::string> endings;
-  FilmWriterPointer (*create)(const std::filesystem::path& path, const FilmInfo& info);
-};
-const std::vector<FormatToWrite>& formats_to_write() {
-  static const std::vector<FormatToWrite> list{{"tiff", {".tif", ".tiff"}, create_tiff_film},
-                                               {"npy", {".npy"}, create_npy_film},
-                                               {"hdf5", {".h5", ".hdf5"}, create_hdf5_film},
-                                               {"sfmov", {".sfmov"}, create_sfmov_film},
-                                               {"ptw", {".ptw"}, create_ptw_film}};
-  return list;
-}
+constexpr const FilmFormat* formats[] = {&tiff_format, &npy_format, &hdf5_format, &sfmov_format, &ptw_format, &hcc_format, &raw_format, &text_format};
 
 constexpr std::string_view by_flir = "FLIR's program (Research Studio, ResearchIR, Thermal Studio)";
 constexpr std::string_view levels = "as a stack of TIFF, .sfmov or CSV of levels or temperatures";
@@ -101,15 +78,15 @@ std::filesystem::path sidecar_of(const std::filesystem::path& raw) {
     auto beside = raw;
     beside.replace_extension(ending);
     for (const auto& path : {beside, std::filesystem::path(raw.string() + ending)})
-      if (path != raw && std::filesystem::is_regular_file(path, error) && is_sidecar(open_bytes(path)->text(0, head_size))) return path;
+      if (path != raw && std::filesystem::is_regular_file(path, error) && raw_format.is(open_bytes(path)->text(0, head_size))) return path;
   }
   return {};
 }
 
-const FormatToRead* format_of(const ByteSource& bytes) {
+const FilmFormat* format_of(const ByteSource& bytes) {
   const std::string head = bytes.text(0, head_size);
-  for (const FormatToRead& format : formats_to_read)
-    if (format.is(head)) return &format;
+  for (const FilmFormat* format : formats)
+    if (format->is(head)) return format;
   return nullptr;
 }
 
@@ -117,7 +94,8 @@ const FormatToRead* format_of(const ByteSource& bytes) {
 
 std::vector<std::string> film_formats_to_write() {
   std::vector<std::string> names;
-  for (const FormatToWrite& format : formats_to_write()) names.emplace_back(format.name);
+  for (const FilmFormat* format : formats)
+    if (format->create != nullptr) names.emplace_back(format->name);
   return names;
 }
 
@@ -125,14 +103,14 @@ void refuse_other_recording(const std::filesystem::path& path) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) return;
   const Bytes bytes = open_bytes(path);
-  const FormatToRead* format = format_of(*bytes);
+  const FilmFormat* format = format_of(*bytes);
   if (format != nullptr && format->marked) return;
   if (const std::string what = other_recording(path, bytes->text(0, head_size)); !what.empty()) throw InputError(path.string(), 0, what);
 }
 
 std::unique_ptr<FilmSource> open_film(const Bytes& bytes, const FilmChoice& choice) {
   if (bytes->size() == 0) refuse(bytes->name(), "is empty; copy it again");
-  if (const FormatToRead* format = format_of(*bytes)) return scaled_film(format->open(bytes, choice), choice);
+  if (const FilmFormat* format = format_of(*bytes)) return scaled_film(format->open(bytes, choice), choice);
   refuse(bytes->name(),
          "is no film: neither .ptw, .sfmov, .hcc, .npy, TIFF, HDF5 nor frames as text; "
          "describe raw frames in a text beside it, NAME.txt with the lines width = .., height = .. and type = ..");
@@ -145,7 +123,7 @@ std::unique_ptr<FilmSource> open_film(const std::filesystem::path& path, const F
   const Bytes bytes = open_bytes(path);
   refuse_other_recording(path);
   if (!stored_kind(path).empty()) refuse(path.string(), "is a result of Arenite, not a film; look at it with \"arenite show\"");
-  const FormatToRead* format = format_of(*bytes);
+  const FilmFormat* format = format_of(*bytes);
   const std::filesystem::path sidecar = format != nullptr && format->marked ? std::filesystem::path() : sidecar_of(path);
   return open_film(sidecar.empty() ? bytes : open_bytes(sidecar), choice);
 }
@@ -174,15 +152,16 @@ std::string other_recording(const std::filesystem::path& path, std::string_view 
 }
 
 std::string film_format_of(const std::filesystem::path& path) {
-  for (const FormatToWrite& format : formats_to_write())
-    if (std::find(format.endings.begin(), format.endings.end(), path.extension().string()) != format.endings.end()) return format.name;
+  const std::string ending = path.extension().string();
+  for (const FilmFormat* format : formats)
+    if (!ending.empty() && std::ranges::count(format->endings, ending) > 0) return std::string(format->name);
   return {};
 }
 
 std::unique_ptr<FilmWriter> create_film(const std::filesystem::path& path, const FilmInfo& info, const std::string& format) {
   const std::string name = format.empty() ? film_format_of(path) : format;
-  for (const FormatToWrite& known : formats_to_write())
-    if (known.name == name) return known.create(path, info);
+  for (const FilmFormat* known : formats)
+    if (known->create != nullptr && known->name == name) return known->create(path, info);
   refuse(path.string(), "asks for no format that films are written in; they are {} (name it so, or .tif, .npy, .h5, .sfmov, .ptw)",
          fmt::join(film_formats_to_write(), ", "));
 }

@@ -17,8 +17,7 @@ class PlainFilm : public KnownFilm {
  public:
   PlainFilm(Bytes bytes, FilmInfo info, const PlainLayout& layout) : bytes_(std::move(bytes)), layout_(layout) { info_ = std::move(info); }
 
-  void read(std::int64_t first, std::size_t count, FrameBlock& block) override {
-    prepare(info_, first, count, block);
+  void fill(std::int64_t first, std::size_t count, FrameBlock& block) override {
     const std::size_t pixels = info_.pixels(), frame = pixels * bytes_of(layout_.pixel);
     const bool as_is = layout_.pixel == NumberType::u16 && !layout_.big_endian && !info_.floating;
     const std::size_t at_once = std::max<std::size_t>(1, most_at_once / layout_.stride);
@@ -154,10 +153,11 @@ void take_shape(FilmInfo& info, const std::string& file, const std::vector<std::
   if (!info.floating) info.bits = static_cast<int>(8 * bytes_of(pixel));
 }
 
-void prepare(const FilmInfo& info, std::int64_t first, std::size_t count, FrameBlock& block) {
-  if (first < 0 || first > info.frames || count > static_cast<std::uint64_t>(info.frames - first))
+void KnownFilm::read(std::int64_t first, std::size_t count, FrameBlock& block) {
+  if (first < 0 || first > info_.frames || count > static_cast<std::uint64_t>(info_.frames - first))
     throw std::out_of_range("frames that the film does not have");
-  block.prepare(info, first, count);
+  block.prepare(info_, first, count);
+  fill(first, count, block);
 }
 
 std::string_view pixel_bytes(const FilmInfo& info, const FrameBlock& block) {

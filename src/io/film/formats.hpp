@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -6,54 +7,28 @@
 
 #include "io/film/film.hpp"
 
-// The formats of films, each in a file of its name (the lists are in film.cpp), and what they share. `head` is the beginning of a file.
+// The formats of films, each in a file of its name, and what they share.
 namespace arenite::io {
 
 using FilmPointer = std::unique_ptr<FilmSource>;
+using FilmWriterPointer = std::unique_ptr<FilmWriter>;
 
-/// Cedip/FLIR: a main header, then frames with headers of their own, whose stamps give the times. A lock-in film holds the lock-in signal in the
-/// first line of its frames, which is left out.
-bool is_ptw(std::string_view head);
-FilmPointer open_ptw(const Bytes& bytes, const FilmChoice& choice);
-
-/// FLIR ResearchIR: lines "key value", the word DATA, then frames.
-bool is_sfmov(std::string_view head);
-FilmPointer open_sfmov(const Bytes& bytes, const FilmChoice& choice);
-
-/// Telops: every frame with a header that begins with "TC" and says size, scale and time.
-bool is_hcc(std::string_view head);
-FilmPointer open_hcc(const Bytes& bytes, const FilmChoice& choice);
-
-/// NumPy: frames x height x width (or one frame), numbers of 1 to 8 bytes.
-bool is_npy(std::string_view head);
-FilmPointer open_npy(const Bytes& bytes, const FilmChoice& choice);
-
-/// TIFF and BigTIFF: a page a frame, grey, 8 or 16 bits or floating.
-FilmPointer open_tiff_film(const Bytes& bytes, const FilmChoice& choice);
-
-/// HDF5: a dataset of frames x height x width, perhaps with times beside it and attributes.
-FilmPointer open_hdf5_film(const Bytes& bytes, const FilmChoice& choice);
-
-/// Raw frames, described by a text of lines "key = value" beside them, without sections: a film's recipe is none.
-bool is_sidecar(std::string_view head);
-FilmPointer open_sidecar(const Bytes& bytes, const FilmChoice& choice);
-
-/// Numbers as text, a line a row; frames are parted by empty lines or lines that are no numbers.
-bool is_text_film(std::string_view head);
-FilmPointer open_text_film(const Bytes& bytes, const FilmChoice& choice);
+/// How a format is known by the beginning of a file, read and written.
+struct FilmFormat {
+  std::string_view name;
+  bool marked = false;  ///< begins with a mark that nothing else begins with
+  bool (*is)(std::string_view head);
+  FilmPointer (*open)(const Bytes& bytes, const FilmChoice& choice);
+  std::array<std::string_view, 2> endings = {};  ///< of names of films that are to be written in it
+  FilmWriterPointer (*create)(const std::filesystem::path& path, const FilmInfo& info) = nullptr;
+};
+extern const FilmFormat tiff_format, npy_format, hdf5_format, sfmov_format, ptw_format, hcc_format, raw_format, text_format;
 
 /// A film whose numbers are temperatures, if the choice says so; the film itself otherwise.
 FilmPointer scaled_film(FilmPointer film, const FilmChoice& choice);
 
 /// Files of one frame or more each, one after the other; a file is opened when its frames are read.
 FilmPointer open_series(const std::filesystem::path& pattern, const FilmChoice& choice);
-
-using FilmWriterPointer = std::unique_ptr<FilmWriter>;
-FilmWriterPointer create_tiff_film(const std::filesystem::path& path, const FilmInfo& info);
-FilmWriterPointer create_npy_film(const std::filesystem::path& path, const FilmInfo& info);
-FilmWriterPointer create_hdf5_film(const std::filesystem::path& path, const FilmInfo& info);
-FilmWriterPointer create_sfmov_film(const std::filesystem::path& path, const FilmInfo& info);
-FilmWriterPointer create_ptw_film(const std::filesystem::path& path, const FilmInfo& info);
 
 /// What a recording is that cannot be read as a film, by its first bytes or the ending of its name, and what to export instead, as a sentence after
 /// its name; empty for anything else.
@@ -63,8 +38,12 @@ std::string other_recording(const std::filesystem::path& path, std::string_view 
 class KnownFilm : public FilmSource {
  public:
   const FilmInfo& info() const override { return info_; }
+  /// Throws std::out_of_range unless the film has these frames.
+  void read(std::int64_t first, std::size_t count, FrameBlock& block) final;
 
  protected:
+  /// The same into a block that has its size already.
+  virtual void fill(std::int64_t first, std::size_t count, FrameBlock& block) = 0;
   FilmInfo info_;
 };
 
@@ -94,9 +73,6 @@ void take_shape(FilmInfo& info, const std::string& file, const std::vector<std::
 
 /// Takes the frame rate that was chosen, if one was.
 void take_choice(FilmInfo& info, const FilmChoice& choice);
-
-/// Throws std::out_of_range unless the film has these frames, and gives the block its size.
-void prepare(const FilmInfo& info, std::int64_t first, std::size_t count, FrameBlock& block);
 
 /// Makes `count` pixels of their bytes into levels or values of a prepared block, from its pixel `at` on.
 void take_pixels(const PlainLayout& layout, const char* from, std::size_t count, FrameBlock& block, std::size_t at);

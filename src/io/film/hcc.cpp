@@ -49,8 +49,6 @@ void take_scale(std::string_view header, FilmInfo& info, PlainLayout& layout) {
   else info.remarks.emplace_back("The camera made radiances of its levels.");
 }
 
-}  // namespace
-
 bool is_hcc(std::string_view head) {
   return head.starts_with("TC") && number_at<std::uint16_t>(head, 4) >= needed && number_at<std::uint16_t>(head, 32) > 0 &&
          number_at<std::uint16_t>(head, 34) > 0;
@@ -78,5 +76,10 @@ FilmPointer open_hcc(const Bytes& bytes, const FilmChoice& choice) {
   read_stamps(*bytes, header, layout.stride, info);
   return plain_film(bytes, std::move(info), layout, choice);
 }
+
+}  // namespace
+
+/// Telops: every frame with a header that begins with "TC" and says size, scale and time.
+const FilmFormat hcc_format{"hcc", false, is_hcc, open_hcc};
 
 }  // namespace arenite::io

@@ -61,8 +61,6 @@ std::string npy_header(const FilmInfo& info, std::size_t frames) {
   return text + '\n';
 }
 
-}  // namespace
-
 bool is_npy(std::string_view head) { return head.starts_with("\x93NUMPY"); }
 
 FilmPointer open_npy(const Bytes& bytes, const FilmChoice& choice) {
@@ -93,5 +91,10 @@ FilmPointer open_npy(const Bytes& bytes, const FilmChoice& choice) {
 }
 
 FilmWriterPointer create_npy_film(const std::filesystem::path& path, const FilmInfo& info) { return create_plain_film(path, info, {npy_header}); }
+
+}  // namespace
+
+/// NumPy: frames x height x width (or one frame), numbers of 1 to 8 bytes.
+const FilmFormat npy_format{"npy", true, is_npy, open_npy, {".npy"}, create_npy_film};
 
 }  // namespace arenite::io

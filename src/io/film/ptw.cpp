@@ -137,9 +137,39 @@ std::string stamp(const FilmInfo& info, std::size_t frame) {
   return h;
 }
 
+bool is_ptw(std::string_view head) { return head.starts_with("CED") && head.size() > 11 && (head[3] == '\0' || head[3] == ' '); }
+
+FilmPointer open_ptw(const Bytes& bytes, const FilmChoice& choice) {
+  const std::string header = bytes->text(0, 3476);
+  if (header.size() < 411) refuse(bytes->name(), "is a .ptw film that ends within its header; copy it again");
+  const Sizes s = sizes_of(header, bytes->name());
+  FilmInfo info = info_of(header, s);
+  check_film_size(bytes->name(), s.width, s.height, s.frames, choice);
+  PlainLayout layout;
+  layout.offset = static_cast<std::uint64_t>(s.main + s.frame_header);
+  layout.stride = static_cast<std::uint64_t>(s.frame_header + 2 * s.frame_words);
+  if (is_lock_in(*bytes, s)) {
+    info.height -= 1;
+    layout.offset += static_cast<std::uint64_t>(2 * s.width);
+    info.remarks.emplace_back(
+        "A lock-in film: the first line of its frames holds the lock-in signal and is left out of the picture; it gives the frequency and the phase of the "
+        "load.");
+  }
+  check_layout(*bytes, info, layout, choice);  // before stamps are read of frames that are not there
+  if (!choice.frame_rate) read_stamps(*bytes, s, info);
+  return plain_film(bytes, std::move(info), layout, choice);
+}
+
+FilmWriterPointer create_ptw_film(const std::filesystem::path& path, const FilmInfo& info) {
+  if (info.floating) refuse(path.string(), "cannot hold temperatures: a .ptw film is of levels; write .tif, .npy, .h5 or .sfmov");
+  return create_plain_film(path, info, {ptw_header, stamp});
+}
+
 }  // namespace
 
-bool is_ptw(std::string_view head) { return head.starts_with("CED") && head.size() > 11 && (head[3] == '\0' || head[3] == ' '); }
+/// Cedip/FLIR: a main header, then frames with headers of their own, whose stamps give the times. A lock-in film holds the lock-in signal in the
+/// first line of its frames, which is left out.
+const FilmFormat ptw_format{"ptw", true, is_ptw, open_ptw, {".ptw"}, create_ptw_film};
 
 std::vector<double> lock_in_line(const std::filesystem::path& film) {
   std::error_code error;
@@ -172,32 +202,6 @@ std::vector<double> lock_in_line(const std::filesystem::path& film) {
     signal.push_back(sum / counted);
   }
   return signal;
-}
-
-FilmPointer open_ptw(const Bytes& bytes, const FilmChoice& choice) {
-  const std::string header = bytes->text(0, 3476);
-  if (header.size() < 411) refuse(bytes->name(), "is a .ptw film that ends within its header; copy it again");
-  const Sizes s = sizes_of(header, bytes->name());
-  FilmInfo info = info_of(header, s);
-  check_film_size(bytes->name(), s.width, s.height, s.frames, choice);
-  PlainLayout layout;
-  layout.offset = static_cast<std::uint64_t>(s.main + s.frame_header);
-  layout.stride = static_cast<std::uint64_t>(s.frame_header + 2 * s.frame_words);
-  if (is_lock_in(*bytes, s)) {
-    info.height -= 1;
-    layout.offset += static_cast<std::uint64_t>(2 * s.width);
-    info.remarks.emplace_back(
-        "A lock-in film: the first line of its frames holds the lock-in signal and is left out of the picture; it gives the frequency and the phase of the "
-        "load.");
-  }
-  check_layout(*bytes, info, layout, choice);  // before stamps are read of frames that are not there
-  if (!choice.frame_rate) read_stamps(*bytes, s, info);
-  return plain_film(bytes, std::move(info), layout, choice);
-}
-
-FilmWriterPointer create_ptw_film(const std::filesystem::path& path, const FilmInfo& info) {
-  if (info.floating) refuse(path.string(), "cannot hold temperatures: a .ptw film is of levels; write .tif, .npy, .h5 or .sfmov");
-  return create_plain_film(path, info, {ptw_header, stamp});
 }
 
 }  // namespace arenite::io

@@ -113,8 +113,6 @@ Bytes frames_of(const ByteSource& sidecar, const std::string& named) {
   refuse(sidecar.name(), "describes raw frames, and there is no .raw, .bin or .dat of its name; add a line file = \"...\"");
 }
 
-}  // namespace
-
 bool is_sidecar(std::string_view head) {
   if (head.find('\0') != std::string_view::npos) return false;
   bool width = false, height = false;
@@ -168,5 +166,10 @@ FilmPointer open_sidecar(const Bytes& bytes, const FilmChoice& choice) {
            width, height, bytes->name(), there);
   return plain_film(film, std::move(info), layout, choice);
 }
+
+}  // namespace
+
+/// Raw frames, described by a text of lines "key = value" beside them, without sections: a film's recipe is none.
+const FilmFormat raw_format{"raw", false, is_sidecar, open_sidecar};
 
 }  // namespace arenite::io

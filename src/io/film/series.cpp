@@ -21,25 +21,18 @@ bool fits(const std::string& name, std::string_view pattern) {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// By letters, and by value where both have a number: frame 9 before frame 10.
-bool before(const std::string& a, const std::string& b) {
-  std::size_t i = 0, j = 0;
-  while (i < a.size() && j < b.size()) {
-    if (!is_digit(a[i]) || !is_digit(b[j])) {
-      if (a[i] != b[j]) return a[i] < b[j];
-      ++i, ++j;
-      continue;
-    }
-    while (i < a.size() && a[i] == '0') ++i;
-    while (j < b.size() && b[j] == '0') ++j;
-    std::size_t m = i, n = j;
-    while (m < a.size() && is_digit(a[m])) ++m;
-    while (n < b.size() && is_digit(b[n])) ++n;
-    if (m - i != n - j) return m - i < n - j;
-    if (const int order = a.compare(i, m - i, b, j, n - j); order != 0) return order < 0;
-    i = m, j = n;
+/// A name as it is sorted: numbers in it by value (frame 9 before frame 10), as if all had as many digits.
+std::string sorting_key(const std::string& name) {
+  constexpr std::size_t most_digits = 255;  // no name is longer
+  std::string key;
+  for (std::size_t at = 0; at < name.size();) {
+    const std::size_t number = std::min(name.find_first_of("0123456789", at), name.size()),
+                      end = std::min(name.find_first_not_of("0123456789", number), name.size());
+    const std::size_t first = std::min(name.find_first_not_of('0', number), end);
+    key += name.substr(at, number - at) + std::string(number < end ? most_digits - (end - first) : 0, '0') + name.substr(first, end - first);
+    at = end;
   }
-  return a.size() - i < b.size() - j;
+  return key;
 }
 
 std::vector<fs::path> members(const fs::path& pattern) {
@@ -52,7 +45,7 @@ std::vector<fs::path> members(const fs::path& pattern) {
     if (!entry.is_regular_file() || name.starts_with('.')) continue;
     if (folder ? std::any_of(name.begin(), name.end(), is_digit) : fits(name, pattern.filename().string())) names.push_back(name);
   }
-  std::sort(names.begin(), names.end(), before);
+  std::ranges::sort(names, {}, sorting_key);
   std::vector<fs::path> paths;
   for (const std::string& name : names) paths.push_back(where / name);
   return paths;
@@ -70,8 +63,7 @@ class Series : public KnownFilm {
     info_.time.clear();
   }
 
-  void read(std::int64_t first, std::size_t count, FrameBlock& block) override {
-    prepare(info_, first, count, block);
+  void fill(std::int64_t first, std::size_t count, FrameBlock& block) override {
     for (std::size_t i = 0; i < count;) {
       const std::int64_t frame = first + static_cast<std::int64_t>(i), within = frame % each_;
       open(static_cast<std::size_t>(frame / each_));
@@ -111,9 +103,8 @@ class ScaledFilm : public KnownFilm {
     info_.quantity = FilmQuantity::kelvin;
   }
 
-  void read(std::int64_t first, std::size_t count, FrameBlock& block) override {
+  void fill(std::int64_t first, std::size_t count, FrameBlock& block) override {
     film_->read(first, count, part_);
-    block.prepare(info_, first, count);
     const auto kelvin = [&](auto v) { return static_cast<float>(scale_ * static_cast<double>(v) + offset_); };
     std::transform(part_.level.begin(), part_.level.end(), block.value.begin(), kelvin);
     std::transform(part_.value.begin(), part_.value.end(), block.value.begin(), kelvin);

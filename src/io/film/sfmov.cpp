@@ -85,8 +85,6 @@ std::string sfmov_header(const FilmInfo& info, std::size_t frames) {
   return text + "DATA\r\n";
 }
 
-}  // namespace
-
 bool is_sfmov(std::string_view head) {
   const std::size_t data = find_data(head);
   return head.substr(0, data).find("xPixls") != std::string_view::npos && head.substr(0, data).find("yPixls") != std::string_view::npos;
@@ -118,5 +116,10 @@ FilmPointer open_sfmov(const Bytes& bytes, const FilmChoice& choice) {
 }
 
 FilmWriterPointer create_sfmov_film(const std::filesystem::path& path, const FilmInfo& info) { return create_plain_film(path, info, {sfmov_header}); }
+
+}  // namespace
+
+/// FLIR ResearchIR: lines "key value", the word DATA, then frames.
+const FilmFormat sfmov_format{"sfmov", true, is_sfmov, open_sfmov, {".sfmov"}, create_sfmov_film};
 
 }  // namespace arenite::io

@@ -128,8 +128,7 @@ class TextFilm : public KnownFilm {
     take_choice(info_, choice);
   }
 
-  void read(std::int64_t first, std::size_t count, FrameBlock& block) override {
-    prepare(info_, first, count, block);
+  void fill(std::int64_t first, std::size_t count, FrameBlock& block) override {
     for (std::size_t i = 0; i < count; ++i) read_frame(places_[static_cast<std::size_t>(first) + i], block.value.data() + i * info_.pixels());
   }
 
@@ -174,8 +173,6 @@ class TextFilm : public KnownFilm {
   std::vector<Place> places_;
 };
 
-}  // namespace
-
 bool is_text_film(std::string_view head) {
   std::size_t numbers = 0;
   for (const char c : head) {
@@ -185,6 +182,10 @@ bool is_text_film(std::string_view head) {
   return numbers > 0;
 }
 
-FilmPointer open_text_film(const Bytes& bytes, const FilmChoice& choice) { return std::make_unique<TextFilm>(bytes, choice); }
+}  // namespace
+
+/// Numbers as text, a line a row; frames are parted by empty lines or lines that are no numbers.
+const FilmFormat text_format{"text", false, is_text_film,
+                             [](const Bytes& bytes, const FilmChoice& choice) -> FilmPointer { return std::make_unique<TextFilm>(bytes, choice); }};
 
 }  // namespace arenite::io

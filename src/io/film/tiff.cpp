@@ -87,8 +87,7 @@ class TiffFilm : public KnownFilm {
     read(info_.frames - 1, 1, last);
   }
 
-  void read(std::int64_t first, std::size_t count, FrameBlock& block) override {
-    prepare(info_, first, count, block);
+  void fill(std::int64_t first, std::size_t count, FrameBlock& block) override {
     for (std::size_t i = 0; i < count; ++i) {
       turn_to(first + static_cast<std::int64_t>(i));
       read_page(i * info_.pixels(), block);
@@ -111,27 +110,11 @@ class TiffFilm : public KnownFilm {
     take_stamps(info_, std::move(stamp));
   }
 
-  /// Tile by tile; a strip is one as wide as the page, of which the last may be lower.
-  void read_page(std::size_t at, FrameBlock& block) {
-    TIFF* const tiff = tiff_.get();
-    const bool tiled = TIFFIsTiled(tiff) != 0;
-    const std::size_t width = page_.width, height = page_.height, size = bytes_of(page_.pixel);
-    const std::size_t wide = tiled ? tiff_field<std::uint32_t>(tiff, TIFFTAG_TILEWIDTH) : width;
-    const std::size_t high = tiled ? tiff_field<std::uint32_t>(tiff, TIFFTAG_TILELENGTH)
-                                   : std::min<std::size_t>(std::max<std::uint32_t>(1, tiff_field<std::uint32_t>(tiff, TIFFTAG_ROWSPERSTRIP)), height);
-    if (wide == 0 || high == 0 || wide > width + 65536 || high > height + 65536) source_.refuse_damaged();
-    if (tiled && TIFFTileSize(tiff) != static_cast<tmsize_t>(wide * high * size)) source_.refuse_damaged();
-    buffer_.resize(wide * high * size);
-    for (std::size_t y = 0; y < height; y += high)
-      for (std::size_t x = 0; x < width; x += wide) {
-        const std::size_t rows = std::min(high, height - y);
-        const auto wanted = static_cast<tmsize_t>((tiled ? high : rows) * wide * size);
-        const tmsize_t got = tiled ? TIFFReadTile(tiff, buffer_.data(), static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), 0, 0)
-                                   : TIFFReadEncodedStrip(tiff, static_cast<std::uint32_t>(y / high), buffer_.data(), wanted);
-        if (got != wanted) source_.refuse_damaged();
-        for (std::size_t r = 0; r < rows; ++r)
-          take_pixels(layout_, buffer_.data() + r * wide * size, std::min(wide, width - x), block, at + (y + r) * width + x);
-      }
+  void read_page(std::size_t at, FrameBlock& frames) {
+    each_block(tiff_.get(), source_, [&](const TiffBlock& block) {
+      for (std::size_t r = 0; r < block.rows; ++r)
+        take_pixels(layout_, reinterpret_cast<const char*>(block.row(r)), block.columns, frames, at + (block.y + r) * page_.width + block.x);
+    });
   }
 
   TiffSource source_;
@@ -139,7 +122,6 @@ class TiffFilm : public KnownFilm {
   std::vector<std::uint64_t> places_;
   Page page_;
   PlainLayout layout_;
-  std::vector<char> buffer_;
 };
 
 /// A page a frame, one strip each; 64-bit places where the film may outgrow those of 32 bits.
@@ -201,8 +183,13 @@ class TiffFilmWriter : public FilmWriter {
 
 }  // namespace
 
-FilmPointer open_tiff_film(const Bytes& bytes, const FilmChoice& choice) { return std::make_unique<TiffFilm>(bytes, choice); }
-
-FilmWriterPointer create_tiff_film(const std::filesystem::path& path, const FilmInfo& info) { return std::make_unique<TiffFilmWriter>(path, info); }
+/// TIFF and BigTIFF: a page a frame, grey, 8 or 16 bits or floating.
+const FilmFormat tiff_format{
+    "tiff",
+    true,
+    is_tiff,
+    [](const Bytes& bytes, const FilmChoice& choice) -> FilmPointer { return std::make_unique<TiffFilm>(bytes, choice); },
+    {".tif", ".tiff"},
+    [](const std::filesystem::path& path, const FilmInfo& info) -> FilmWriterPointer { return std::make_unique<TiffFilmWriter>(path, info); }};
 
 }  // namespace arenite::io

@@ -1,5 +1,6 @@
 #include "io/image/image.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <limits>
 #include <string_view>
@@ -29,7 +30,7 @@ constexpr std::pair<const char*, Channel> channels[] = {
     {"red", Channel::red}, {"green", Channel::green}, {"blue", Channel::blue}, {"mean", Channel::mean}, {"grey", Channel::grey}};
 
 /// The value of a pixel of these colours.
-std::int64_t seen(const PixelLayout& layout, std::int64_t red, std::int64_t green, std::int64_t blue, int x, int row) {
+std::int64_t seen(const PixelLayout& layout, std::int64_t red, std::int64_t green, std::int64_t blue, std::size_t x, std::size_t row) {
   if (red == green && green == blue) return red;
   switch (layout.channel) {
     case Channel::red: return red;
@@ -42,7 +43,7 @@ std::int64_t seen(const PixelLayout& layout, std::int64_t red, std::int64_t gree
   refuse(layout.file, "is in colour (pixel {}, {}), and a colour is no phase; save it as greyscale with one value a phase", x, row);
 }
 
-std::int64_t shown(const PixelLayout& layout, std::int64_t index, int x, int row) {
+std::int64_t shown(const PixelLayout& layout, std::int64_t index, std::size_t x, std::size_t row) {
   if (index >= static_cast<std::int64_t>(layout.palette.size())) refuse(layout.file, "is damaged: pixel {}, {} is not in its palette; copy it again", x, row);
   const auto& entry = layout.palette[static_cast<std::size_t>(index)];
   return seen(layout, entry[0], entry[1], entry[2], x, row);
@@ -94,25 +95,28 @@ Image empty_image(const PixelLayout& layout) {
 
 Image image_of(const PixelLayout& layout, const std::vector<std::uint8_t>& samples, std::size_t stride) {
   Image image = empty_image(layout);
-  for (int y = 0; y < layout.height; ++y) take_row(layout, samples.data() + stride * static_cast<std::size_t>(y), y, image);
+  const auto width = static_cast<std::size_t>(layout.width), height = static_cast<std::size_t>(layout.height);
+  for (std::size_t y = 0; y < height; ++y) take_row(layout, samples.data() + stride * y, 0, y, width, image);
   return image;
 }
 
-void take_row(const PixelLayout& layout, const std::uint8_t* samples, int row, Image& image) {
+void take_row(const PixelLayout& layout, const std::uint8_t* samples, std::size_t x, std::size_t row, std::size_t count, Image& image) {
   const auto per_pixel = static_cast<std::size_t>(layout.samples);
-  const auto type = static_cast<NumberType>(2 * std::countr_zero(static_cast<unsigned>(layout.bits) / 8) + (layout.is_signed ? 1 : 0));
+  const auto bytes = static_cast<unsigned>(std::max(layout.bits / 8, 1));
+  const auto type = static_cast<NumberType>(2 * std::countr_zero(bytes) + (layout.is_signed ? 1 : 0));
   const std::int64_t most = (std::int64_t{1} << (layout.is_signed ? layout.bits - 1 : layout.bits)) - 1;
-  std::vector<std::int64_t> sample(static_cast<std::size_t>(layout.width) * per_pixel);
+  std::vector<std::int64_t> sample(count * per_pixel);
   each_number(type, false, reinterpret_cast<const char*>(samples), sample.size(), [&](std::size_t i, auto v) { sample[i] = static_cast<std::int64_t>(v); });
-  for (int x = 0; x < layout.width; ++x) {
-    const std::int64_t* const here = sample.data() + static_cast<std::size_t>(x) * per_pixel;
+  std::int32_t* const to = image.value.data() + row * static_cast<std::size_t>(image.width);
+  for (std::size_t k = 0; k < count; ++k, ++x) {
+    const std::int64_t* const here = sample.data() + k * per_pixel;
     std::int64_t value = here[0];
     if (layout.colour) value = seen(layout, value, here[1], here[2], x, row);
     if (layout.opacity && here[per_pixel - 1] != most) refuse(layout.file, "is transparent at pixel {}, {}; save it without transparency", x, row);
     if (!layout.palette.empty()) value = shown(layout, value, x, row);
     if (layout.inverted) value = most - value;
     if (value > std::numeric_limits<std::int32_t>::max()) refuse(layout.file, "holds the value {} at pixel {}, {}; values go up to 2147483647", value, x, row);
-    image.value[image.index(x, row)] = static_cast<std::int32_t>(value);
+    to[x] = static_cast<std::int32_t>(value);
   }
 }
 

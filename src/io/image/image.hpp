@@ -46,7 +46,7 @@ Image read_hdf5_image(const std::string& bytes, const std::string& file, const I
 struct PixelLayout {
   std::string file;  ///< for messages
   int width = 0, height = 0;
-  int bits = 8;     ///< of a sample: 8, 16 or 32
+  int bits = 8;     ///< of a sample; what has less than 8 lies in a byte of its own
   int samples = 1;  ///< of a pixel; the first is grey or an index of the palette, or the first three are a colour
   bool colour = false, opacity = false, inverted = false, is_signed = false;  ///< opacity: the last sample
   Channel channel = Channel::none;                                            ///< what is taken of a colour; none: colour is refused
@@ -67,9 +67,9 @@ Image empty_image(const PixelLayout& layout);
 /// An image of rows of samples that lie `stride` bytes apart.
 Image image_of(const PixelLayout& layout, const std::vector<std::uint8_t>& samples, std::size_t stride);
 
-/// Turns one row (0 at the top) into whole numbers. InputError for colour, transparency, indices outside the palette, numbers that do not fit 32 bits
+/// Turns `count` pixels of one row (0 at the top) from column x on into whole numbers. InputError for colour, transparency, indices outside the palette, numbers that do not fit 32 bits
 /// with sign.
-void take_row(const PixelLayout& layout, const std::uint8_t* samples, int row, Image& image);
+void take_row(const PixelLayout& layout, const std::uint8_t* samples, std::size_t x, std::size_t row, std::size_t count, Image& image);
 
 /// A picture in colour: red, green, blue of 8 bits, row by row from the top left.
 struct ColourPicture {

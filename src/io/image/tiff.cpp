@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstdarg>
 #include <cstdio>
-#include <cstring>
 #include <vector>
 
 #include "core/problems.hpp"
@@ -22,13 +21,14 @@ void take_palette(TIFF* tiff, int bits, PixelLayout& layout) {
   for (int i = 0; i < 1 << bits; ++i) layout.palette.push_back({to_byte(red[i]), to_byte(green[i]), to_byte(blue[i])});
 }
 
-PixelLayout layout_of(TIFF* tiff, const TiffSource& source, int bits, Channel channel) {
+PixelLayout layout_of(TIFF* tiff, const TiffSource& source, Channel channel) {
+  const int bits = tiff_field<std::uint16_t>(tiff, TIFFTAG_BITSPERSAMPLE);
   PixelLayout layout;
   layout.channel = channel;
   layout.file = source.file();
   layout.width = static_cast<int>(tiff_field<std::uint32_t>(tiff, TIFFTAG_IMAGEWIDTH));
   layout.height = static_cast<int>(tiff_field<std::uint32_t>(tiff, TIFFTAG_IMAGELENGTH));
-  layout.bits = std::max(bits, 8);
+  layout.bits = bits;
   layout.samples = tiff_field<std::uint16_t>(tiff, TIFFTAG_SAMPLESPERPIXEL);
   const auto format = tiff_field<std::uint16_t>(tiff, TIFFTAG_SAMPLEFORMAT);
   layout.is_signed = format == SAMPLEFORMAT_INT;
@@ -53,76 +53,26 @@ PixelLayout layout_of(TIFF* tiff, const TiffSource& source, int bits, Channel ch
 }
 
 /// Gives every sample of less than a byte a byte of its own.
-void unpack(const std::uint8_t* packed, int bits, PixelLayout& layout, std::vector<std::uint8_t>& row) {
+void unpack(const std::uint8_t* packed, int bits, std::vector<std::uint8_t>& row) {
   const unsigned most = (1u << bits) - 1;
-  for (int x = 0; x < layout.width; ++x) {
-    const unsigned bit = static_cast<unsigned>(x) * static_cast<unsigned>(bits);
-    unsigned value = static_cast<unsigned>(packed[bit / 8]) >> (8 - static_cast<unsigned>(bits) - bit % 8) & most;
-    if (layout.inverted) value = most - value;
-    row[static_cast<std::size_t>(x)] = static_cast<std::uint8_t>(value);
+  for (std::size_t x = 0; x < row.size(); ++x) {
+    const std::size_t bit = x * static_cast<std::size_t>(bits);
+    row[x] = static_cast<std::uint8_t>(static_cast<unsigned>(packed[bit / 8]) >> (8 - static_cast<std::size_t>(bits) - bit % 8) & most);
   }
-}
-
-/// Rows [first, first + count) of a picture in strips or tiles, `stride` bytes each.
-struct Band {
-  int first = 0, count = 0;
-  std::size_t stride = 0;
-  std::vector<std::uint8_t> bytes;
-};
-
-void read_tiles(TIFF* tiff, const TiffSource& source, int width, int y, Band& band) {
-  const auto tile_width = tiff_field<std::uint32_t>(tiff, TIFFTAG_TILEWIDTH);
-  const auto across = static_cast<std::size_t>(TIFFTileRowSize(tiff));
-  std::vector<std::uint8_t> tile(static_cast<std::size_t>(TIFFTileSize(tiff)));
-  for (std::uint32_t x = 0, column = 0; x < static_cast<std::uint32_t>(width); x += tile_width, ++column) {
-    if (TIFFReadTile(tiff, tile.data(), x, static_cast<std::uint32_t>(y), 0, 0) < 0) source.refuse_damaged();
-    for (int r = 0; r < band.count; ++r)
-      std::memcpy(band.bytes.data() + static_cast<std::size_t>(r) * band.stride + column * across, tile.data() + static_cast<std::size_t>(r) * across, across);
-  }
-}
-
-Band make_band(TIFF* tiff, const TiffSource& source, const PixelLayout& layout, int bits, const ImageChoice& choice) {
-  Band band;
-  const std::size_t needed = (layout.bytes_a_row() * static_cast<std::size_t>(bits) / static_cast<std::size_t>(layout.bits)) + 1;
-  if (TIFFIsTiled(tiff) == 0) {
-    band.count = 1;
-    band.stride = std::max(needed, static_cast<std::size_t>(TIFFScanlineSize(tiff)));
-  } else {
-    const auto wide = tiff_field<std::uint32_t>(tiff, TIFFTAG_TILEWIDTH), high = tiff_field<std::uint32_t>(tiff, TIFFTAG_TILELENGTH);
-    if (wide == 0 || high == 0 || TIFFTileSize(tiff) <= 0) source.refuse_damaged();
-    check_size(source.file(), std::int64_t{wide} + layout.width, high, choice);
-    if (TIFFTileRowSize(tiff) * 8 < tmsize_t{wide} * layout.samples * bits || wide * static_cast<unsigned>(bits) % 8 != 0) source.refuse_damaged();
-    band.count = static_cast<int>(high);
-    const auto tiles = (static_cast<std::uint32_t>(layout.width) + wide - 1) / wide;
-    band.stride = std::max(needed, tiles * static_cast<std::size_t>(TIFFTileRowSize(tiff)));
-  }
-  band.bytes.resize(band.stride * static_cast<std::size_t>(band.count));
-  return band;
 }
 
 Image read_page(TIFF* tiff, const TiffSource& source, const ImageChoice& choice) {
   check_size(source.file(), tiff_field<std::uint32_t>(tiff, TIFFTAG_IMAGEWIDTH), tiff_field<std::uint32_t>(tiff, TIFFTAG_IMAGELENGTH), choice);
-  const int bits = tiff_field<std::uint16_t>(tiff, TIFFTAG_BITSPERSAMPLE);
-  PixelLayout layout = layout_of(tiff, source, bits, choice.channel);
-  Band band = make_band(tiff, source, layout, bits, choice);
+  const PixelLayout layout = layout_of(tiff, source, choice.channel);
   Image image = empty_image(layout);
-  std::vector<std::uint8_t> row(static_cast<std::size_t>(layout.width));
-  PixelLayout unpacked = layout;
-  unpacked.inverted = false;
-  for (int y = 0; y < layout.height; ++y) {
-    if (TIFFIsTiled(tiff) != 0) {
-      if (y % band.count == 0) read_tiles(tiff, source, layout.width, y, band);
-    } else if (TIFFReadScanline(tiff, band.bytes.data(), static_cast<std::uint32_t>(y)) < 0) {
-      source.refuse_damaged();
+  std::vector<std::uint8_t> bytes;
+  each_block(tiff, source, [&](const TiffBlock& block) {
+    bytes.resize(layout.bits < 8 ? block.columns : 0);
+    for (std::size_t r = 0; r < block.rows; ++r) {
+      if (layout.bits < 8) unpack(block.row(r), layout.bits, bytes);
+      take_row(layout, layout.bits < 8 ? bytes.data() : block.row(r), block.x, block.y + r, block.columns, image);
     }
-    const std::uint8_t* samples = band.bytes.data() + static_cast<std::size_t>(y % band.count) * band.stride;
-    if (bits >= 8) {
-      take_row(layout, samples, y, image);
-    } else {
-      unpack(samples, bits, layout, row);
-      take_row(unpacked, row.data(), y, image);
-    }
-  }
+  });
   return image;
 }
 
@@ -183,6 +133,29 @@ Tiff open_tiff(TiffSource& source, std::int64_t most_at_once) {
               "picture", "rm", &source, read_bytes, [](thandle_t, void*, tmsize_t) -> tmsize_t { return 0; }, seek, [](thandle_t) { return 0; },
               [](thandle_t h) -> toff_t { return static_cast<TiffSource*>(h)->bytes->size(); }, nullptr, nullptr, options.get()),
           TIFFClose};
+}
+
+void each_block(TIFF* tiff, const TiffSource& source, const std::function<void(const TiffBlock& block)>& see) {
+  const bool tiled = TIFFIsTiled(tiff) != 0;
+  const std::size_t width = tiff_field<std::uint32_t>(tiff, TIFFTAG_IMAGEWIDTH), height = tiff_field<std::uint32_t>(tiff, TIFFTAG_IMAGELENGTH);
+  const std::size_t wide = tiled ? tiff_field<std::uint32_t>(tiff, TIFFTAG_TILEWIDTH) : width;
+  const std::size_t high = tiled ? tiff_field<std::uint32_t>(tiff, TIFFTAG_TILELENGTH)
+                                 : std::min<std::size_t>(std::max<std::uint32_t>(1, tiff_field<std::uint32_t>(tiff, TIFFTAG_ROWSPERSTRIP)), height);
+  const std::size_t bits = std::size_t{tiff_field<std::uint16_t>(tiff, TIFFTAG_BITSPERSAMPLE)} * tiff_field<std::uint16_t>(tiff, TIFFTAG_SAMPLESPERPIXEL);
+  const tmsize_t stride = tiled ? TIFFTileRowSize(tiff) : TIFFScanlineSize(tiff);
+  // A tile may be larger than the page, but not by much: else a few bytes ask for any memory.
+  const bool fits = wide > 0 && high > 0 && wide <= width + 4096 && high <= height + 4096;
+  if (!fits || static_cast<std::size_t>(std::max<tmsize_t>(stride, 0)) < (wide * bits + 7) / 8) source.refuse_damaged();
+  std::vector<std::uint8_t> samples(static_cast<std::size_t>(stride) * high);
+  for (std::size_t y = 0; y < height; y += high)
+    for (std::size_t x = 0; x < width; x += wide) {
+      const std::size_t rows = std::min(high, height - y);
+      const auto wanted = static_cast<tmsize_t>(tiled ? high : rows) * stride;
+      const tmsize_t got = tiled ? TIFFReadTile(tiff, samples.data(), static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), 0, 0)
+                                 : TIFFReadEncodedStrip(tiff, static_cast<std::uint32_t>(y / high), samples.data(), wanted);
+      if (got != wanted) source.refuse_damaged();
+      see({x, y, std::min(wide, width - x), rows, static_cast<std::size_t>(stride), samples.data()});
+    }
 }
 
 Tiff create_tiff(const std::filesystem::path& path, bool large) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -38,5 +39,16 @@ template <class T> T tiff_field(TIFF* tiff, std::uint32_t tag) {
   TIFFGetFieldDefaulted(tiff, tag, &value);
   return value;
 }
+
+/// A strip or a tile of a page, as far as it lies within the page.
+struct TiffBlock {
+  std::size_t x = 0, y = 0, columns = 0, rows = 0;  ///< pixels of the page
+  std::size_t stride = 0;                           ///< bytes from row to row
+  const std::uint8_t* samples = nullptr;
+  const std::uint8_t* row(std::size_t r) const { return samples + r * stride; }
+};
+
+/// Calls `see` for all of a page whose samples lie pixel by pixel, one block after the other. InputError for damage.
+void each_block(TIFF* tiff, const TiffSource& source, const std::function<void(const TiffBlock& block)>& see);
 
 }  // namespace arenite::io

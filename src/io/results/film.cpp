@@ -24,27 +24,6 @@ constexpr Column<PeakToPeak> peak_to_peak_columns[] = {{"temperature", "K", &Pea
                                                        {"pixels", "1", &PeakToPeak::pixels}};
 
 constexpr Column<FilmSimulation> simulation_columns[] = {{"peak_to_peak", "Pa", &FilmSimulation::peak_to_peak}, {"state", "Pa", &FilmSimulation::state}};
-constexpr Column<FilmSimulation> former_simulation_columns[] = {{"swing", "Pa", &FilmSimulation::peak_to_peak}, simulation_columns[1]};
-
-/// Version 0.1 called the simulation a twin and peak-to-peak values swings.
-void transfer_stresses(const Hdf5Group& at, FilmResult& r) {
-  const std::size_t grains = r.packing.grains.size();
-  const bool former = at.reads() && !at.has_group("peak_to_peak");
-  transfer_columns(at.group(former ? "swing" : "peak_to_peak"), r.peak_to_peak, peak_to_peak_columns, grains, true);
-  transfer_columns(at.group(former ? "twin" : "simulation"), r.simulation, former ? former_simulation_columns : simulation_columns, grains, true);
-}
-
-void rename_former(Numbers& numbers) {
-  const auto rename = [](Numbers& tree, const char* from, const char* to) {
-    if (!tree.contains(from)) return;
-    tree[to] = Numbers(tree.at(from));
-    tree.erase(from);
-  };
-  if (numbers.contains("simulation")) rename(numbers["simulation"], "swing", "peak_to_peak");
-  if (!numbers.contains("lockin") || !numbers["lockin"].contains("swing")) return;
-  rename(numbers["lockin"], "swing", "convention");
-  numbers["lockin"]["convention"] = name_of(numbers["lockin"]["convention"] == "full" ? AmplitudeConvention::peak_to_peak : AmplitudeConvention::amplitude);
-}
 
 void transfer_film(const Hdf5Group& at, FilmResult& r) {
   const auto group = at.group("film");
@@ -72,10 +51,8 @@ void transfer_maps(const Hdf5Group& at, FilmResult& r, Shape shape) {
   group("frequency_error [1/s]", r.maps.frequency_error);
   group("reference_phase [rad]", r.maps.reference_phase);
   group("frames", r.maps.frames);
-  const bool former = at.reads() && !group.has_attribute("convention");
-  group.choice(former ? "swing" : "convention", r.maps.convention, AmplitudeConvention::peak_to_peak,
-               former ? "full" : name_of(AmplitudeConvention::peak_to_peak), AmplitudeConvention::amplitude,
-               former ? "half" : name_of(AmplitudeConvention::amplitude));
+  group.choice("convention", r.maps.convention, AmplitudeConvention::peak_to_peak, name_of(AmplitudeConvention::peak_to_peak), AmplitudeConvention::amplitude,
+               name_of(AmplitudeConvention::amplitude));
   group.optional_image("picture", r.picture, shape, "K");
   group.optional_image("bad", r.bad, shape);
   for (const auto& [name, unit, values] : lockin_maps)
@@ -111,10 +88,10 @@ void transfer_film_result(const Hdf5Group& at, FilmResult& r) {
   const std::size_t grains = r.packing.grains.size();
   transfer_columns(at.group("grains"), r.grains, grain_columns, grains, true);
   transfer_columns(at.group("motion"), r.motion, motion_columns, grains, true);
-  transfer_stresses(at, r);
+  transfer_columns(at.group("peak_to_peak"), r.peak_to_peak, peak_to_peak_columns, grains, true);
+  transfer_columns(at.group("simulation"), r.simulation, simulation_columns, grains, true);
   transfer_forces(at, r, shape);
   transfer_numbers(at, "numbers", r.numbers);
-  if (at.reads()) rename_former(r.numbers);
 }
 
 }  // namespace

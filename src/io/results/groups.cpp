@@ -5,21 +5,6 @@
 namespace arenite::io {
 namespace {
 
-template <class Owner> struct Scalar {
-  const char* name;
-  double Owner::*member;
-};
-constexpr Scalar<Wall> wall_scalars[] = {
-    {"position [m]", &Wall::position}, {"velocity [m/s]", &Wall::velocity}, {"force [N]", &Wall::force}, {"shear_force [N]", &Wall::shear_force}};
-constexpr Scalar<Material> material_scalars[] = {
-    {"density [kg/m^3]", &Material::density}, {"stiffness [N/m]", &Material::stiffness}, {"thermoelastic_factor [K/Pa]", &Material::thermoelastic_factor}};
-
-struct Constant {
-  const char* name;
-  std::optional<double> Material::*member;
-};
-constexpr Constant material_constants[] = {{"youngs_modulus [Pa]", &Material::youngs_modulus}, {"poisson", &Material::poisson}};
-
 /// A number that need not be there.
 void transfer_constant(const Hdf5Group& at, const char* name, std::optional<double>& value) {
   if (at.reads() ? !at.has_attribute(name) : !value) return;
@@ -100,6 +85,12 @@ void transfer_cohesive(const Hdf5Group& at, std::vector<CohesivePair>& pairs, st
 
 }  // namespace
 
+void refuse_version_01(const Hdf5Group& file, const std::filesystem::path& path) {
+  const auto is_text = [&](const char* numbers) { return file.has(numbers) && !file.has_group(numbers); };
+  if (is_text("texture") || is_text("numbers") || file.has("swing"))
+    refuse(path.string(), "was written by Arenite 0.1, whose results are no longer read; run the recipe in it (/provenance/recipe) again");
+}
+
 void transfer_points(const Hdf5Group& at, std::vector<Vec2>& points) { at.records(points, Named{"x", &Vec2::x, "m"}, Named{"y", &Vec2::y, "m"}); }
 
 void transfer_provenance(const Hdf5Group& at, Provenance& provenance) {
@@ -115,16 +106,11 @@ void transfer_provenance(const Hdf5Group& at, Provenance& provenance) {
 void transfer_materials(const Hdf5Group& at, Materials& materials) {
   at.each("materials", materials, 2, [](const Hdf5Group& one, Material& material) {
     one("name", material.name);
-    for (const auto& s : material_scalars) one(s.name, material.*s.member);
-    for (const auto& c : material_constants) transfer_constant(one, c.name, material.*c.member);
-  });
-}
-
-bool same(const Materials& a, const Materials& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Material& p, const Material& q) {
-    const auto is_same = [&](const auto& s) { return p.*s.member == q.*s.member; };
-    return p.name == q.name && std::all_of(std::begin(material_scalars), std::end(material_scalars), is_same) &&
-           std::all_of(std::begin(material_constants), std::end(material_constants), is_same);
+    one("density [kg/m^3]", material.density);
+    one("stiffness [N/m]", material.stiffness);
+    one("thermoelastic_factor [K/Pa]", material.thermoelastic_factor);
+    transfer_constant(one, "youngs_modulus [Pa]", material.youngs_modulus);
+    transfer_constant(one, "poisson", material.poisson);
   });
 }
 
@@ -135,9 +121,13 @@ void transfer_domain(const Hdf5Group& at, Domain& domain) {
   group("tilt [m]", domain.tilt);
   group("thickness [m]", domain.thickness);
   for (std::size_t side = 0; side < domain.wall.size(); ++side) {
-    const auto wall = group.group(side_names[side]);
-    wall("present", domain.wall[side].present);
-    for (const auto& s : wall_scalars) wall(s.name, domain.wall[side].*s.member);
+    const auto at_side = group.group(side_names[side]);
+    Wall& wall = domain.wall[side];
+    at_side("present", wall.present);
+    at_side("position [m]", wall.position);
+    at_side("velocity [m/s]", wall.velocity);
+    at_side("force [N]", wall.force);
+    at_side("shear_force [N]", wall.shear_force);
   }
   transfer_boundaries(group, domain.boundaries);
 }

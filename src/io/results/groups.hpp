@@ -11,6 +11,9 @@
 
 namespace arenite::io {
 
+/// Refuses a file of version 0.1, which kept its numbers as a text, and what a film gave as its "swing".
+void refuse_version_01(const Hdf5Group& file, const std::filesystem::path& path);
+
 /// The result of a whole file of that kind, by the function that transfers it.
 template <class Result>
 void write_result_file(const std::filesystem::path& path, std::string_view kind, void (*transfer)(const Hdf5Group&, Result&), const Result& result,
@@ -20,8 +23,10 @@ void write_result_file(const std::filesystem::path& path, std::string_view kind,
   write_checksummed(path, kind, file.bytes());
 }
 template <class Result> Result read_result_file(const std::filesystem::path& path, std::string_view kind, void (*transfer)(const Hdf5Group&, Result&)) {
+  const Hdf5Group file(read_checksummed(path, kind), path.string());
+  refuse_version_01(file, path);
   Result result;
-  transfer(Hdf5Group(read_checksummed(path, kind), path.string()), result);
+  transfer(file, result);
   return result;
 }
 
@@ -105,8 +110,6 @@ template <class Result> void transfer_origin(const Hdf5Group& at, Result& result
 }
 
 void transfer_materials(const Hdf5Group& at, Materials& materials);
-bool same(const Materials& a, const Materials& b);
-
 void transfer_domain(const Hdf5Group& at, Domain& domain);
 
 /// Grains. What does not change while they move is not written where the sample (or null) has the same, and then read from there. Grains of materials
@@ -135,7 +138,7 @@ void transfer_packing(const Hdf5Group& at, Packing& packing);
 void transfer_history(const Hdf5Group& at, const char* name, History& history);
 
 /// A tree of numbers as a table in a group: a row a node, parents before what they hold, with `name` (path with dots), `depth`, `kind`
-/// (Numbers::Kind), `value` (NaN where it is no number) and `text`. Reads also what version 0.1 wrote, which was JSON.
+/// (Numbers::Kind), `value` (NaN where it is no number) and `text`.
 void transfer_numbers(const Hdf5Group& at, const std::string& name, Numbers& numbers);
 
 }  // namespace arenite::io

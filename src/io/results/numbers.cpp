@@ -1,17 +1,12 @@
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
-#include <numeric>
 #include <optional>
-#include <string_view>
 #include <utility>
 
-#include "core/mapped.hpp"
-#include "io/disk/file.hpp"
+#include "core/text.hpp"
 #include "io/results/groups.hpp"
 #include "io/results/results.hpp"
-#include "io/table/table.hpp"
 
 namespace arenite::io {
 namespace {
@@ -28,14 +23,7 @@ struct NumberRows {
     at.array("depth", depth);
     at.array("kind", kind);
     at.array("value", value, "of the name");
-    if (at.reads() && at.has("text") && !at.has_group("text")) {  // former files have a text in every row
-      at.texts("text", text);
-      if (text.size() != name.size()) at.refuse("holds numbers whose columns do not agree");
-      worded.resize(text.size());
-      std::iota(worded.begin(), worded.end(), 0);
-    } else {
-      transfer_some(at, "text", worded, {{"text", &text}});
-    }
+    transfer_some(at, "text", worded, {{"text", &text}});
     transfer_some(at, "meaning", described, {{"unit", &unit}, {"sentence", &sentence}});
   }
 
@@ -104,39 +92,6 @@ Numbers leaf(Numbers::Kind kind, double value, const std::string& text) {
   return {};
 }
 
-/// Names in results of former versions, and what they are called now.
-constexpr std::pair<std::string_view, std::string_view> former_names[] = {{"twin", "simulation"},
-                                                                          {"raster", "grid"},
-                                                                          {"even_pdf", "histogram"},
-                                                                          {"own_even_pdf", "own_histogram"},
-                                                                          {"directions", "contact_orientations"},
-                                                                          {"joints", "necks"},
-                                                                          {"lost_joints", "lost_necks"},
-                                                                          {"thinnest_joint_nodes", "thinnest_neck_nodes"},
-                                                                          {"identity_defect", "reaction_balance_error"},
-                                                                          {"energy_defect", "energy_balance_error"},
-                                                                          {"share_above_mean", "fraction_above_mean"},
-                                                                          {"share_above_own_mean", "fraction_above_own_mean"},
-                                                                          {"share_above_sample_mean", "fraction_above_sample_mean"},
-                                                                          {"share_above_mean_of_all", "fraction_above_mean_of_all"}};
-
-/// The tree with other names, or other values in place of its own.
-template <class Name, class Leaf> Numbers remade(const Numbers& numbers, const Name& name, const Leaf& leaf) {
-  if (numbers.is_list()) return mapped(numbers, [&](const Numbers& item) { return remade(item, name, leaf); });
-  Numbers made = numbers.is_tree() ? Numbers::tree() : leaf(numbers);
-  for (const auto& [own, item] : numbers.items()) made[name(own)] = remade(item, name, leaf);
-  made.means_as(numbers);
-  return made;
-}
-
-Numbers under_names_of_now(const Numbers& numbers) { return remade(numbers, number_name_now, std::identity()); }
-
-/// With nothing in place of numbers that are not finite.
-Numbers finite(const Numbers& numbers) {
-  const auto known = [](const Numbers& n) { return n.kind() == Numbers::Kind::real && !std::isfinite(n.get<double>()) ? Numbers{} : n; };
-  return remade(numbers, std::identity(), known);
-}
-
 /// Takes rows from `row` on that lie deeper than their parent.
 Numbers node_at(const NumberRows& table, std::size_t& row) {
   const std::size_t own = row++;
@@ -169,28 +124,13 @@ Numbers read_rows(const Hdf5Group& at) {
   at.refuse("holds numbers that are damaged");
 }
 
-Numbers read_json(const Hdf5Group& at, const std::string& name) {
-  std::string json;
-  at.text(name, json);
-  if (json.empty()) return {};
-  const auto numbers = from_json(json);
-  if (!numbers || !numbers->is_tree()) at.refuse(fmt::format("holds numbers \"{}\" that are damaged", name));
-  return *numbers;
-}
-
 void transfer_file(const Hdf5Group& at, Numbers& numbers) { transfer_numbers(at, "numbers", numbers); }
 
 }  // namespace
 
-std::string_view number_name_now(std::string_view name) {
-  for (const auto& [former, now] : former_names)
-    if (name == former) return now;
-  return name;
-}
-
 void transfer_numbers(const Hdf5Group& at, const std::string& name, Numbers& numbers) {
   if (at.reads()) {
-    numbers = under_names_of_now(at.has_group(name) ? read_rows(at.group(name)) : read_json(at, name));
+    numbers = read_rows(at.group(name));
   } else {
     NumberRows table;
     if (numbers.is_known()) table.add("", 0, numbers);
@@ -198,11 +138,10 @@ void transfer_numbers(const Hdf5Group& at, const std::string& name, Numbers& num
   }
 }
 
-void write_numbers_file(const std::filesystem::path& path, const Numbers& numbers) { write_result_file(path, "numbers", transfer_file, finite(numbers)); }
+void write_numbers_file(const std::filesystem::path& path, const Numbers& numbers) { write_result_file(path, "numbers", transfer_file, numbers); }
 
-Numbers read_numbers_file(const std::filesystem::path& path, const std::filesystem::path& former_json) {
-  if (std::filesystem::exists(path)) return read_result_file(path, "numbers", transfer_file);
-  return std::filesystem::exists(former_json) ? under_names_of_now(from_json(read_file(former_json)).value_or(Numbers{})) : Numbers{};
+Numbers read_numbers_file(const std::filesystem::path& path) {
+  return std::filesystem::exists(path) ? read_result_file(path, "numbers", transfer_file) : Numbers{};
 }
 
 }  // namespace arenite::io

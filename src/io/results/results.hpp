@@ -37,14 +37,11 @@ FilmResult read_film_result(const std::filesystem::path& path);
 /// Reads a result of whichever kind its file says it is.
 std::variant<StageResult, FieldResult, FilmResult> read_result(const std::filesystem::path& path);
 
-/// What a number that former versions called so is called now; other names as they are. All that is read comes under the names of now.
-std::string_view number_name_now(std::string_view name);
-
-/// Writes a tree of numbers as one HDF5 file, all or nothing; numbers that are not finite become unknown.
+/// Writes a tree of numbers as one HDF5 file, all or nothing.
 void write_numbers_file(const std::filesystem::path& path, const Numbers& numbers);
 
-/// Reads it back, or the JSON that version 0.1 left in its stead; not known where there is neither. InputError for what is damaged.
-Numbers read_numbers_file(const std::filesystem::path& path, const std::filesystem::path& former_json);
+/// Reads it back; not known where there is none. InputError for what is damaged.
+Numbers read_numbers_file(const std::filesystem::path& path);
 
 /// What a run needs to go on after it was killed: the engine's bytes, where the loading stands, and what is already known of the stage. Blobs and
 /// numbers are named by who writes them.

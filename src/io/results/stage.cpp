@@ -4,24 +4,16 @@
 namespace arenite::io {
 namespace {
 
-struct EquilibriumScalar {
-  const char* name;
-  double Equilibrium::*member;
-  bool always;  ///< false: 0 in files that do not have it
-};
-constexpr EquilibriumScalar equilibrium_scalars[] = {{"unbalanced_ratio", &Equilibrium::unbalanced_ratio, true},
-                                                     {"kinetic_ratio", &Equilibrium::kinetic_ratio, true},
-                                                     {"mobilisation", &Equilibrium::mobilisation, true},
-                                                     {"wall_speed [m/s]", &Equilibrium::wall_speed, true},
-                                                     {"falling", &Equilibrium::falling, false},
-                                                     {"loose_kinetic_ratio", &Equilibrium::loose_kinetic, false}};
-
 void transfer_energies(const Hdf5Group& at, Frame& frame) {
   const auto energies = at.group("energies");
   for (const EnergyTerm& term : energy_terms) energies(std::string(term.name) + " [J]", frame.energies.*term.value);
   const auto equilibrium = at.group("equilibrium");
-  for (const auto& s : equilibrium_scalars)
-    if (s.always || !at.reads() || equilibrium.has_attribute(s.name)) equilibrium(s.name, frame.equilibrium.*s.member);
+  equilibrium("unbalanced_ratio", frame.equilibrium.unbalanced_ratio);
+  equilibrium("kinetic_ratio", frame.equilibrium.kinetic_ratio);
+  equilibrium("mobilisation", frame.equilibrium.mobilisation);
+  equilibrium("wall_speed [m/s]", frame.equilibrium.wall_speed);
+  equilibrium("falling", frame.equilibrium.falling);
+  equilibrium("loose_kinetic_ratio", frame.equilibrium.loose_kinetic);
 }
 
 void transfer_frame(const Hdf5Group& at, Frame& frame, const Packing& sample) {
@@ -29,7 +21,7 @@ void transfer_frame(const Hdf5Group& at, Frame& frame, const Packing& sample) {
   at("step", frame.step);
   at("label", frame.label);
   Packing& packing = frame.packing;
-  if (at.reads() ? at.has("materials") : !same(packing.materials, sample.materials)) transfer_materials(at, packing.materials);
+  if (at.reads() ? at.has("materials") : packing.materials != sample.materials) transfer_materials(at, packing.materials);
   else if (at.reads()) packing.materials = sample.materials;
   transfer_domain(at, packing.domain);
   transfer_grains(at, packing, &sample.grains);

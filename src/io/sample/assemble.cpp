@@ -6,25 +6,13 @@
 #include <map>
 #include <unordered_map>
 
+#include "core/mapped.hpp"
+#include "geometry/rectangle.hpp"
+
 namespace arenite::io {
 namespace {
 
 using Index = std::unordered_map<std::int64_t, std::int32_t>;  // only looked up, never walked through
-
-Domain domain_of(const RawGrains& grains, const SampleOptions& options) {
-  Domain d;
-  d.thickness = options.thickness.value_or(0);
-  d.tilt = grains.tilt;
-  d.periodic[0] = grains.periodic[0];
-  d.periodic[1] = grains.periodic[1];
-  d.wall[left].position = grains.box_low.x;
-  d.wall[right].position = grains.box_high.x;
-  d.wall[bottom].position = grains.box_low.y;
-  d.wall[top].position = grains.box_high.y;
-  d.wall[left].present = d.wall[right].present = grains.has_box && !d.periodic[0];
-  d.wall[bottom].present = d.wall[top].present = grains.has_box && !d.periodic[1];
-  return d;
-}
 
 /// `closed`: the user gave the box, so that a centre outside is a slip.
 Index add_grains(const RawGrains& raw, const Domain& domain, bool closed, Grains& grains, Problems& problems) {
@@ -165,26 +153,23 @@ void add_contacts(const RawContacts& raw, const Index& index, bool has_box, cons
 
 void place_box(RawGrains& grains, Problems& problems) {
   if (grains.rows.empty()) return;
-  Vec2 low = grains.rows.front().centre, high = low;
-  for (const RawGrain& g : grains.rows) {
-    low = {std::min(low.x, g.centre.x), std::min(low.y, g.centre.y)};
-    high = {std::max(high.x, g.centre.x), std::max(high.y, g.centre.y)};
-  }
-  const Vec2 size = grains.box_high - grains.box_low;
-  const auto place = [&](double Vec2::*axis, bool periodic, const char* name) {
-    if (periodic || (low.*axis >= 0 && high.*axis <= size.*axis)) return;
-    if (high.*axis - low.*axis > size.*axis)
-      problems.add(fmt::format("the centres span {:g} m along {}, more than the box's {:g} m; correct --box or --length-unit", high.*axis - low.*axis, name,
-                               size.*axis));
-    grains.box_low.*axis = 0.5 * (low.*axis + high.*axis) - 0.5 * size.*axis;
-    grains.box_high.*axis = grains.box_low.*axis + size.*axis;
+  const auto centres = mapped(grains.rows, &RawGrain::centre);
+  const geometry::Rectangle around = geometry::bounds(centres);
+  const auto place = [&](int axis, double low, double high, const char* name) {
+    const double size = grains.cell.extent(axis);
+    if (grains.cell.periodic[axis] || (low >= 0 && high <= size)) return;
+    if (high - low > size)
+      problems.add(fmt::format("the centres span {:g} m along {}, more than the box's {:g} m; correct --box or --length-unit", high - low, name, size));
+    const double corner = 0.5 * (low + high) - 0.5 * size;
+    grains.cell.wall[2 * axis].position = corner;
+    grains.cell.wall[2 * axis + 1].position = corner + size;
     grains.notes.push_back(
         fmt::format("The centres do not lie between 0 and the box's {:g} m along {}, so the box was laid around them, from {:g} m; "
                     "--origin places it.",
-                    size.*axis, name, grains.box_low.*axis));
+                    size, name, corner));
   };
-  place(&Vec2::x, grains.periodic[0], "x");
-  place(&Vec2::y, grains.periodic[1], "y");
+  place(0, around.x_min, around.x_max, "x");
+  place(1, around.y_min, around.y_max, "y");
 }
 
 void assemble(const RawGrains& grains, const RawContacts& contacts, const SampleOptions& options, Sample& sample, Problems& grain_problems,
@@ -192,7 +177,9 @@ void assemble(const RawGrains& grains, const RawContacts& contacts, const Sample
   const bool unreadable = contact_problems.any();
   if (grain_problems.any()) Problems::raise({&grain_problems, &contact_problems});
   Packing& packing = sample.packing;
-  packing.domain = domain_of(grains, options);
+  packing.domain = grains.cell;
+  packing.domain.thickness = options.thickness.value_or(0);
+  for (int side = 0; side < sides; ++side) packing.domain.wall[side].present = grains.has_box && !packing.domain.is_periodic(side);
   const Index index = add_grains(grains, packing.domain, options.box.has_value(), packing.grains, grain_problems);
   assign_materials(grains, options.materials, packing, grain_problems);
   if (!unreadable) add_contacts(contacts, index, grains.has_box, options, sample, contact_problems);

@@ -74,8 +74,6 @@ bool lies_inside(Vec2 p, const Domain& domain) {
   return p.x >= domain.wall[left].position && p.x <= domain.wall[right].position && p.y >= domain.wall[bottom].position && p.y <= domain.wall[top].position;
 }
 
-}  // namespace
-
 RawGrains read_grains_csv(std::string_view text, const SampleOptions& options, Problems& problems) {
   const Table table = read_table(text, options.grain_columns, problems);
   RawGrains grains;
@@ -147,6 +145,12 @@ RawContacts read_contacts_csv(std::string_view text, const RawGrains&, const Sam
   }
   return contacts;
 }
+
+}  // namespace
+
+/// Grains from a table with columns id, x, y, radius (or diameter) and perhaps material and zone; units in the header win over those of the options.
+/// Contacts from one with columns i, j and fn, ft (or fx, fy: the force on j) and perhaps nx, ny; j may name a wall: left, right, bottom, top.
+const SampleFormat csv_sample{"csv", [](std::string_view) { return true; }, [](std::string_view) { return true; }, read_grains_csv, read_contacts_csv};
 
 Grains read_placed_grains(const std::filesystem::path& path, const Materials& materials, const Domain& domain) {
   Problems problems(path.string());

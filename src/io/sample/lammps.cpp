@@ -73,13 +73,9 @@ void read_box(std::vector<Item>& items, double length, RawGrains& grains, Proble
   read(0, x);
   read(1, y);
   const double xy = tilted ? x[2] : 0, xz = tilted ? y[2] : 0;  // bounds of a tilted box enclose its corners
-  grains.box_low = {x[0] - std::min({0.0, xy, xz, xy + xz}), y[0]};
-  grains.box_high = {x[1] - std::max({0.0, xy, xz, xy + xz}), y[1]};
-  grains.tilt = xy;
-  const std::size_t first = tilted ? 3 : 0;
-  grains.periodic[0] = flags.size() > first && flags[first] == "pp";
-  grains.periodic[1] = flags.size() > first + 1 && flags[first + 1] == "pp";
-  grains.has_box = true;
+  grains.lay_box({x[0] - std::min({0.0, xy, xz, xy + xz}), y[0]}, {x[1] - std::max({0.0, xy, xz, xy + xz}), y[1]});
+  grains.cell.tilt = xy;
+  for (std::size_t axis = 0, flag = tilted ? 3 : 0; axis < 2; ++axis, ++flag) grains.cell.periodic[axis] = flags.size() > flag && flags[flag] == "pp";
 }
 
 bool is_opaque(std::string_view name) { return name.starts_with("c_") || name.starts_with("f_"); }
@@ -117,7 +113,7 @@ void name_opaque_columns(Table& entries, const RawGrains& grains) {
   for (std::size_t k = 0; k < at.size(); ++k) entries.columns[at[k]].name = names[k];
 }
 
-}  // namespace
+bool is_dump(std::string_view first_line) { return first_line.starts_with("ITEM:"); }
 
 RawGrains read_lammps_atoms(std::string_view text, const SampleOptions& options, Problems& problems) {
   RawGrains grains;
@@ -148,8 +144,8 @@ RawGrains read_lammps_atoms(std::string_view text, const SampleOptions& options,
     g.id = integer_or_problem(cells[id], "id", line, problems);
     g.centre = {length(x, scaled ? 1 : options.length()), length(y, scaled ? 1 : options.length())};
     if (scaled) {
-      const Vec2 size = grains.box_high - grains.box_low;
-      g.centre = grains.box_low + Vec2{g.centre.x * size.x + g.centre.y * grains.tilt, g.centre.y * size.y};
+      const Vec2 size = grains.cell.size();
+      g.centre = grains.cell.corner() + Vec2{g.centre.x * size.x + g.centre.y * grains.cell.tilt, g.centre.y * size.y};
     }
     g.radius = half * length(r, options.length());
     if (type) g.material = cells[*type];
@@ -192,5 +188,13 @@ RawContacts read_lammps_pairs(std::string_view text, const RawGrains& grains, co
   });
   return contacts;
 }
+
+}  // namespace
+
+/// The last snapshot of a LAMMPS `dump custom` with columns id, type, x, y (or xu, yu; xs, ys) and radius (or diameter), with its box, periodic sides
+/// and tilt; and that of a `dump local` of `property/local patom1 patom2` and `pair/local fx fy [fz] p1 p2 [p3]` of a granular pair style: (fx, fy) is
+/// the normal and (p1, p2) the tangential force, both on atom 1. Its columns are known by these names, or by `contact_columns`, or where LAMMPS names
+/// them c_ID[n], by what they hold or by this order.
+const SampleFormat lammps_sample{"lammps", is_dump, is_dump, read_lammps_atoms, read_lammps_pairs};
 
 }  // namespace arenite::io

@@ -31,13 +31,8 @@ std::vector<NumberRow> numbers_of(const std::vector<std::vector<std::string_view
 
 class PairGeometry {
  public:
-  explicit PairGeometry(const RawGrains& grains) {
+  explicit PairGeometry(const RawGrains& grains) : cell_(grains.has_box ? grains.cell : Domain{}) {
     for (const RawGrain& g : grains.rows) centre_[g.id] = g.centre;
-    cell_.periodic[0] = grains.has_box && grains.periodic[0];
-    cell_.periodic[1] = grains.has_box && grains.periodic[1];
-    cell_.wall[right].position = grains.box_high.x - grains.box_low.x;
-    cell_.wall[top].position = grains.box_high.y - grains.box_low.y;
-    cell_.tilt = grains.tilt;
   }
 
   bool is_grain(double id) const { return id == std::floor(id) && std::abs(id) < 1e15 && centre_.count(static_cast<std::int64_t>(id)) > 0; }

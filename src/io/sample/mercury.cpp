@@ -2,20 +2,25 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "io/table/table.hpp"
 
 namespace arenite::io {
 namespace {
 
+bool all_numbers(std::string_view line, std::size_t count) {
+  const auto cells = split_blanks(line);
+  return cells.size() == count && std::ranges::all_of(cells, [](std::string_view cell) { return to_number(cell).has_value(); });
+}
+
 void read_header(const std::vector<std::string_view>& cells, int line, double length, RawGrains& grains, Problems& problems) {
   const auto bound = [&](std::size_t c) { return number_or_problem(cells[c], "box bound", length, line, problems); };
   grains.rows.clear();
-  grains.box_low = {bound(2), bound(3)};
-  grains.box_high = {bound(4), bound(5)};
-  grains.has_box = grains.box_high.x > grains.box_low.x && grains.box_high.y > grains.box_low.y;
+  const Vec2 low{bound(2), bound(3)}, high{bound(4), bound(5)};
+  grains.lay_box(low, high);
+  grains.has_box = high.x > low.x && high.y > low.y;
 }
-
-}  // namespace
 
 RawGrains read_mercury_data(std::string_view text, const SampleOptions& options, Problems& problems) {
   RawGrains grains;
@@ -100,5 +105,13 @@ RawContacts read_mercury_fstat(std::string_view text, const RawGrains&, const Sa
   if (!any) problems.add("the file is empty; give a .fstat file with at least one time step");
   return contacts;
 }
+
+}  // namespace
+
+/// The last time step of a MercuryDPM .data file of a plane simulation: a line "N time xmin ymin xmax ymax", then N lines "x y vx vy radius angle
+/// omega info"; info is the species. Grains are numbered from 0 in their order. And that of a .fstat file: lines "time i j x y z overlap
+/// tangential_overlap fn ft nx ny nz tx ty tz", n pointing to grain i; j < 0 is a wall. Contacts of two grains are listed once for each of them.
+const SampleFormat mercury_sample{"mercury", [](std::string_view line) { return all_numbers(line, 6); },
+                                  [](std::string_view line) { return line.starts_with('#') || all_numbers(line, 16); }, read_mercury_data, read_mercury_fstat};
 
 }  // namespace arenite::io

@@ -73,10 +73,16 @@ struct RawContact {
 struct RawGrains {
   std::vector<RawGrain> rows;
   bool has_box = false;
-  Vec2 box_low, box_high;  ///< m
-  std::array<bool, 2> periodic{};
-  double tilt = 0;
+  Domain cell;  ///< its walls' places, periodic sides and tilt
   std::vector<std::string> notes;
+
+  void lay_box(Vec2 low, Vec2 high) {
+    has_box = true;
+    cell.wall[left].position = low.x;
+    cell.wall[right].position = high.x;
+    cell.wall[bottom].position = low.y;
+    cell.wall[top].position = high.y;
+  }
 };
 
 struct RawContacts {
@@ -105,38 +111,16 @@ void assemble(const RawGrains& grains, const RawContacts& contacts, const Sample
 /// columns id and material, for grains whose file has no material.
 void assign_materials(const RawGrains& raw, const std::optional<std::filesystem::path>& file, Packing& packing, Problems& problems);
 
-/// Grains from a table with columns id, x, y, radius (or diameter) and perhaps material and zone. Units in the header win over those of `options`. What is
-/// wrong goes to `problems`.
-RawGrains read_grains_csv(std::string_view text, const SampleOptions& options, Problems& problems);
-
-/// Contacts from a table with columns i, j and fn, ft (or fx, fy: the force on j) and perhaps nx, ny. j may name a wall: left, right, bottom, top.
-RawContacts read_contacts_csv(std::string_view text, const RawGrains&, const SampleOptions& options, Problems& problems);
-
-/// The last snapshot of a LAMMPS `dump custom` with columns id, type, x, y (or xu, yu; xs, ys) and radius (or diameter), with its box, periodic sides
-/// and tilt.
-RawGrains read_lammps_atoms(std::string_view text, const SampleOptions& options, Problems& problems);
-
-/// The last snapshot of a LAMMPS `dump local` of `property/local patom1 patom2` and `pair/local fx fy [fz] p1 p2 [p3]` of a granular pair style: (fx,
-/// fy) is the normal and (p1, p2) the tangential force, both on atom 1. Columns are known by these names, or by `contact_columns`, or where LAMMPS names them
-/// c_ID[n], by this order.
-RawContacts read_lammps_pairs(std::string_view text, const RawGrains&, const SampleOptions& options, Problems& problems);
-
-/// The last time step of a MercuryDPM .data file of a plane simulation: a line "N time xmin ymin xmax ymax", then N lines "x y vx vy radius angle
-/// omega info"; info is the species. Grains are numbered from 0 in their order.
-RawGrains read_mercury_data(std::string_view text, const SampleOptions& options, Problems& problems);
-
-/// The last time step of a MercuryDPM .fstat file: lines "time i j x y z overlap tangential_overlap fn ft nx ny nz tx ty tz", n pointing to grain i;
-/// j < 0 is a wall. Contacts of two grains are listed once for each of them.
-RawContacts read_mercury_fstat(std::string_view text, const RawGrains&, const SampleOptions& options, Problems& problems);
-
-/// Spheres written by YADE's export.text or export.textExt: "#format x_y_z_r" (or x_y_z_r_matId, x_y_z_r_attrs, id_x_y_z_r_matId), then one sphere a
-/// line. The plane is x-y, or x-z or y-z where y or x is the same for all. Without ids spheres are numbered from 0 in their order.
-RawGrains read_yade_spheres(std::string_view text, const SampleOptions& options, Problems& problems);
-
-/// Interactions written by YADE's VTKExporter.exportInteractions with what = {'normalForce': 'i.phys.normalForce', 'shearForce':
-/// 'i.phys.shearForce'}: both centres of every interaction and the force on the second body. The file has no ids, so ends are matched with the
-/// centres of `grains`; an end that is no grain's centre is a wall.
-RawContacts read_yade_interactions(std::string_view text, const RawGrains& grains, const SampleOptions& options, Problems& problems);
+/// A program's files: how they are recognised by their first line that is not empty, and read; what is wrong goes to the problems. Contacts of every
+/// format are also accepted as a table, since many codes have no format of their own for them.
+struct SampleFormat {
+  const char* name;
+  bool (*is_grains)(std::string_view first_line);
+  bool (*is_contacts)(std::string_view first_line);
+  RawGrains (*grains)(std::string_view text, const SampleOptions& options, Problems& problems);
+  RawContacts (*contacts)(std::string_view text, const RawGrains& grains, const SampleOptions& options, Problems& problems);
+};
+extern const SampleFormat lammps_sample, yade_sample, mercury_sample, csv_sample;
 
 /// Places of the columns that a file of contacts needs.
 struct PairColumns {

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "io/table/table.hpp"
+#include "model/periodic_images.hpp"
 
 namespace arenite::io {
 namespace {
@@ -27,7 +28,7 @@ class Centres {
  public:
   explicit Centres(const RawGrains& grains) : grains_(grains) {
     for (std::size_t g = 0; g < grains.rows.size(); ++g) {
-      const Vec2 centre = wrapped(grains.rows[g].centre);
+      const Vec2 centre = wrapped(grains.cell, grains.rows[g].centre);
       by_x_.emplace(centre.x, Centre{centre, g});
       largest_ = std::max(largest_, grains.rows[g].radius);
     }
@@ -35,10 +36,11 @@ class Centres {
   /// Index of the grain, or -1.
   std::int64_t find(Vec2 p) const {
     const double reach = 1e-5 * (std::abs(p.x) + std::abs(p.y));
-    const Vec2 size = grains_.box_high - grains_.box_low, base = wrapped(p);
-    for (int ky = -grains_.periodic[1]; ky <= int{grains_.periodic[1]}; ++ky)
-      for (int kx = -grains_.periodic[0]; kx <= int{grains_.periodic[0]}; ++kx)
-        if (const auto g = near(base + Vec2{kx * size.x + ky * grains_.tilt, ky * size.y}, reach); g >= 0) return g;
+    const Domain& cell = grains_.cell;
+    const Vec2 size = cell.size(), base = wrapped(cell, p);
+    for (int ky = -cell.periodic[1]; ky <= int{cell.periodic[1]}; ++ky)
+      for (int kx = -cell.periodic[0]; kx <= int{cell.periodic[0]}; ++kx)
+        if (const auto g = near(base + Vec2{kx * size.x + ky * cell.tilt, ky * size.y}, reach); g >= 0) return g;
     return -1;
   }
 
@@ -47,12 +49,6 @@ class Centres {
     Vec2 at;
     std::size_t grain;
   };
-  Vec2 wrapped(Vec2 p) const {
-    const Vec2 size = grains_.box_high - grains_.box_low;
-    if (grains_.periodic[1]) p = p - std::floor((p.y - grains_.box_low.y) / size.y) * Vec2{grains_.tilt, size.y};
-    if (grains_.periodic[0]) p.x -= std::floor((p.x - grains_.box_low.x) / size.x) * size.x;
-    return p;
-  }
   std::int64_t near(Vec2 p, double reach) const {
     const double most = reach + slack * largest_;
     for (auto it = by_x_.lower_bound(p.x - most); it != by_x_.end() && it->first <= p.x + most; ++it)
@@ -106,17 +102,15 @@ std::vector<Point> read_points(Words& words, std::size_t count, double factor, P
 bool may_be_wall(Vec2 n, const RawGrains& grains) {
   constexpr double slack = 1e-3;  // six digits, and walls that settled
   const double x = std::abs(n.x), y = std::abs(n.y);
-  return (y <= slack * x && !grains.periodic[0]) || (x <= slack * y && !grains.periodic[1]);
+  return (y <= slack * x && !grains.cell.periodic[0]) || (x <= slack * y && !grains.cell.periodic[1]);
 }
 
 std::string not_joined(std::size_t count, std::size_t all, const RawGrains& grains) {
-  const bool cell = grains.periodic[0] || grains.periodic[1];
+  const bool cell = grains.cell.periodic[0] || grains.cell.periodic[1];
   return fmt::format("{} of {} interactions end at no grain's centre, and their forces are not those of a wall of the box; {}", count, all,
                      cell ? "the cell does not join the grains across its periodic sides: correct --box (O.cell.hSize) and --periodic"
                           : "if they cross a periodic side give the cell by --box and --periodic; spheres and interactions must be written at the same step");
 }
-
-}  // namespace
 
 RawGrains read_yade_spheres(std::string_view text, const SampleOptions& options, Problems& problems) {
   RawGrains grains;
@@ -213,5 +207,15 @@ RawContacts read_yade_interactions(std::string_view text, const RawGrains& grain
   if (without_grain > 0) contacts.notes.push_back(fmt::format("{} of {} interactions are of no grain in the list and are left out.", without_grain, count));
   return contacts;
 }
+
+}  // namespace
+
+/// Spheres written by YADE's export.text or export.textExt: "#format x_y_z_r" (or x_y_z_r_matId, x_y_z_r_attrs, id_x_y_z_r_matId), then one sphere a
+/// line. The plane is x-y, or x-z or y-z where y or x is the same for all. Without ids spheres are numbered from 0 in their order. Interactions written
+/// by VTKExporter.exportInteractions with what = {'normalForce': 'i.phys.normalForce', 'shearForce': 'i.phys.shearForce'}: both centres of every
+/// interaction and the force on the second body. The file has no ids, so ends are matched with the centres of the grains; an end that is no grain's
+/// centre is a wall.
+const SampleFormat yade_sample{"yade", [](std::string_view line) { return line.starts_with("#format"); },
+                               [](std::string_view line) { return line.starts_with("# vtk DataFile"); }, read_yade_spheres, read_yade_interactions};
 
 }  // namespace arenite::io

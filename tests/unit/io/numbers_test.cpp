@@ -3,8 +3,6 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <map>
-
 #include "core/error.hpp"
 
 namespace {
@@ -45,13 +43,6 @@ Numbers through_a_file(Numbers numbers) {
   return numbers_in({file.bytes(), "some.h5"}, "numbers");
 }
 
-/// A file with these texts by their names.
-io::Hdf5Group file_of(std::map<std::string, std::string> texts) {
-  const io::Hdf5Group file;
-  for (auto& [name, text] : texts) file.text(name, text);
-  return {file.bytes(), "old.h5"};
-}
-
 RC_GTEST_PROP(NumbersTable, GivesBackEveryNumberInItsOrder, ()) {
   Numbers n{{"all", any_numbers(3)}};
   RC_ASSERT(through_a_file(n) == n);
@@ -76,23 +67,6 @@ TEST(NumbersTable, KeepsIntegersThatNoRealHolds) {
   EXPECT_FALSE(through_a_file({}).is_known());
 }
 
-TEST(NumbersTable, NumbersOfVersion01AreRead) {
-  const io::Hdf5Group at = file_of({{"texture", R"({"grains": 5, "z": {"value": 3.9, "error": 0.1}})"}, {"none", ""}});
-  EXPECT_EQ(numbers_in(at, "texture")["z"]["value"], 3.9);
-  EXPECT_FALSE(numbers_in(at, "none").is_known());
-}
-
-TEST(NumbersTable, FormerNamesAreReadUnderThoseOfNow) {
-  const Numbers former{{"raster", {{"joints", 5}, {"lost_joints", 1}, {"thinnest_joint_nodes", 3}}},
-                       {"sets", {{{"share_above_own_mean", 0.4}, {"own_even_pdf", {{"width", 0.05}}}}}},
-                       {"directions", {{"film", 1}}}};
-  const Numbers now{{"grid", {{"necks", 5}, {"lost_necks", 1}, {"thinnest_neck_nodes", 3}}},
-                    {"sets", {{{"fraction_above_own_mean", 0.4}, {"own_histogram", {{"width", 0.05}}}}}},
-                    {"contact_orientations", {{"film", 1}}}};
-  EXPECT_EQ(through_a_file(former), now);
-  EXPECT_EQ(numbers_in(file_of({{"numbers", to_json(former)}}), "numbers"), now);
-}
-
 /// A table as it lies in a file, but for its texts; every value is 2.
 io::Hdf5Group table_in(const io::Hdf5Group& file, std::vector<std::string> name, std::vector<std::uint8_t> depth, std::vector<std::uint8_t> kind) {
   std::vector<double> value(name.size(), 2.0);
@@ -105,21 +79,16 @@ io::Hdf5Group table_in(const io::Hdf5Group& file, std::vector<std::string> name,
 }
 
 TEST(NumbersTable, WhatIsDamagedIsTold) {
-  for (const char* json : {R"({"grains": )", "[1, 2]", "5", "{\"grains\": \"\xff\"}"})
-    EXPECT_THROW(numbers_in(file_of({{"texture", json}}), "texture"), InputError) << json;
-  const auto refused = [](const std::vector<std::string>& name, const std::vector<std::uint8_t>& depth, const std::vector<std::uint8_t>& kind,
-                          std::size_t texts) {
+  const auto refused = [](const std::vector<std::string>& name, const std::vector<std::uint8_t>& depth, const std::vector<std::uint8_t>& kind) {
     const io::Hdf5Group file;
-    std::vector<std::string> text(texts);
-    table_in(file, name, depth, kind).texts("text", text);
+    table_in(file, name, depth, kind);
     EXPECT_THROW(numbers_in({file.bytes(), "some.h5"}, "n"), InputError);
   };
-  refused({"", "a"}, {0, 1}, {7}, 2);  // columns of unlike length
-  refused({"", "a"}, {0, 1}, {7, 4}, 1);
-  refused({"", "a"}, {0, 2}, {7, 4}, 2);  // a child without its parent
-  refused({"", "a", "b"}, {0, 0, 0}, {7, 4, 4}, 3);
-  refused({"", "a"}, {1, 2}, {7, 4}, 2);
-  refused({"", "list", ""}, {0, 1, 2}, {7, 4, 4}, 3);  // a real holds nothing
+  refused({"", "a"}, {0, 1}, {7});     // columns of unlike length
+  refused({"", "a"}, {0, 2}, {7, 4});  // a child without its parent
+  refused({"", "a", "b"}, {0, 0, 0}, {7, 4, 4});
+  refused({"", "a"}, {1, 2}, {7, 4});
+  refused({"", "list", ""}, {0, 1, 2}, {7, 4, 4});  // a real holds nothing
   const auto refused_rows = [](std::vector<std::int64_t> row, std::vector<std::string> text) {
     const io::Hdf5Group file;
     const auto some = table_in(file, {"", "a", "b"}, {0, 1, 1}, {7, 5, 5}).group("text");
@@ -131,14 +100,6 @@ TEST(NumbersTable, WhatIsDamagedIsTold) {
   refused_rows({2, 1}, {"one", "two"});  // rows out of order
   refused_rows({1, 3}, {"one", "two"});  // a row that is not there
   refused_rows({-1, 1}, {"one", "two"});
-}
-
-/// As files before had it.
-TEST(NumbersTable, ATextInEveryRowIsRead) {
-  std::vector<std::string> text{"", "one", ""};
-  const io::Hdf5Group file;
-  table_in(file, {"", "a", "b"}, {0, 1, 1}, {7, 5, 4}).texts("text", text);
-  EXPECT_EQ(numbers_in({file.bytes(), "some.h5"}, "n"), (Numbers{{"a", "one"}, {"b", 2.0}}));
 }
 
 /// A recipe among thousands of numbers: no number is as wide as it.

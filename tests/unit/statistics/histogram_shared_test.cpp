@@ -18,7 +18,7 @@ TEST(Histogram, CountsEachValueInItsBinAndOthersInTheTotal) {
 TEST(PeakOf, IsTheHighestMeanOfThreeBins) {
   const Bins bins{0, 1, 7};
   // One high bin alone is less than three fairly high ones.
-  const Peak peak = peak_of(bins, {{0, 8, 0, 5, 6, 5, 0}, 0, 0});
+  const Peak peak = peak_of(bins, {0, 0, 8, 0, 5, 6, 5, 0, 0});
   EXPECT_DOUBLE_EQ(peak.at, 4.5);
   EXPECT_DOUBLE_EQ(peak.height, 16.0 / 3 / 24);
 }

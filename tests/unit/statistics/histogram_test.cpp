@@ -16,20 +16,17 @@ TEST(BlockedSample, CountsAreThoseOfASearchInEveryBlock) {
   const Bins bins{-1.5, 0.25, 10};
   const BlockCounts counts = count(sample, bins);
   for (std::size_t b = 0; b < 7; ++b) {
-    double below = 0, above = 0;
-    std::vector<double> in(bins.count, 0);
+    Counts expected(bins.count + 2, 0);
     for (std::size_t i = 0; i < sample.x.size(); ++i) {
       if (sample.block[i] != b) continue;
-      below += sample.x[i] < bins.edge(0);
-      above += sample.x[i] >= bins.edge(10);
-      for (std::size_t k = 0; k < bins.count; ++k) in[k] += sample.x[i] >= bins.edge(k) && sample.x[i] < bins.edge(k + 1);
+      expected.front() += sample.x[i] < bins.edge(0);
+      expected.back() += sample.x[i] >= bins.edge(10);
+      for (std::size_t k = 0; k < bins.count; ++k) expected[k + 1] += sample.x[i] >= bins.edge(k) && sample.x[i] < bins.edge(k + 1);
     }
-    EXPECT_EQ(counts.block[b].in, in);
-    EXPECT_EQ(counts.block[b].below, below);
-    EXPECT_EQ(counts.block[b].above, above);
+    EXPECT_EQ(counts.block[b], expected);
   }
-  EXPECT_EQ(counts.all.total(), 5000);
-  EXPECT_EQ(counts.without(3).total(), 5000 - counts.block[3].total());
+  EXPECT_EQ(total(counts.all), 5000);
+  EXPECT_EQ(total(counts.without(3)), 5000 - total(counts.block[3]));
 }
 
 TEST(BlockedSample, BinsReachTheExtremesUnlessTheseLieFarOut) {
