@@ -95,9 +95,9 @@ RunState attempt_whatever_happens(const Study& study, const StudyRun& run, const
                                   const StudyOptions& options) {
   try {
     return attempt(study, run, folder, store, options);
-  } catch (const std::bad_alloc&) {
-    return {Kind::failed, 0, "the memory does not suffice; do fewer runs at once (--jobs)"};
-  } catch (const std::exception& error) { return {Kind::failed, 0, error.what()}; }
+  } catch (const std::bad_alloc&) { return {Kind::failed, 0, "out of memory; do fewer runs at once (--jobs)"}; } catch (const std::exception& error) {
+    return {Kind::failed, 0, error.what()};
+  }
 }
 
 }  // namespace

@@ -156,8 +156,8 @@ class Scheduler {
     }
     const RunState state{Kind::failed, 0,
                          end.signal != 0
-                             ? fmt::format("its process was ended by signal {} ({}); perhaps the memory did not suffice", end.signal, ::strsignal(end.signal))
-                             : fmt::format("its process ended with status {} and left no word; perhaps the disk is full", end.status)};
+                             ? fmt::format("its process was ended by signal {} ({}); perhaps it ran out of memory", end.signal, ::strsignal(end.signal))
+                             : fmt::format("its process ended with status {} without a message; perhaps the disk is full", end.status)};
     workflow::make_folder(folder_.run(study_.runs[run].name));
     write_status(folder_, study_.runs[run].name, state);
     note_state(journal_, study_.runs[run].name, state);

@@ -56,7 +56,7 @@ Sweep take_sweep(Study& study, recipe::Reading& reading) {
   study.tree = recipe::read_tree(io::read_file(study.file), reading, study.overrides, recipe::recipe_keys(), "composite");
   study.notices = reading.notices;
   const auto section = study.tree.take("sweep");
-  if (!section) refuse(study.file, "has no section [sweep], so it is one run: `arenite run {}`; docs/studies.md says what [sweep] may hold", study.file);
+  if (!section) refuse(study.file, "has no section [sweep], so it is one run: `arenite run {}`; docs/studies.md describes [sweep]", study.file);
   const recipe::Entry* seed = study.tree.find("seed");
   const bool has_seed = seed && seed->value.kind == recipe::Node::Kind::integer;
   return read_sweep(section->value, reading, has_seed ? static_cast<std::uint64_t>(seed->value.integer) : 1);

@@ -73,7 +73,7 @@ void read_replicates(const recipe::Node& value, recipe::Reading& reading, Sweep&
   if (value.kind == recipe::Node::Kind::integer && value.integer >= 1 && value.integer <= static_cast<std::int64_t>(most_runs)) {
     sweep.replicates = value.integer;
   } else {
-    add_problem(reading, value.place, "sweep.replicates", "must be a whole number of at least 1: how many seeds each combination is run with");
+    add_problem(reading, value.place, "sweep.replicates", "must be a whole number of at least 1, the number of seeds of each combination");
   }
 }
 
@@ -92,8 +92,7 @@ void refuse_doubles(const Sweep& sweep, recipe::Reading& reading) {
       for (const auto& [key, value] : point) {
         if (sweep.replicates > 0 && key == "seed")
           add_problem(reading, value.place, "sweep", "seed: replicates give each run its seed; leave out one of the two");
-        if (axis_of.emplace(key, a).first->second != a)
-          add_problem(reading, value.place, "sweep", fmt::format("{}: is swept in two ways; leave it in one of them", key));
+        if (axis_of.emplace(key, a).first->second != a) add_problem(reading, value.place, "sweep", fmt::format("{}: is swept twice; keep one", key));
       }
 }
 

@@ -78,7 +78,7 @@ void refuse_deep_keys(std::string_view text, const std::string& file_name) {
     } else if (c == '#') {
       at = std::min(text.find('\n', at), text.size()) - 1;
     } else if (c == '.' && ++dots >= deepest) {
-      throw InputError(file_name, line, "no key of a recipe has so many parts; check the dots in this line");
+      throw InputError(file_name, line, "no recipe key has that many parts; check the dots in this line");
     } else if (std::string_view("\n=,[]{}").find(c) != std::string_view::npos) {
       dots = 0;
       line += c == '\n' ? 1 : 0;

@@ -19,59 +19,59 @@ void declare(Visitor& v, camera::Optics& optics) {
 }
 
 void declare(Visitor& v, camera::Photograph& photograph) {
-  v.number({"optical_pixel", "Side of an ordinary camera's pixel on the sample, in the picture that is taken beside the film."}, photograph.pixel, "mm",
-           range::positive);
+  v.number({"optical_pixel", "Side of a pixel on the sample in the picture of the ordinary camera."}, photograph.pixel, "mm", range::positive);
   v.number({"optical_blur", "Standard deviation of its lens' blur, in its pixels."}, photograph.blur, "", range::between(0, 5));
-  v.number({"optical_right", "How far to the right the sample is seen in the picture, against the film."}, photograph.shift.x, "mm", range::any);
-  v.number({"optical_up", "How far up."}, photograph.shift.y, "mm", range::any);
-  v.number({"optical_rotation", "How far it is turned counterclockwise, rad."}, photograph.rotation, "", range::between(-3.2, 3.2));
-  v.number({"optical_exposure", "Level of what is white in it, share of the range."}, photograph.exposure, "%", range::above(0, 4));
-  v.number({"optical_noise", "Standard deviation of its noise, share of the range."}, photograph.noise, "%", range::between(0, 0.5));
+  v.number({"optical_right", "Shift of that picture to the right, relative to the film."}, photograph.shift.x, "mm", range::any);
+  v.number({"optical_up", "Shift upwards."}, photograph.shift.y, "mm", range::any);
+  v.number({"optical_rotation", "Rotation, counter-clockwise, rad."}, photograph.rotation, "", range::between(-3.2, 3.2));
+  v.number({"optical_exposure", "Grey level of white in that picture, as a fraction of the range."}, photograph.exposure, "%", range::above(0, 4));
+  v.number({"optical_noise", "Standard deviation of its noise, as a fraction of the range."}, photograph.noise, "%", range::between(0, 0.5));
 }
 
 void declare(Visitor& v, camera::Detector& detector) {
-  v.number({"electrons", "In a pixel at 296 K; their square root is the shot noise."}, detector.electrons, "", range::positive);
+  v.number({"electrons", "Electrons in a pixel at 296 K; their square root is the shot noise."}, detector.electrons, "", range::positive);
   v.number({"full_well", "Electrons at the highest level."}, detector.full_well, "", range::positive);
   v.number({"netd", "Noise equivalent temperature difference at 296 K."}, detector.netd, "mK", range::not_negative);
-  v.integer({"bits", "Of a digital level."}, detector.bits, {4, 16});
+  v.integer({"bits", "Bits of a digital level."}, detector.bits, {4, 16});
   v.number({"gain_spread", "Standard deviation of the pixels' gain."}, detector.gain_spread, "%", range::between(0, 0.5));
-  v.number({"offset_spread", "Standard deviation of their offset over the range."}, detector.offset_spread, "%", range::between(0, 0.5));
-  v.number({"bad_share", "Share of pixels that are dead, hot or noisy."}, detector.bad_share, "%", range::between(0, 0.5));
-  v.number({"noise_correlation", "Of a pixel's noise in one frame with that in the next."}, detector.noise_correlation, "", range::between(0, 0.95));
-  v.number({"common_noise", "Standard deviation of what all pixels of a frame share beside their own noise."}, detector.common_noise, "mK",
+  v.number({"offset_spread", "Standard deviation of the pixels' offset over the range."}, detector.offset_spread, "%", range::between(0, 0.5));
+  v.number({"bad_share", "Fraction of pixels that are dead, hot or noisy."}, detector.bad_share, "%", range::between(0, 0.5));
+  v.number({"noise_correlation", "Correlation of a pixel's noise between successive frames."}, detector.noise_correlation, "", range::between(0, 0.95));
+  v.number({"common_noise", "Standard deviation of the noise common to all pixels of a frame, in addition to their own."}, detector.common_noise, "mK",
            range::not_negative);
 }
 
 void declare(Visitor& v, camera::Interference& line) {
-  v.number({"line_frequency", "Of a line of the electronics in the film."}, line.frequency, "Hz", range::not_negative);
-  v.number({"line_amplitude", "Its amplitude; 0: there is none."}, line.amplitude, "mK", range::not_negative);
-  v.number({"line_advance", "Cycles by which its phase goes on from row to row."}, line.advance, "", range::any);
+  v.number({"line_frequency", "Frequency of a spectral line of the electronics in the film."}, line.frequency, "Hz", range::not_negative);
+  v.number({"line_amplitude", "Amplitude of the line; 0: none."}, line.amplitude, "mK", range::not_negative);
+  v.number({"line_advance", "Phase advance of the line from row to row, in cycles."}, line.advance, "", range::any);
 }
 
 void declare(Visitor& v, camera::Surroundings& around) {
-  v.number({"temperature", "Of the sample."}, around.temperature, "K", range::positive);
-  v.number({"ambient", "Of the surroundings that the sample mirrors."}, around.ambient, "K", range::positive);
-  v.number({"background_emissivity", "Of what is seen between the grains."}, around.background_emissivity, "", range::above(0, 1));
+  v.number({"temperature", "Temperature of the sample."}, around.temperature, "K", range::positive);
+  v.number({"ambient", "Temperature of the surroundings that the sample reflects."}, around.ambient, "K", range::positive);
+  v.number({"background_emissivity", "Emissivity of the background between the grains."}, around.background_emissivity, "", range::above(0, 1));
   v.number({"container_emissivity", "Of the container.", false, "frame_emissivity"}, around.container_emissivity, "", range::above(0, 1));
-  v.number({"drift", "Warming of the whole scene."}, around.drift, "mK/s", range::any);
-  v.number({"drift_growth", "By which this rate grows."}, around.drift_growth, "mK/s^2", range::any);
-  v.number({"warm_up", "By how much the scene warms beside, exponentially."}, around.warm_up, "K", range::any);
-  v.number({"warm_up_time", "After which 1/e of that is left to come."}, around.warm_up_time, "s", range::positive);
-  v.flag({"radiometry", "Planck's law, emissivities and mirrored surroundings; false: levels are linear in temperature and all is black."}, around.radiometry);
+  v.number({"drift", "Drift rate of the temperature of the whole scene."}, around.drift, "mK/s", range::any);
+  v.number({"drift_growth", "Rate of change of the drift rate."}, around.drift_growth, "mK/s^2", range::any);
+  v.number({"warm_up", "Amplitude of an additional exponential warm-up of the scene."}, around.warm_up, "K", range::any);
+  v.number({"warm_up_time", "Time constant of the warm-up."}, around.warm_up_time, "s", range::positive);
+  v.flag({"radiometry", "Planck's law, emissivities and reflected surroundings; false: levels are linear in temperature and all surfaces are black."},
+         around.radiometry);
 }
 
 void declare(Visitor& v, camera::Timing& timing) {
   v.integer({"frames", "Frames that the camera takes."}, timing.frames, {8, 100'000'000});
   v.number({"frame_rate", "Frames in a second."}, timing.frame_rate, "Hz", range::positive);
-  v.number({"integration", "Time over which a frame gathers light."}, timing.integration, "us", range::not_negative);
-  v.number({"load_frequency", "Of the load, as it is reported."}, timing.load_frequency, "Hz", range::positive);
-  v.number({"frequency_error", "The true frequency is larger by this share."}, timing.frequency_error, "%", range::between(-0.5, 0.5));
-  v.number({"second_harmonic", "Of the load, over the first."}, timing.second_harmonic, "%", range::between(0, 1));
-  v.number({"dropped", "Share of frames that are lost."}, timing.dropped, "%", range::between(0, 0.9));
+  v.number({"integration", "Integration time of a frame."}, timing.integration, "us", range::not_negative);
+  v.number({"load_frequency", "Nominal frequency of the load."}, timing.load_frequency, "Hz", range::positive);
+  v.number({"frequency_error", "Relative excess of the true frequency over the nominal one."}, timing.frequency_error, "%", range::between(-0.5, 0.5));
+  v.number({"second_harmonic", "Second harmonic of the load, over the first."}, timing.second_harmonic, "%", range::between(0, 1));
+  v.number({"dropped", "Fraction of frames that are lost."}, timing.dropped, "%", range::between(0, 0.9));
 }
 
 void declare(Visitor& v, CameraSection& camera) {
-  v.text({"low", "Stage at whose end the load is smallest; without it the load varies from none."}, camera.low);
+  v.text({"low", "Stage at whose end the load is smallest; if not given, the load starts from zero."}, camera.low);
   v.text({"high", "Stage at whose end the load is largest, or a load of the cemented sample.", true}, camera.high);
   declare(v, camera.parameters.optics);
   declare(v, camera.parameters.photograph);
@@ -82,8 +82,8 @@ void declare(Visitor& v, CameraSection& camera) {
   v.number({"band_low", "Shortest wavelength."}, camera.parameters.band.low, "um", range::positive);
   v.number({"band_high", "Longest wavelength."}, camera.parameters.band.high, "um", range::positive);
   v.require(camera.parameters.band.high > camera.parameters.band.low, {"band_high", "band_low"}, "must be above band_low");
-  v.flag({"motion", "Grains move between their places in the two states."}, camera.parameters.motion);
-  v.number({"contact_arc", "Half angle over which a contact presses on a grain, rad; 0: a point."}, camera.parameters.contact_arc, "", range::between(0, 0.8));
+  v.flag({"motion", "Grains move between their positions in the two states."}, camera.parameters.motion);
+  v.number({"contact_arc", "Half angle of the contact area on a grain, rad; 0: a point."}, camera.parameters.contact_arc, "", range::between(0, 0.8));
   v.integer({"reference_frames", "Frames in each of the two films of a black-body reference.", false, "plate_frames"}, camera.reference_frames, {1, 1'000'000});
   v.number({"reference_cold", "Temperature of the first reference.", false, "plate_cold"}, camera.reference_cold, "K", range::positive);
   v.number({"reference_warm", "Temperature of the second reference.", false, "plate_warm"}, camera.reference_warm, "K", range::positive);
@@ -91,20 +91,20 @@ void declare(Visitor& v, CameraSection& camera) {
 }
 
 void declare(Visitor& v, FilmMaterial& material) {
-  v.number({"thermoelastic_factor", "A: temperature rise per fall of the sum of principal stresses.", true}, material.thermoelastic_factor, "K/MPa",
+  v.number({"thermoelastic_factor", "A: temperature rise per decrease of the sum of principal stresses.", true}, material.thermoelastic_factor, "K/MPa",
            range::positive);
-  v.number({"brightness", "In the picture that grains are found in; only the order of the materials counts."}, material.brightness, "", range::between(0, 1));
-  v.number({"emissivity", "In the camera's band; unless given, that of [temperature]."}, material.emissivity, "", range::above(0, 1));
-  v.number(
-      {"stiffness", "Of its contacts, as in the recipe of a packing: where means leave forces open, they go the stiffer way; 0: not known, alike for all."},
-      material.stiffness, "kN/mm", range::not_negative);
+  v.number({"brightness", "Brightness in the picture in which grains are found; only the order of the materials matters."}, material.brightness, "",
+           range::between(0, 1));
+  v.number({"emissivity", "Emissivity in the band of the camera; unless given, that of [temperature]."}, material.emissivity, "", range::above(0, 1));
+  v.number({"stiffness", "Contact stiffness, as in a packing's recipe; decides forces that the grain means leave undetermined; 0: unknown, equal for all."},
+           material.stiffness, "kN/mm", range::not_negative);
 }
 
 void declare(Visitor& v, io::FilmChoice& film) {
-  v.number({"frame_rate", "Instead of what the film says; its time stamps are then left aside."}, film.frame_rate, "Hz", range::positive);
-  v.number({"scale", "Temperature of one level: pixels become scale times their number, plus offset."}, film.scale, "K", range::positive);
+  v.number({"frame_rate", "Frame rate, instead of that of the film, whose time stamps are then ignored."}, film.frame_rate, "Hz", range::positive);
+  v.number({"scale", "Temperature per level: temperature = scale x level + offset."}, film.scale, "K", range::positive);
   v.number({"offset", "Temperature of level 0."}, film.offset, "K", range::any);
-  v.text({"dataset", "Of an HDF5 file that holds several that can be films."}, film.dataset);
+  v.text({"dataset", "Dataset to read from an HDF5 file that holds several."}, film.dataset);
 }
 
 void declare(Visitor& v, FilmContainer& container) {
@@ -113,72 +113,74 @@ void declare(Visitor& v, FilmContainer& container) {
   v.number({"thickness", "Length of the cylinders, out of the plane.", true}, container.thickness, "mm", range::positive);
   v.number({"left", "Column of the container's inner left side in the film; unless given, the container is in the middle."}, container.left, "", range::any);
   v.number({"top", "Row of its inner upper side, from the top."}, container.top, "", range::any);
-  v.number({"load_peak_to_peak", "Force on the lower wall, largest less smallest; 0: not known.", false, "load_swing"}, container.load_peak_to_peak, "kN",
+  v.number({"load_peak_to_peak", "Force on the lower wall, largest minus smallest; 0: not known.", false, "load_swing"}, container.load_peak_to_peak, "kN",
            range::not_negative);
   v.number({"travel", "Displacement of the lower wall, upwards, from the smallest to the largest load."}, container.travel, "mm", range::any);
 }
 
 void declare(Visitor& v, PictureSection& picture) {
   v.number({"pixel", "Side of the film's pixels on the sample.", true}, picture.pixel, "mm", range::positive);
-  v.file({"grains", "CSV of hand-made positions (id, x, y, radius, material); without it grains are found by program."}, picture.grains);
-  v.file({"optical", "Picture of an ordinary camera in which grains are found; without it they are found in the film."}, picture.optical);
-  v.number({"optical_pixel", "Side of the optical picture's pixels on the sample; 0: as the film's."}, picture.optical_pixel, "mm", range::not_negative);
-  v.numbers({"radii", "Size classes of the grains; without them they are found."}, picture.radii, "mm", range::positive);
+  v.file({"grains", "CSV of positions made by hand (id, x, y, radius, material); if not given, grains are found automatically."}, picture.grains);
+  v.file({"optical", "Picture of an ordinary camera in which grains are found; if not given, they are found in the film."}, picture.optical);
+  v.number({"optical_pixel", "Side of the optical picture's pixels on the sample; 0: that of the film."}, picture.optical_pixel, "mm", range::not_negative);
+  v.numbers({"radii", "Size classes of the grains; found automatically if not given."}, picture.radii, "mm", range::positive);
 }
 
 void declare(Visitor& v, CorrectionSection& correction) {
   v.file({"cold", "Film of a black-body reference: one-point non-uniformity correction of every pixel's offset."}, correction.cold);
-  v.file({"warm", "Film of a warmer reference: with it gains are corrected, too."}, correction.warm);
-  v.require(correction.warm.empty() || !correction.cold.empty(), {"cold", "warm"}, "is needed beside warm");
-  v.number({"cold_temperature", "Of the first reference; 0: not known."}, correction.cold_temperature, "K", range::not_negative);
-  v.number({"warm_temperature", "Of the second reference; 0: not known."}, correction.warm_temperature, "K", range::not_negative);
-  v.flag({"bad_pixels", "Pixels that stand out by level, gain or noise are replaced by their neighbours."}, correction.bad_pixels);
+  v.file({"warm", "Film of a warmer reference: gains are then corrected as well."}, correction.warm);
+  v.require(correction.warm.empty() || !correction.cold.empty(), {"cold", "warm"}, "is needed together with warm");
+  v.number({"cold_temperature", "Temperature of the first reference; 0: not known."}, correction.cold_temperature, "K", range::not_negative);
+  v.number({"warm_temperature", "Temperature of the second reference; 0: not known."}, correction.warm_temperature, "K", range::not_negative);
+  v.flag({"bad_pixels", "Pixels with outlying level, gain or noise are replaced by their neighbours."}, correction.bad_pixels);
 }
 
 void declare(Visitor& v, TemperatureSection& temperature) {
   using From = TemperatureSection::From;
-  v.choice({"from", "What turns digital levels into temperatures."}, temperature.from,
-           {{"references", "the two black-body references of [correction] and Planck's law between them, emissivity taken into account", "plates"},
+  v.choice({"from", "Method that converts digital levels into temperatures."}, temperature.from,
+           {{"references", "the two black-body references of [correction] and Planck's law between them, with emissivity taken into account", "plates"},
             {"radiometry", "levels are proportional to photons; Planck's law and the film's mean at [temperature] ambient"},
             {"curve", "a calibration curve"},
-            {"film", "the film holds temperatures already"}});
+            {"film", "the film already holds temperatures"}});
   v.when(temperature.from == From::curve, "from = \"curve\"", [&](Visitor& inner) {
-    inner.file({"curve", "CSV with columns level and temperature, of a black body; for one taken of the grains themselves give emissivity = 1.", true},
-               temperature.curve);
+    inner.file(
+        {"curve", "CSV with columns level and temperature, calibrated on a black body; if calibrated on the grains themselves, give emissivity = 1.", true},
+        temperature.curve);
   });
   v.when(temperature.from == From::film, "from = \"film\"", [&](Visitor& inner) {
-    inner.number({"assumed_emissivity", "That the film's temperatures were made with; with it they are corrected to the materials'."},
+    inner.number({"assumed_emissivity", "Emissivity assumed in the temperatures of the film; they are then corrected to those of the materials."},
                  temperature.assumed_emissivity, "", range::above(0, 1));
   });
-  v.number({"emissivity", "Of materials that do not say their own; 0.9 unless given."}, temperature.emissivity, "", range::above(0, 1));
-  v.number({"ambient", "Temperature of the surroundings that grains mirror; 296 K unless given."}, temperature.ambient, "K", range::positive);
-  v.numbers({"band", "Shortest and longest wavelength that the camera sees; unless given, what the film says, or 3.6 to 5.1 um."}, temperature.band, "um",
+  v.number({"emissivity", "Emissivity of materials without their own; 0.9 unless given."}, temperature.emissivity, "", range::above(0, 1));
+  v.number({"ambient", "Temperature of the surroundings that the grains reflect; 296 K unless given."}, temperature.ambient, "K", range::positive);
+  v.numbers({"band", "Shortest and longest wavelength of the camera's band; unless given, that of the film, or 3.6 to 5.1 um."}, temperature.band, "um",
             range::positive);
   v.require(temperature.band.empty() || (temperature.band.size() == 2 && temperature.band[1] > temperature.band[0]), {"band"},
             "must be the shortest and the longest wavelength, such as [\"3.6 um\", \"5.1 um\"]");
 }
 
 void declare(Visitor& v, LockinSection& lockin) {
-  v.number({"frequency", "Of the load; it is refined on the film.", true}, lockin.frequency, "Hz", range::positive);
-  v.choice({"method", "How an amplitude is found in the film."}, lockin.method,
+  v.number({"frequency", "Frequency of the load; it is refined on the film.", true}, lockin.frequency, "Hz", range::positive);
+  v.choice({"method", "Method that finds the amplitude."}, lockin.method,
            {{"least_squares", "drift and harmonics fitted to every pixel"}, {"nearest_bin", "plain Fourier transform, as in the thesis"}});
-  v.integer({"drift", "Order of the polynomial that slow changes follow."}, lockin.drift, {0, 8});
-  v.integer({"harmonics", "Multiples of the load frequency that are fitted."}, lockin.harmonics, {1, 4});
-  v.number(
-      {"phase", "When the load is largest: what its cycle has gone through since the first frame, 360 deg a cycle; unless given, it is found on the film."},
-      lockin.phase, "deg", range::between(-2 * std::numbers::pi, 2 * std::numbers::pi));
+  v.integer({"drift", "Order of the polynomial that describes the drift."}, lockin.drift, {0, 8});
+  v.integer({"harmonics", "Number of harmonics of the load frequency that are fitted."}, lockin.harmonics, {1, 4});
+  v.number({"phase", "Phase angle from the first frame to the maximum of the load, 360 deg per cycle; unless given, it is found on the film."}, lockin.phase,
+           "deg", range::between(-2 * std::numbers::pi, 2 * std::numbers::pi));
   v.flag({"motion", "Motion of the grains is fitted and removed."}, lockin.motion);
   v.number({"diffusivity",
-            "Of heat in the grains: a notice says where heat diffuses not far less than a pixel within a cycle. The default is about that of plastics."},
+            "Thermal diffusivity of the grains: a notice is given if heat diffuses over about a pixel or more within a cycle. The default is about that of "
+            "plastics."},
            lockin.diffusivity, "mm^2/s", range::positive);
 }
 
 void declare(Visitor& v, ForcesSection& forces) {
-  v.choice({"from", "What contact forces are inferred from."}, forces.from,
-           {{"pixels", "every pixel of the grains"}, {"means", "the grains' means alone"}, {"none", "no forces"}});
-  v.number({"central_share", "Share of a grain's area, round its centre, over which its stress is averaged."}, forces.central_share, "%", range::above(0, 1));
+  v.choice({"from", "Data from which contact forces are inferred."}, forces.from,
+           {{"pixels", "every pixel of the grains"}, {"means", "only the means of the grains"}, {"none", "no forces"}});
+  v.number({"central_share", "Fraction of a grain's area, around its centre, over which its stress is averaged."}, forces.central_share, "%",
+           range::above(0, 1));
   v.number({"blur",
-            "Standard deviation of the lens' blur, in pixels. Where the rims of the film show another one a notice says so, and errors hold the difference."},
+            "Standard deviation of the lens blur, in pixels. If the rims in the film show another one, a notice says so, and errors include the difference."},
            forces.blur, "", range::between(0, 5));
   v.number({"friction", "Coefficient of friction: bounds tangential forces of a state."}, forces.friction, "", range::not_negative);
   v.flag({"state", "The film shows a state that starts from no load, so that the friction cone holds; otherwise the difference between two."}, forces.state);
@@ -195,7 +197,7 @@ void require_emissivities_used(Visitor& v, const FilmRecipe& recipe) {
   const auto& t = recipe.temperature;
   const auto has_own = [](const FilmMaterial& m) { return m.emissivity.has_value(); };
   const bool every = !recipe.materials.empty() && std::all_of(recipe.materials.begin(), recipe.materials.end(), has_own);
-  v.require(!(every && t.emissivity), {"temperature"}, "emissivity is for materials that do not say their own, and every one does; remove it, or theirs");
+  v.require(!(every && t.emissivity), {"temperature"}, "emissivity is for materials without their own, but every material has one; remove it, or theirs");
   const bool of_surfaces = std::any_of(recipe.materials.begin(), recipe.materials.end(), has_own) || t.emissivity || t.ambient || !t.band.empty();
   const bool unread = t.from == TemperatureSection::From::film && !t.assumed_emissivity && of_surfaces;
   v.require(!unread || recipe.camera, {"temperature", "materials"}, unread_emissivity);
@@ -204,23 +206,23 @@ void require_emissivities_used(Visitor& v, const FilmRecipe& recipe) {
 }  // namespace
 
 void declare(ParameterVisitor& v, FilmRecipe& recipe) {
-  v.text({"title", "One line for the head of reports."}, recipe.title);
+  v.text({"title", "Title of reports, one line."}, recipe.title);
   v.integer({"seed", "Seed of a virtual camera's random numbers."}, recipe.seed, {0, std::numeric_limits<std::int64_t>::max()});
   v.sections(
       {"materials", "Materials of the grains, by name.", true},
       {[&] { return recipe.materials.size(); }, [&](std::size_t n) { recipe.materials.resize(n); },
        [&](Visitor& inner, std::size_t i) { declare(inner, recipe.materials[i]); }, [&](std::size_t i) -> std::string& { return recipe.materials[i].name; }});
-  v.optional_section<io::FilmChoice>({"film", "What the film does not say about itself, or says wrongly."}, recipe.film,
+  v.optional_section<io::FilmChoice>({"film", "Metadata that the film lacks or gives wrongly."}, recipe.film,
                                      [](Visitor& inner, io::FilmChoice& film) { declare(inner, film); });
-  v.section({"container", "The box that holds the grains.", true, "frame"}, [&](Visitor& inner) { declare(inner, recipe.container); });
-  v.section({"picture", "Where grains are in the film.", true}, [&](Visitor& inner) { declare(inner, recipe.picture); });
+  v.section({"container", "Box that holds the grains.", true, "frame"}, [&](Visitor& inner) { declare(inner, recipe.container); });
+  v.section({"picture", "How grains are found in the film.", true}, [&](Visitor& inner) { declare(inner, recipe.picture); });
   v.section({"lockin", "From the film to the amplitude of every pixel.", true}, [&](Visitor& inner) { declare(inner, recipe.lockin); });
-  v.section({"correction", "Faults of the camera that are removed from the film."}, [&](Visitor& inner) { declare(inner, recipe.correction); });
+  v.section({"correction", "Correction of detector faults."}, [&](Visitor& inner) { declare(inner, recipe.correction); });
   v.section({"temperature", "From digital levels to kelvin."}, [&](Visitor& inner) { declare(inner, recipe.temperature); });
   v.section({"forces", "From the amplitude to stresses of grains and forces of contacts."}, [&](Visitor& inner) { declare(inner, recipe.forces); });
-  v.optional_section<SimulationSection>({"simulation", "A companion simulation of the same packing, held beside the film.", false, "twin"}, recipe.simulation,
+  v.optional_section<SimulationSection>({"simulation", "A companion simulation of the same packing, compared with the film.", false, "twin"}, recipe.simulation,
                                         [](Visitor& inner, SimulationSection& simulation) { declare(inner, simulation); });
-  v.optional_section<CameraSection>({"camera", "A virtual camera that films simulated states; for `arenite camera`."}, recipe.camera,
+  v.optional_section<CameraSection>({"camera", "Virtual camera that films simulated states; for `arenite camera`."}, recipe.camera,
                                     [](Visitor& inner, CameraSection& camera) { declare(inner, camera); });
   // A virtual camera films its references itself, and its recipe need not say what only a film is measured with.
   v.require(recipe.camera || has_references(recipe), {"temperature", "correction"}, needs_references);

@@ -108,12 +108,12 @@ std::vector<double> emissivities(const FilmRecipe& recipe);
 /// False where temperatures are to come from the two black-body references (the default) and these are not given.
 bool has_references(const FilmRecipe& recipe);
 inline constexpr const char* needs_references =
-    "from is \"references\" unless given, and needs correction.cold, correction.warm and their temperatures, the warmer one's above the "
-    "other's; give them, or write [temperature] with from = \"film\" (it holds temperatures), \"curve\" or \"radiometry\"";
+    "from is \"references\" unless given, and needs correction.cold, correction.warm and their temperatures, the second above the "
+    "first; give them, or write [temperature] with from = \"film\" (it holds temperatures), \"curve\" or \"radiometry\"";
 
 /// Of a film in kelvin of which nothing says how these were made.
 inline constexpr const char* unread_emissivity =
-    "emissivity, ambient and band are not used where the film holds temperatures already, unless it is known what these were made with; give "
+    "emissivity, ambient and band are not used if the film already holds temperatures, unless the emissivity assumed in them is known; give "
     "temperature.assumed_emissivity (1 if they are those of a black body), or remove them";
 
 /// Whether this text is meant for `arenite film` or `arenite camera`, and not for a simulation; false for what is not TOML.

@@ -19,9 +19,9 @@ void declare(Visitor& v, Material& material) {
   v.number({"youngs_modulus", "Young's modulus E, for contact.normal = \"hertz_mindlin\"."}, material.youngs_modulus, "GPa", range::positive);
   v.number({"poisson", "Poisson's ratio nu, for the same."}, material.poisson, "", range::between(0, 0.5));
   const bool elastic = material.youngs_modulus && material.poisson;
-  v.number_above_0({"stiffness", "Contact stiffness k of two grains of this material; not needed beside E and nu where these make the contacts.", !elastic},
+  v.number_above_0({"stiffness", "Contact stiffness k of two grains of this material; not needed if the normal law takes E and nu.", !elastic},
                    material.stiffness, "kN/mm");
-  v.number({"thermoelastic_factor", "Temperature rise per fall of the sum of principal stresses; 0: not known."}, material.thermoelastic_factor, "K/MPa",
+  v.number({"thermoelastic_factor", "Temperature rise per decrease of the sum of principal stresses; 0: not known."}, material.thermoelastic_factor, "K/MPa",
            range::not_negative);
 }
 
@@ -42,16 +42,15 @@ void require_known_material(Visitor& v, const Population& population, const Mate
 void declare(Visitor& v, ContainerParameters& frame, PackingParameters::Method method) {
   v.when(method != PackingParameters::Method::poisson, "packing.method other than \"poisson\", which makes its own box", [&](Visitor& inner) {
     inner.number({"width", "Inner width of the container, or of the periodic cell.", true}, frame.width, "mm", range::positive);
-    inner.number_above_0({"height", "Inner height at the start; if not given, fillings take the one that packing.solid_fraction asks for."}, frame.height,
-                         "mm");
+    inner.number_above_0({"height", "Inner height at the start; if not given, it follows from packing.solid_fraction."}, frame.height, "mm");
   });
   v.number({"thickness", "Length of the cylinders, out of the plane.", true}, frame.thickness, "mm", range::positive);
-  v.flag({"periodic_x", "Left and right side are one: no walls there."}, frame.periodic[0]);
-  v.flag({"periodic_y", "Bottom and top side are one: no walls there."}, frame.periodic[1]);
+  v.flag({"periodic_x", "Periodic in x: no walls on the left and right."}, frame.periodic[0]);
+  v.flag({"periodic_y", "Periodic in y: no walls at the bottom and top."}, frame.periodic[1]);
 }
 
 void declare_fill_area(Visitor& v, std::optional<FillArea>& area) {
-  v.optional_section<FillArea>({"area", "The part of the container that is filled, where boundaries leave grains no other; needs container.height."}, area,
+  v.optional_section<FillArea>({"area", "Part of the container to fill, for containers with boundaries; needs container.height."}, area,
                                [](Visitor& inner, FillArea& edges) {
                                  inner.number({"left", "Edge, from the container's left side."}, edges.left, "mm", range::not_negative);
                                  inner.number({"right", "Edge, from the container's left side."}, edges.right, "mm", range::positive);
@@ -62,18 +61,18 @@ void declare_fill_area(Visitor& v, std::optional<FillArea>& area) {
 
 void declare(Visitor& v, PackingParameters& packing) {
   using Method = PackingParameters::Method;
-  v.choice({"method", "How the grains get their first places."}, packing.method,
+  v.choice({"method", "Method that gives the initial positions of the grains."}, packing.method,
            {{"random", "at random, then relaxed until overlaps vanish"},
-            {"lattice", "stacked row on row as a triangular lattice"},
-            {"file", "as a CSV of centres, radii and materials says"},
-            {"poisson", "two size classes by fast Poisson disk sampling, as [bidisperse] says"}});
+            {"lattice", "stacked row by row as a triangular lattice"},
+            {"file", "read from a CSV of centres, radii and materials"},
+            {"poisson", "two size classes by fast Poisson disk sampling, defined in [bidisperse]"}});
   v.when(packing.method == Method::random || packing.method == Method::lattice, "method = \"random\" or \"lattice\"", [&](Visitor& inner) {
-    inner.integer({"grains", "Total number of grains, where populations give ratios."}, packing.grains, {0, 100'000'000});
+    inner.integer({"grains", "Total number of grains, if populations give ratios."}, packing.grains, {0, 100'000'000});
     declare_fill_area(inner, packing.area);
   });
   v.when(packing.method == Method::random, "method = \"random\"", [&](Visitor& inner) {
-    inner.number({"solid_fraction", "Area share of the grains that the random filling aims at; loading compacts it."}, packing.solid_fraction, "",
-                 range::above(0, 0.9));
+    inner.number({"solid_fraction", "Target solid fraction (area of grains over area of the box) of the random filling; loading compacts it."},
+                 packing.solid_fraction, "", range::above(0, 0.9));
   });
   v.when(packing.method == Method::file, "method = \"file\"", [&](Visitor& inner) {
     inner.file({"file", "CSV of the grains: id, x, y, radius, material.", true}, packing.file);
@@ -85,9 +84,9 @@ void declare(Visitor& v, Region& region, const ContainerParameters& frame) {
   v.number({"y", "Centre, from the bottom.", true}, region.centre.y, "mm", range::not_negative);
   v.require(frame.width <= 0 || region.centre.x <= frame.width, {"x"}, "must lie inside the container");
   v.require(frame.height <= 0 || region.centre.y <= frame.height, {"y"}, "must lie inside the container");
-  v.integer({"count", "The grains nearest to the centre, this many, instead of a shape."}, region.count, {1, 100'000'000});
+  v.integer({"count", "Number of grains nearest to the centre, instead of a shape."}, region.count, {1, 100'000'000});
   v.when(!region.count, "no count", [&](Visitor& inner) {
-    inner.choice({"shape", "Outline; grains whose centre lies inside are glued."}, region.shape,
+    inner.choice({"shape", "Outline of the region; grains whose centre lies inside are glued."}, region.shape,
                  {{"circle", "of a radius"}, {"rectangle", "of width and height"}});
   });
   v.when(!region.count && region.shape == Region::Shape::circle, "shape = \"circle\"", [&](Visitor& inner) {
@@ -104,7 +103,7 @@ void require_grains(Visitor& v, const Recipe& recipe) {
   const auto& populations = recipe.populations;
   const bool from_file = recipe.packing.method == Method::file, sampled = recipe.packing.method == Method::poisson;
   v.require(from_file || sampled || !populations.empty(), {"populations", "packing"},
-            "is missing; say which grains there are in [[populations]], or read them with packing.method = \"file\"");
+            "is missing; define the grains in [[populations]], or read them with packing.method = \"file\"");
   v.require(!sampled || populations.empty(), {"populations", "packing"},
             "the grains come from [bidisperse]; leave out [[populations]], or choose another packing.method");
   v.require(!from_file || populations.empty(), {"populations", "packing"},
@@ -114,14 +113,14 @@ void require_grains(Visitor& v, const Recipe& recipe) {
   std::int64_t counted = 0;
   for (const auto& population : populations) counted += population.count.value_or(0);
   v.require(!shares || recipe.packing.grains > counted, {"packing", "populations"},
-            fmt::format("populations with a ratio share packing.grains less the {} counted grains; set it higher", counted));
+            fmt::format("populations with a ratio share packing.grains minus the {} counted grains; set it higher", counted));
 }
 
 void require_fill_area(Visitor& v, const Recipe& recipe) {
   const ContainerParameters& frame = recipe.container;
   const auto& area = recipe.packing.area;
   if (!area) return;
-  v.require(frame.height > 0, {"container", "packing"}, "a part of it can be filled only where its height is known; write height = \"... mm\"");
+  v.require(frame.height > 0, {"container", "packing"}, "a part of it can be filled only if its height is given; write height = \"... mm\"");
   v.require((!frame.periodic[0] || (!area->left && !area->right)) && (!frame.periodic[1] || (!area->bottom && !area->top)), {"packing"},
             "packing.area cannot end before a periodic side; leave out its edges there");
   const auto fits = [](std::optional<double> low, std::optional<double> high, double size) {
@@ -136,13 +135,13 @@ void require_movable_shapes(Visitor& v, const Recipe& recipe) {
   const bool disks = std::ranges::all_of(recipe.populations, [](const auto& p) { return std::holds_alternative<packing::DiskShape>(p.shape); });
   const bool rough = std::any_of(recipe.stages.begin(), recipe.stages.end(), [](const Stage& stage) { return stage.rough != std::array<bool, 4>{}; });
   v.require(disks || !recipe.has_field(), {"populations", "cement"},
-            "grains that are no disks cannot be cemented and loaded as a field; leave out [cement], [grid] and [[loads]]");
+            "grains other than disks cannot be cemented and loaded as a field; leave out [cement], [grid] and [[loads]]");
   v.require(disks || dem::integrator_of(recipe.integration.integrator).moves_bodies, {"populations", "integration"},
-            "grains that are no disks need integration.integrator = " + dem::integrators_of_bodies());
+            "grains other than disks need integration.integrator = " + dem::integrators_of_bodies());
   v.require(disks || !recipe.contact.has_bonds(), {"populations", "contact"}, "bonds join disks only; leave contact.bonds at \"none\"");
   v.require(disks || !recipe.contact.is_cohesive(), {"populations", "contact"},
-            "grains that are no disks neither stick nor hold liquid yet; leave contact.cohesion at \"none\"");
-  v.require(disks || !rough, {"populations", "stages"}, "rough walls hold disks only; take smooth walls with friction for clumps and polygons");
+            "cohesion is not implemented for grains other than disks; leave contact.cohesion at \"none\"");
+  v.require(disks || !rough, {"populations", "stages"}, "rough walls work with disks only; use smooth walls with friction for clumps and polygons");
 }
 
 void declare_materials(Visitor& v, Materials& materials) {
@@ -163,7 +162,7 @@ void require_constants(Visitor& v, const Recipe& recipe) {
                 fmt::format("normal = \"{}\" needs E and nu; write youngs_modulus and poisson in [materials.{}]", dem::HertzMindlin::word.word, m.name));
     } else {
       v.require(m.stiffness > 0, {"contact", "materials"},
-                fmt::format("the normal law needs a stiffness; write it in [materials.{}], or take normal = \"{}\"", m.name, dem::HertzMindlin::word.word));
+                fmt::format("the normal law needs a stiffness; write it in [materials.{}], or use normal = \"{}\"", m.name, dem::HertzMindlin::word.word));
     }
   }
 }
@@ -174,7 +173,7 @@ void declare(Visitor& v, Population& population, const Recipe& recipe) {
   v.text({"material", "Name of a section of [materials].", true}, population.material);
   require_known_material(v, population, recipe.materials);
   v.integer({"count", "Number of grains."}, population.count, {1, 100'000'000});
-  v.number({"ratio", "Share by number of packing.grains, relative to the ratios of the other populations."}, population.ratio, "", range::positive);
+  v.number({"ratio", "Fraction by number of packing.grains, relative to the ratios of the other populations."}, population.ratio, "", range::positive);
   v.require(population.count.has_value() != population.ratio.has_value(), {"ratio", "count"}, "give either count or ratio");
 
   auto& size = population.size;
@@ -183,20 +182,20 @@ void declare(Visitor& v, Population& population, const Recipe& recipe) {
   v.number({"diameter", "Diameter of every grain; short for size = { law = \"fixed\", ... }."}, diameter, "mm", range::positive);
   if (diameter && fixed) fixed->diameter = *diameter;
   bool has_law = !fixed;
-  v.section({"size", "Size law of the grains, where they are not all equal."}, has_law, [&](Visitor& inner) {
-    inner.member({"law", "How diameters are drawn.", true}, size);
+  v.section({"size", "Size law of the grains, if they are not all equal."}, has_law, [&](Visitor& inner) {
+    inner.member({"law", "Distribution of the diameters.", true}, size);
   });
   v.require(diameter.has_value() != has_law, {"size", "diameter"}, "give either diameter or size");
-  v.member({"shape", "What a grain is; the diameter of a grain that is not a disk is that of the disk of equal area."}, population.shape);
+  v.member({"shape", "Shape of the grains; the diameter of a grain that is not a disk is that of the disk of equal area."}, population.shape);
   const double width = recipe.container.width, largest = std::visit([](const auto&law) { return law.largest(); }, size);
   v.require(width <= 0 || largest <= width, {"diameter", "size"},
             fmt::format("the largest grain ({}) is wider than the container ({})", format_quantity(largest, "mm"), format_quantity(width, "mm")));
 }
 
 void declare(Visitor& v, Recipe& recipe) {
-  v.text({"title", "One line for the head of reports."}, recipe.title);
+  v.text({"title", "Title of reports, one line."}, recipe.title);
   v.integer({"seed", "Seed of all random numbers: the same seed gives the same sample."}, recipe.seed, {0, std::numeric_limits<std::int64_t>::max()});
-  v.section({"packing", "How the grains are put into the container."}, [&](Visitor& inner) { declare(inner, recipe.packing); });
+  v.section({"packing", "Initial packing of the grains in the container."}, [&](Visitor& inner) { declare(inner, recipe.packing); });
   v.section({"container", "The box, or periodic cell, that holds the grains.", true, "frame"},
             [&](Visitor& inner) { declare(inner, recipe.container, recipe.packing.method); });
   declare_materials(v, recipe.materials);
@@ -207,7 +206,7 @@ void declare(Visitor& v, Recipe& recipe) {
   v.section({"contact", "Forces between grains, and between grains and walls."}, [&](Visitor& inner) { declare(inner, recipe.contact); });
   require_constants(v, recipe);
   v.section({"integration", "Newton's equations in time."}, [&](Visitor& inner) { declare(inner, recipe.integration); });
-  v.optional_section<Region>({"glued", "A region whose grains are glued to each other."}, recipe.glued,
+  v.optional_section<Region>({"glued", "Region in which grains are glued to each other."}, recipe.glued,
                              [&](Visitor& inner, Region& region) { declare(inner, region, recipe.container); });
   v.require(!recipe.glued || recipe.contact.adheres() || recipe.contact.has_bonds(), {"glued", "contact"},
             "there is nothing to glue with; set contact.adhesion and contact.surface_energy, or contact.bonds");

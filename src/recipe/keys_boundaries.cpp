@@ -28,12 +28,12 @@ void declare(Visitor& v, Boundary& boundary, const Recipe& recipe) {
   v.require(is_plain_name(boundary.name) && !is_side, {"name"}, "must be made of letters, digits, _ and -, and not be that of a wall");
   v.require(std::ranges::count(recipe.boundaries, boundary.name, &Boundary::name) <= 1, {"name"},
             fmt::format("another boundary is called \"{}\"; names must differ", boundary.name));
-  v.points({"points", "Places, from the lower left corner of the container, that straight segments join.", true}, boundary.points, "mm");
+  v.points({"points", "Points joined by straight segments, from the lower left corner of the container.", true}, boundary.points, "mm");
   v.flag({"closed", "A segment joins the last point with the first."}, boundary.closed);
   const auto& points = boundary.points;
   v.require(points.size() >= (boundary.closed ? 3u : 2u), {"points"}, boundary.closed ? "must be three or more where closed" : "must be two or more");
   const bool repeats = std::ranges::adjacent_find(points) != points.end() || (boundary.closed && !points.empty() && points.front() == points.back());
-  v.require(!repeats, {"points"}, "each must differ from the one before; a closed boundary does not name its first point again at the end");
+  v.require(!repeats, {"points"}, "each must differ from the one before; a closed boundary does not repeat its first point at the end");
 }
 
 void declare(Visitor& v, dem::BoundaryMotion& motion, const Stage& stage, const Recipe& recipe) {
@@ -47,12 +47,12 @@ void declare(Visitor& v, dem::BoundaryMotion& motion, const Stage& stage, const 
   std::optional<Vec2> velocity = motion.velocity == Vec2{} ? std::nullopt : std::optional(motion.velocity);
   declare_vector(v, {"velocity", "Along x and y."}, velocity, "mm/s");
   motion.velocity = velocity.value_or(Vec2{});
-  v.number({"spin", "Rate of turning, counter-clockwise."}, motion.spin, "deg/s", range::any);
-  declare_vector(v, {"centre", "Point about which it turns, as the stage begins; it moves with the velocity. Unless given, the mean of the points."},
+  v.number({"spin", "Angular velocity, counter-clockwise."}, motion.spin, "deg/s", range::any);
+  declare_vector(v, {"centre", "Centre of rotation at the start of the stage; it moves with the velocity. Unless given, the mean of the points."},
                  motion.centre, "mm");
   v.flag({"absent", "The boundary is absent in this stage: a gate that opens."}, motion.absent);
-  v.number({"mass", "With a mass it moves under its weight, the force and the grains, starting from the velocity that is given, or from the one that it had."},
-           motion.mass, "kg", range::positive);
+  v.number({"mass", "With a mass it moves under its weight, the force and the grains, starting from the given velocity or from its previous one."}, motion.mass,
+           "kg", range::positive);
   std::optional<Vec2> force = motion.force == Vec2{} ? std::nullopt : std::optional(motion.force);
   declare_vector(v, {"force", "Along x and y, on a boundary with a mass."}, force, "N");
   motion.force = force.value_or(Vec2{});
@@ -70,7 +70,7 @@ void require_still_cell(Visitor& v, const Stage& stage, const Recipe& recipe) {
   for (std::size_t side = 0; side < 4; ++side) {
     const bool moves = stage.side[side].kind != SideDrive::Kind::fixed || (stage.strain_cycles && stage.strain_cycles->of == static_cast<int>(side));
     v.require(!moves || !recipe.container.is_periodic(side), {side_names[side]},
-              "is periodic and cannot move, for boundaries would not fit the cell any more; leave it \"fixed\"");
+              "is periodic and cannot move, because the boundaries would no longer fit the cell; leave it \"fixed\"");
   }
 }
 
@@ -83,11 +83,12 @@ void require_boundary(Visitor& v, const Programme& p, const Stage& stage, const 
   v.require(p.is_of_force() == free || p.boundary_axis() == 2, {"programmes", "boundaries"},
             free ? fmt::format("boundary \"{}\" has a mass in this stage, so that forces move it; leave its mass out", p.name)
                  : fmt::format("a force moves only a boundary with a mass; write boundaries = [{{ name = \"{}\", mass = \"... kg\" }}] in this stage", p.name));
-  v.require(p.is_of_force() || !motion || (motion->velocity == Vec2{} && p.boundary_axis() < 2) || (motion->spin == 0 && p.boundary_axis() == 2),
-            {"programmes", "boundaries"},
-            fmt::format("boundary \"{}\" moves otherwise in this stage already; leave out its {}", p.name, p.boundary_axis() < 2 ? "velocity" : "spin"));
+  v.require(
+      p.is_of_force() || !motion || (motion->velocity == Vec2{} && p.boundary_axis() < 2) || (motion->spin == 0 && p.boundary_axis() == 2),
+      {"programmes", "boundaries"},
+      fmt::format("the motion of boundary \"{}\" is already prescribed in this stage; leave out its {}", p.name, p.boundary_axis() < 2 ? "velocity" : "spin"));
   v.require(!p.is_of_place() || (!jumps && (!p.repeat || p.table.empty() || p.table.front().y == p.table.back().y)), {"programmes"},
-            "a boundary cannot jump: no two rows of one time, and a table that begins anew ends where it began");
+            "a boundary cannot jump: no two rows may have the same time, and a repeated table must end where it began");
 }
 
 /// The first value of a programme is that of the stage itself, so that what looks at a stage knows what it begins with.
@@ -105,38 +106,40 @@ void require_place(Visitor& v, const Programme& p, const Stage& stage, const Rec
   if (p.drives_side()) {
     const auto kind = stage.side[static_cast<std::size_t>(p.side())].kind;
     v.require(kind == SideDrive::Kind::fixed || static_cast<int>(kind) == 1 + p.drive(), {"of"},
-              fmt::format("the {} side does something else in this stage; leave out \"{}\" there", side_names[p.side()], side_names[p.side()]));
+              fmt::format("the {} side is already driven in this stage; leave out \"{}\" there", side_names[p.side()], side_names[p.side()]));
   } else if (p.of < Programme::shear_rate) {
     const int side = p.of - Programme::slide;
     v.require(!frame.is_periodic(side), {"of"}, fmt::format("there is no wall at the {}: the container is periodic there", side_names[side]));
   } else if (p.of == Programme::shear_rate) {
     v.require(frame.periodic[0] && frame.periodic[1], {"of"}, "only a cell that is periodic both ways is sheared so");
   } else if (!p.drives_boundary()) {
-    v.require(stage.gravity, {"of"}, "grains do not weigh in this stage; write gravity = true");
+    v.require(stage.gravity, {"of"}, "there is no gravity in this stage; write gravity = true");
   }
 }
 
 void declare(Visitor& v, Programme& p, const Stage& stage, const Recipe& recipe) {
-  v.choice({"of",
-            "What it drives: a side's velocity (inward), force or pressure, a wall along itself, the rate of shear, gravity, or a boundary: its place or angle "
-            "from where it is as the stage begins, its velocity or spin, or the force on it.",
-            true},
-           p.of, mapped(dem::programme_targets, [](const auto& target) {
-             return Word{target.word, ""};
-           }));
+  v.choice(
+      {"of",
+       "Driven quantity: a side's velocity (inward), force or pressure, the sliding of a wall, the shear rate, gravity, or a boundary: its position or angle "
+       "relative to the start of the stage, its velocity or spin, or the force on it.",
+       true},
+      p.of, mapped(dem::programme_targets, [](const auto& target) {
+        return Word{target.word, ""};
+      }));
   v.when(p.drives_boundary(), "of = \"boundary...\"", [&](Visitor& inner) { inner.text({"boundary", "Which boundary.", true}, p.name); });
   const auto& target = dem::programme_targets[static_cast<std::size_t>(p.of)];
   v.series({"table",
-            "Times from the beginning of the stage and values in the target's unit (mm, mm/s, N, kN, kPa, 1/s, m/s^2, deg or deg/s), linear in between, and as "
-            "the first "
-            "and last row say before and after them; two rows of one time are a jump. Or the name of a CSV file of these two columns with their units "
+            "Times from the beginning of the stage and values in the target's unit (mm, mm/s, N, kN, kPa, 1/s, m/s^2, deg or deg/s), with linear "
+            "interpolation, constant "
+            "before the first "
+            "and after the last row; two rows with the same time are a jump. Or the name of a CSV file of these two columns with their units "
             "(`time [s],force [kN]`).",
             true},
            p.table, target.unit);
   v.flag({"repeat", "The table starts again after its last time, for cycles."}, p.repeat);
   const bool in_order = !p.table.empty() && p.table.front().x >= 0 && std::ranges::is_sorted(p.table, {}, &Vec2::x);
-  v.require(in_order, {"table"}, "needs a row or more, with times that begin at 0 s or later and never go back");
-  v.require(!p.repeat || (in_order && p.table.back().x > 0), {"repeat", "table"}, "only a table that takes some time can begin anew");
+  v.require(in_order, {"table"}, "needs at least one row, with times from 0 s that never decrease");
+  v.require(!p.repeat || (in_order && p.table.back().x > 0), {"repeat", "table"}, "only a table with a duration can repeat");
   const bool may_be_negative = (p.drives_side() && p.drive() == 0) || (p.of >= Programme::slide && p.of != Programme::gravity_size);
   v.require(may_be_negative || std::ranges::all_of(
                                    p.table, [](double y) { return y >= 0; }, &Vec2::y),
@@ -148,13 +151,14 @@ void declare(Visitor& v, Programme& p, const Stage& stage, const Recipe& recipe)
 
 void declare_boundaries(Visitor& v, Recipe& recipe) {
   v.list<Boundary>(
-      {"boundaries", "Thin rigid boundaries beside the walls: hoppers, gates, drums, obstacles, intruders. Contacts with them are like those with walls."},
+      {"boundaries",
+       "Thin rigid boundaries in addition to the walls: hoppers, gates, drums, obstacles, intruders. Contacts with them are like those with walls."},
       recipe.boundaries, [&](Visitor& inner, Boundary& boundary) { declare(inner, boundary, recipe); });
 }
 
 void declare_openings(Visitor& v, Stage& stage, const Recipe& recipe) {
   bool has_open = std::ranges::count(stage.open, true) > 0;
-  v.section({"open", "Walls that are taken away in this stage; grains may leave there. One comes back only where no grain is left beyond it."}, has_open,
+  v.section({"open", "Walls that are removed in this stage; grains may leave there. A wall can be restored only if no grain is left beyond it."}, has_open,
             [&](Visitor& inner) {
               for (std::size_t side = 0; side < 4; ++side) inner.flag({side_names[side], "This side is open."}, stage.open[side]);
             });
@@ -162,11 +166,11 @@ void declare_openings(Visitor& v, Stage& stage, const Recipe& recipe) {
     const bool slides_later = std::ranges::count(stage.programmes, Programme::slide + static_cast<int>(side), &Programme::of) > 0;
     const bool still = stage.side[side].kind == SideDrive::Kind::fixed && stage.slide[side] == 0 && !slides_later && !stage.rough[side];
     v.require(!stage.open[side] || still, {"open", side_names[side], "slide", "rough"},
-              fmt::format("the {} wall cannot be away and move, press or hold grains in one stage", side_names[side]));
+              fmt::format("the {} wall cannot be open and move, press or carry grains in one stage", side_names[side]));
     v.require(!stage.open[side] || !recipe.container.is_periodic(side), {"open"},
               fmt::format("there is no wall at the {}: the container is periodic there", side_names[side]));
   }
-  v.list<dem::BoundaryMotion>({"boundaries", "How boundaries move in this stage; those that are not named are there, at rest."}, stage.boundaries,
+  v.list<dem::BoundaryMotion>({"boundaries", "Motion of boundaries in this stage; boundaries not listed stay in place."}, stage.boundaries,
                               [&](Visitor& inner, dem::BoundaryMotion& motion) { declare(inner, motion, stage, recipe); });
   v.number({"count_below", "The history gets the columns `passed` and `passed_mass`: number and mass of the grains whose centre is below this height."},
            stage.count_below, "mm", range::any);
@@ -179,8 +183,9 @@ void require_boundary_loads(Visitor& v, const Stage& stage, const Recipe& recipe
 }
 
 void declare_store_every(Visitor& v, std::optional<std::int64_t>& every) {
-  v.integer({"store_every", "States are stored once in so many cycles, and for the first and the last; unless given, for all. Curves against cycles hold all."},
-            every, {1, 1'000'000});
+  v.integer(
+      {"store_every", "States are stored every so many cycles, and for the first and the last; unless given, for all. Curves against cycles contain all."},
+      every, {1, 1'000'000});
 }
 
 void declare_programmes(Visitor& v, Stage& stage, const Recipe& recipe) {
@@ -198,14 +203,15 @@ void declare_programmes(Visitor& v, Stage& stage, const Recipe& recipe) {
 
 void declare_strain_cycles(Visitor& v, Stage& stage, const Recipe& recipe) {
   v.optional_section<dem::StrainCycles>(
-      {"strain_cycles", "Cycles between two strains, each half at a constant rate; they end the stage. The first half goes from the beginning to `max`."},
+      {"strain_cycles",
+       "Cycles between two strains, each half at a constant rate; they end the stage. The first half starts from the initial strain and ends at `max`."},
       stage.strain_cycles, [&](Visitor& inner, dem::StrainCycles& cycles) {
         inner.choice({"of", "What moves."}, cycles.of,
                      {{"left", ""},
                       {"right", ""},
                       {"bottom", ""},
-                      {"top", "this side; strains are those of the sample across, positive inward"},
-                      {"shear", "a cell that is periodic both ways, sheared to and fro"}});
+                      {"top", "this side; strains are those of the sample normal to it, positive inward"},
+                      {"shear", "a cell periodic in both directions, sheared back and forth"}});
         inner.number({"min", "Strain at the end of each cycle."}, cycles.min, "", range::between(-0.9, 0.9));
         inner.number({"max", "Strain in the middle of each cycle.", true}, cycles.max, "", range::between(-0.9, 0.9));
         inner.require(cycles.max > cycles.min, {"max", "min"}, "must be above min");
@@ -217,9 +223,9 @@ void declare_strain_cycles(Visitor& v, Stage& stage, const Recipe& recipe) {
           inner.require(recipe.container.periodic[0] && recipe.container.periodic[1], {"of"}, "only a cell that is periodic both ways is sheared so");
         else
           inner.require(stage.side[of].kind == SideDrive::Kind::fixed, {"of"},
-                        fmt::format("the {} side does something else in this stage; leave it \"fixed\"", side_names[of]));
+                        fmt::format("the {} side is already driven in this stage; leave it \"fixed\"", side_names[of]));
       });
-  v.require(!stage.strain_cycles || !stage.duration, {"duration", "strain_cycles"}, "cycles of strain end the stage themselves; leave out its duration");
+  v.require(!stage.strain_cycles || !stage.duration, {"duration", "strain_cycles"}, "strain cycles end the stage; leave out its duration");
   v.require(!stage.strain_cycles || (!stage.cycles && stage.programmes.empty()), {"strain_cycles", "cycles", "programmes"},
             "only one of them can drive a stage");
   v.require(stage.programmes.empty() || stage.duration, {"programmes", "duration"},

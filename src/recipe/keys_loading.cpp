@@ -19,17 +19,18 @@ void declare(Visitor& v, dem::ContactParameters& contact) {
            {{"stiffest", "that of the stiffest material"}, {"grain", "that of the grain"}, {"series", "by the series rule"}});
   v.number({"restitution", "Ratio of speeds after and before a head-on collision; sets the damping of each pair."}, contact.restitution, "",
            range::above(0, 1));
-  v.number({"normal_damping", "Damping coefficient alpha_n of every pair, instead of the one that restitution asks for."}, contact.normal_damping, "N s/m",
+  v.number({"normal_damping", "Damping coefficient alpha_n of every pair, instead of the one that follows from restitution."}, contact.normal_damping, "N s/m",
            range::not_negative);
-  v.flag({"attractive_dashpot", "The dashpot may pull while grains separate; false: contacts without adhesion never pull."}, contact.attractive_dashpot);
+  v.flag({"attractive_dashpot", "The dashpot may attract while grains separate; false: contacts without adhesion are never tensile."},
+         contact.attractive_dashpot);
   v.member({"friction_law", "Tangential force."}, contact.friction_law);
   v.number({"friction", "Coefficient mu between grains."}, contact.friction, "", range::not_negative);
   v.number({"wall_friction", "Coefficient mu at the walls; unless given, that of the grains."}, contact.wall_friction, "", range::not_negative);
   v.number({"sliding_viscosity", "gamma_s of the regularised law; unless given, the normal damping of the pair."}, contact.sliding_viscosity, "N s/m",
            range::not_negative);
   v.number({"tangential_stiffness_ratio", "k_t/k_n of the Cundall-Strack spring."}, contact.tangential_stiffness_ratio, "", range::positive);
-  v.member({"rolling", "Moment between two grains that turn against each other."}, contact.rolling);
-  v.member({"bonds", "Cement that joins two grains from the stage that makes it on."}, contact.bonds);
+  v.member({"rolling", "Moment between two grains that rotate relative to each other."}, contact.rolling);
+  v.member({"bonds", "Cement between two grains, from the stage that creates it."}, contact.bonds);
   v.member({"cohesion", "Attraction between all grains, touching or not: adhesion without glue, or liquid bridges."}, contact.cohesion);
   v.choice({"arms", "Lever arms of contact forces."}, contact.arms, {{"contact_point", "to the middle of the overlap"}, {"full_radius", "the radii"}});
   v.member({"adhesion", "Adhesion between glued grains."}, contact.adhesion);
@@ -37,26 +38,25 @@ void declare(Visitor& v, dem::ContactParameters& contact) {
   v.require(!contact.adheres() || contact.surface_energy > 0, {"surface_energy", "adhesion"}, "must be above 0 kN/mm where adhesion acts");
   v.choice({"effective_radius", "r_eff of the adhesion."}, contact.effective_radius,
            {{"four_reduced", "4 r_i r_j/(r_i + r_j)"}, {"sum", "r_i + r_j"}, {"geometric_mean", "2 sqrt(r_i r_j)"}});
-  v.choice({"friction_cap", "Coulomb limit where adhesion pulls."}, contact.friction_cap,
+  v.choice({"friction_cap", "Coulomb limit in the presence of adhesion."}, contact.friction_cap,
            {{"raised_by_adhesion", "mu (F_n + |F_c|)"}, {"as_printed", "mu (F_n - |F_c|)"}});
   v.pairs({"glued_pairs", "Pairs of grains (indices from 0) that are glued, instead of all pairs in the glued region."}, contact.glued_pairs);
 }
 
 void declare(Visitor& v, dem::IntegrationParameters& integration) {
   v.choice({"integrator", "Scheme for Newton's equations."}, integration.integrator, mapped(dem::integrators, &dem::Integrator::word));
-  v.number(
-      {"time_step", "Time step; one beyond the stable step is refused. Unless given, safety sets it, and masses of a stage that do not allow it shorten it."},
-      integration.time_step, "s", range::positive);
-  v.number({"safety", "Time step as a share of the shortest contact time, pi sqrt(m_eff/k)."}, integration.safety, "", range::above(0, 1));
+  v.number({"time_step", "Time step; an unstable one is refused. Unless given, safety sets it, and the masses of a stage may shorten it."},
+           integration.time_step, "s", range::positive);
+  v.number({"safety", "Time step as a fraction of the shortest contact time, pi sqrt(m_eff/k)."}, integration.safety, "", range::above(0, 1));
   v.flag({"rotations", "Grains rotate; false: they only translate."}, integration.rotations);
-  v.flag({"track_energy", "Account for dissipation and work at every step (slower)."}, integration.track_energy);
+  v.flag({"track_energy", "Compute dissipation and work at every step (slower)."}, integration.track_energy);
   // A name from elsewhere (--kernel) comes here without having been read, so it may be none of these.
   static const std::vector<std::string> kernels{"auto", "portable", "avx2", "avx512"};
   const auto found = std::find(kernels.begin(), kernels.end(), integration.kernel);
-  if (found == kernels.end()) { throw InputError(fmt::format("there is no kernel \"{}\"; take one of: {}", integration.kernel, fmt::join(kernels, ", "))); }
+  if (found == kernels.end()) { throw InputError(fmt::format("there is no kernel \"{}\"; choose one of: {}", integration.kernel, fmt::join(kernels, ", "))); }
   int kernel = static_cast<int>(found - kernels.begin());
   v.choice({"kernel", "Machine code of the contact loop."}, kernel,
-           {{"auto", "the fastest of this processor"},
+           {{"auto", "the fastest on this processor"},
             {"portable", "the same bits on every x86-64 processor"},
             {"avx2", "256-bit vectors"},
             {"avx512", "512-bit vectors"}});
@@ -68,11 +68,11 @@ namespace {
 void declare(Visitor& v, EquilibriumCriterion& criterion) {
   v.number({"unbalanced", "Unbalanced force ratio below this."}, criterion.unbalanced, "", range::positive);
   v.number({"kinetic", "Kinetic over elastic energy below this."}, criterion.kinetic, "", range::positive);
-  v.number({"falling", "Share of grains that still fall, weighing and with fewer than two pressed contacts, not above this."}, criterion.falling, "",
+  v.number({"falling", "Fraction of grains that still fall (gravity, fewer than two compressive contacts) not above this."}, criterion.falling, "",
            range::not_negative);
   v.number({"loose_kinetic",
-            "Kinetic energy of the grains that carry nothing (fewer than two pressed contacts) over elastic energy below this; a hundred thousand times "
-            "`kinetic` unless given, since nothing but rare hits slows them where they do not weigh."},
+            "Kinetic energy of the grains that carry no load (fewer than two compressive contacts) over elastic energy below this; a hundred thousand times "
+            "`kinetic` unless given, because without gravity only rare collisions slow them."},
            criterion.loose_kinetic, "", range::positive);
   v.number({"mobilisation", "Mean |F_t|/F_n below this as well, if given: distinguishes creep from equilibrium where friction is viscous."},
            criterion.mobilisation, "", range::not_negative);
@@ -105,7 +105,7 @@ void require_one_pressing_edge(Visitor& v, const Stage& stage, std::size_t first
   const char *name = side_names[first], *opposite = side_names[first + 1];
   const bool both_at_work = (presses(one) && other.kind != SideDrive::Kind::fixed) || (presses(other) && one.kind != SideDrive::Kind::fixed);
   v.require(!periodic || !both_at_work, {opposite, name},
-            fmt::format("of the two periodic edges {0} and {1} one presses and the other holds; leave {0} = \"fixed\"", name, opposite));
+            fmt::format("of the two periodic edges {0} and {1} one is under pressure and the other fixed; leave {0} = \"fixed\"", name, opposite));
 }
 
 void require_usable_sides(Visitor& v, const Stage& stage, const ContainerParameters& frame) {
@@ -140,20 +140,21 @@ void declare(Visitor& v, Stage& stage, const Recipe& recipe) {
     inner.number({"gravity_size", "Acceleration of gravity."}, stage.gravity_size, "m/s^2", range::not_negative);
     inner.number({"gravity_angle", "Angle of gravity from straight down, counter-clockwise."}, stage.gravity_angle, "deg", range::any);
   });
-  declare_sides(v, {"slide", "Walls that move along themselves, left and right upwards, bottom and top to the right."}, [&](Visitor& inner, std::size_t side) {
-    inner.number({side_names[side], "Speed along itself."}, stage.slide[side], "mm/s", range::any);
-  });
-  declare_sides(v, {"rough", "Walls that carry grains: those nearer than half their radius as the stage begins go with the wall."},
+  declare_sides(v, {"slide", "Walls that slide in their own plane; positive: left and right upwards, bottom and top to the right."},
+                [&](Visitor& inner, std::size_t side) {
+                  inner.number({side_names[side], "Sliding velocity."}, stage.slide[side], "mm/s", range::any);
+                });
+  declare_sides(v, {"rough", "Rough walls: grains nearer than half their radius at the start of the stage move with the wall."},
                 [&](Visitor& inner, std::size_t side) {
                   inner.flag({side_names[side], "This wall is rough."}, stage.rough[side]);
                 });
-  v.number({"shear_rate", "Rate du_x/dy at which a cell that is periodic in x and y is sheared (Lees and Edwards); its top and bottom may press besides."},
+  v.number({"shear_rate", "Shear rate du_x/dy of a cell that is periodic in x and y (Lees and Edwards); its top and bottom may also apply a pressure."},
            stage.shear_rate, "1/s", range::any);
   for (std::size_t side = 0; side < 4; ++side) {
     auto& drive = stage.side[side];
     int form = static_cast<int>(drive.kind);
     v.tagged(
-        {side_names[side], "What this side does."}, form, drive.value,
+        {side_names[side], "Motion of this side, or the force on it."}, form, drive.value,
         {{"fixed", "", "stays where it is", range::any},
          {"velocity", "mm/s", "moves inward at this speed", range::any},
          {"force", "kN", "presses on the sample, reached in the stage's increments; of two periodic edges one presses and one is fixed", range::not_negative},
@@ -162,39 +163,39 @@ void declare(Visitor& v, Stage& stage, const Recipe& recipe) {
   }
   declare_programmes(v, stage, recipe);
   declare_openings(v, stage, recipe);
-  v.integer({"increments", "Equal steps in which forces are reached, each ending in equilibrium."}, stage.increments, {1, 1'000'000});
+  v.integer({"increments", "Equal steps in which forces are applied, each ending in equilibrium."}, stage.increments, {1, 1'000'000});
   v.number({"duration", "Time after which the stage ends, whether in equilibrium or not; needed where a side moves."}, stage.duration, "s", range::positive);
-  v.integer({"snapshots", "States stored during a stage with a duration; other stages store one an increment.", false, "frames"}, stage.snapshots,
+  v.integer({"snapshots", "States stored during a stage with a duration; other stages store one per increment.", false, "frames"}, stage.snapshots,
             {1, 1'000'000});
   v.number({"friction", "Coefficient mu during this stage only, for example 0 to densify."}, stage.friction, "", range::not_negative);
   v.number({"drag", "Viscous drag during this stage, as a rate: the force on a grain is -drag m v."}, stage.drag, "1/s", range::not_negative);
   v.number({"critical_drag",
-            "Additional drag, as a share of the rate that damps the slowest wave of a crystal of this size critically. About 0.2 brings a jammed packing of "
+            "Additional drag, as a fraction of the rate that critically damps the slowest wave of a crystal of this size. About 0.2 brings a jammed packing of "
             "any size "
-            "to equilibrium soonest; it hinders rearrangement, so compact without it first."},
+            "to equilibrium fastest; it hinders rearrangement, so compact without it first."},
            stage.critical_drag, "", range::not_negative);
   v.choice({"mass_scaling",
-            "Masses that the grains move with in this stage. Without friction equilibria do not depend on them; with it they keep a trace of the path.", false,
-            "masses"},
+            "Masses of the grains in the equations of motion of this stage. Without friction, equilibria do not depend on them; with friction they depend on "
+            "the path.",
+            false, "masses"},
            stage.mass_scaling,
            {{"none", "their own", "own"},
-            {"uniform", "such that k/m of all grains is that of the fastest: a sample of unlike sizes compacts in far fewer steps; not with gravity", "even"}});
+            {"uniform", "such that k/m of all grains equals the largest one: a polydisperse sample compacts in far fewer steps; not with gravity", "even"}});
   v.require(!stage.gravity || stage.mass_scaling == dem::MassScaling::none, {"mass_scaling", "gravity"},
-            "grains weigh by their own masses; leave gravity or mass_scaling out");
+            "gravity acts on the true masses; leave gravity or mass_scaling out");
   v.number({"inertial_number",
-            "How fast the sample yields to a side under force or pressure, as a share of sqrt(force times width over mass): larger compacts faster and "
+            "Inertial number that limits the speed of a side under force or pressure, over sqrt(force times width over mass): larger compacts faster and "
             "overshoots more; 1 suits a compaction at P/k of 1e-3 or less."},
            stage.inertial_number, "", range::positive);
   v.flag({"glue", "Adhesion acts from this stage on."}, stage.glue);
-  v.require(!stage.glue || recipe.contact.adheres(), {"glue"}, "there is nothing to glue with; set contact.adhesion and contact.surface_energy");
-  v.flag({"bond", "Grains that touch as the stage begins, or nearly (bond_gap), are bonded from then on; where glued grains are marked, only those."},
-         stage.bond);
-  v.require(!stage.bond || recipe.contact.has_bonds(), {"bond"}, "there is nothing to bond with; set contact.bonds = \"parallel\"");
+  v.require(!stage.glue || recipe.contact.adheres(), {"glue"}, "no adhesion is defined; set contact.adhesion and contact.surface_energy");
+  v.flag({"bond", "Grains that touch, or nearly (bond_gap), at the start of the stage are bonded; if glued grains are marked, only those."}, stage.bond);
+  v.require(!stage.bond || recipe.contact.has_bonds(), {"bond"}, "no bonds are defined; set contact.bonds = \"parallel\"");
   v.optional_section<Cycles>({"cycles", "Force cycles on one side after the ramp."}, stage.cycles,
                              [](Visitor& inner, Cycles& cycles) { declare(inner, cycles); });
   declare_strain_cycles(v, stage, recipe);
   require_boundary_loads(v, stage, recipe);
-  v.section({"equilibrium", "When an increment counts as done.", false, "rest"}, [&](Visitor& inner) { declare(inner, stage.equilibrium); });
+  v.section({"equilibrium", "Criteria that end an increment.", false, "rest"}, [&](Visitor& inner) { declare(inner, stage.equilibrium); });
   require_usable_sides(v, stage, recipe.container);
 }
 

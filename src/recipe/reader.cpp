@@ -40,8 +40,8 @@ bool is_same(const fs::path& a, const fs::path& b) {
 /// What is wrong with a base; empty if it can be read.
 std::string refusal(const Entry& base, const fs::path& path, const Reading& reading) {
   if (base.value.kind != Node::Kind::text || base.value.text.empty()) return "must be the name of another recipe, for example \"../paper/recipe.toml\"";
-  if (!reading.look_for_files) return "a recipe that does not come from a file can have no base; write out what it takes from there";
-  if (!fs::is_regular_file(path)) return fmt::format("there is no file {}; a base is looked for beside the recipe that names it", path.string());
+  if (!reading.look_for_files) return "a recipe that does not come from a file can have no base; write out the keys of the base";
+  if (!fs::is_regular_file(path)) return fmt::format("there is no file {}; a base is found relative to the recipe that names it", path.string());
   const bool again =
       is_same(path, reading.file_name) || std::any_of(reading.bases.begin(), reading.bases.end(), [&](const std::string& file) { return is_same(path, file); });
   return again ? fmt::format("{} leads back to itself; a recipe cannot be its own base", path.string()) : "";
@@ -166,7 +166,7 @@ void RecipeReader::refuse_unknown_keys() {
   for (const auto& entry : table_.entries) {
     if (known_.count(entry.key) > 0) continue;
     if (const auto found = conditional_.find(entry.key); found != conditional_.end()) {
-      problem(entry.place, path_of(entry.key), fmt::format("this key goes with {} only; leave it out or change that", found->second));
+      problem(entry.place, path_of(entry.key), fmt::format("this key is only valid with {}; leave it out or change that", found->second));
       continue;
     }
     const std::string near = nearest(entry.key, names);

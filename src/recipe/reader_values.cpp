@@ -108,7 +108,7 @@ void RecipeReader::file(const Key& key, std::string& value) {
   std::error_code error;
   const auto place = std::filesystem::path(reading_.folder) / value;
   if (!std::filesystem::is_regular_file(place, error)) {
-    refuse(key, entry->value.place, fmt::format("there is no file \"{}\"; its place counts from the recipe's folder", value));
+    refuse(key, entry->value.place, fmt::format("there is no file \"{}\"; paths are relative to the folder of the recipe", value));
   }
 }
 

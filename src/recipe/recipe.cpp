@@ -52,7 +52,7 @@ void refuse_other_kinds(Node& root, Reading& reading, const Recipe&) {
 /// A recipe of a simulation has most of its keys wrong as one of a film; that it is the wrong kind helps more than their list.
 void refuse_other_kinds(Node& root, Reading& reading, const FilmRecipe&) {
   if (!root.find("lockin") && of_simulation(root))
-    refuse(reading.file_name, "is a recipe of a simulation (`arenite run`), not of a film; `arenite init film r.toml` writes one of a film");
+    refuse(reading.file_name, "is the recipe of a simulation (`arenite run`), not of a film; `arenite init film r.toml` writes one of a film");
 }
 
 template <class R> R read_text(std::string_view text, Reading reading, const std::vector<std::string>& overrides) {
@@ -122,15 +122,15 @@ std::string key_reference() {
          "A recipe is a TOML file. Quantities are texts with their unit (`\"27.35 kN/mm\"`, `\"350 mm\"`, `\"30 %\"`); units are\n"
          "products, quotients and powers of m, g, s, K, N, Pa, J, W, Hz, bar, t, min, h, deg and % with the SI prefixes, and any\n"
          "unit of the right dimension will do. A bare number where a unit is needed, an unknown key and a value out of range are\n"
-         "errors, all of them reported at once with their places. `arenite check RECIPE.toml` prints the recipe as it was\n"
-         "understood, `arenite init composite` a commented one to start from, and `--set stages.0.bottom.force=\"60 kN\"` changes a\n"
+         "errors, all of them reported at once with file, line and column. `arenite check RECIPE.toml` prints the recipe as\n"
+         "interpreted, `arenite init composite` a commented one to start from, and `--set stages.0.bottom.force=\"60 kN\"` changes a\n"
          "key for one run (items of lists are counted from 0). A section [sweep] makes many runs of one recipe:\n"
          "[studies.md](studies.md).\n\n"
-         "`base = \"../paper/recipe.toml\"`, before any section, lays a recipe over another, looked for beside it, which may have a\n"
-         "base of its own. Sections are merged key by key; any other value and whole lists such as `[[stages]]` count as they are\n"
-         "given here, where they are. The base's [sweep] is left out, and files that the base names are looked for beside the recipe\n"
-         "that is laid over it.\n\n"
-         "This page is generated from the declarations that the program reads recipes with: `arenite man --keys`.\n\n" +
+         "`base = \"../paper/recipe.toml\"`, before any section, builds a recipe on another one, found relative to it, which may have a\n"
+         "base of its own. Sections are merged key by key; all other values, including lists such as `[[stages]]`, replace those of\n"
+         "the base. The base's [sweep] is left out, and files named in the base are found relative to the recipe\n"
+         "that builds on it.\n\n"
+         "This page is generated from the declarations with which the program reads recipes: `arenite man --keys`.\n\n" +
          write_key_tables(all_keys<Recipe>());
 }
 
@@ -153,7 +153,7 @@ bool has_references(const FilmRecipe& recipe) {
 
 std::string film_key_reference() {
   return "# The recipe of a film\n\n"
-         "What `arenite film` and `arenite camera` are given beside the film itself. It is written as every recipe\n"
+         "The recipe that `arenite film` and `arenite camera` read in addition to the film. It is written like every recipe\n"
          "([recipe.md](recipe.md)): TOML, quantities with their units, every problem reported at once. `arenite init film` writes a\n"
          "commented one to start from. This page is generated: `arenite man --film-keys`.\n\n" +
          write_key_tables(all_keys<FilmRecipe>());
@@ -161,8 +161,8 @@ std::string film_key_reference() {
 
 const std::vector<RecipeTemplate>& recipe_templates() {
   static const std::vector<RecipeTemplate> list{
-      {"composite", "two materials in a rigid frame, compacted by the lower wall", templates::composite},
-      {"cemented", "two sizes of grains bound by a matrix, pulled, with the stress in every node", templates::cemented},
+      {"composite", "two materials in a rigid container, compacted by the lower wall", templates::composite},
+      {"cemented", "two sizes of grains bound by a matrix, loaded in tension, with the stress of every node", templates::cemented},
   };
   return list;
 }

@@ -148,7 +148,7 @@ std::vector<std::string> words_of(const std::string& key) {
     const std::size_t end = std::min(key.find('.', begin), key.size());
     words.emplace_back(trimmed(std::string_view(key).substr(begin, end - begin)));
     if (words.back().empty()) throw InputError("a part of the key is empty");
-    if (words.size() > deepest) throw InputError("no key of a recipe is so deep");
+    if (words.size() > deepest) throw InputError("no recipe key has that many parts");
     begin = end + 1;
   }
   return words;

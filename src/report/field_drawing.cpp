@@ -52,7 +52,7 @@ Disk middle_grain(const PhaseMap& map) {
     best = {centre, std::sqrt(static_cast<double>(grains.nodes[g]) / std::numbers::pi)};
     least = away;
   }
-  if (best.radius == 0) throw InputError("the sample has no grain to look at");
+  if (best.radius == 0) throw InputError("the sample has no grain to draw");
   return best;
 }
 
@@ -119,7 +119,7 @@ Numbers phases_of(const PhaseMap& map, const View& view) {
 Numbers phases_drawing(const FieldResult& sample) { return phases_of(sample.map, whole(sample.map)); }
 
 Numbers zoom_drawing(const FieldResult& load) {
-  if (load.field.size() == 0) throw InputError("there is no field of stress of this run to look at");
+  if (load.field.size() == 0) throw InputError("this run has no stress field to draw");
   const View view = about(middle_grain(load.map), load.map);
   const double mean = solid_mean(load);
   Numbers j = view.json(load.map), stress = Numbers::list();
@@ -134,7 +134,7 @@ Numbers zoom_drawing(const FieldResult& load) {
 }
 
 Numbers cracks_drawing(const FieldResult& pull) {
-  if (pull.cracks.empty()) throw InputError("no bond of this run is broken; `failure = true` in [[loads]] pulls until it breaks");
+  if (pull.cracks.empty()) throw InputError("no bond of this run is broken; `failure = true` in [[loads]] loads the sample to failure");
   const View view = whole(pull.map);
   const double node = pull.map.dx * view.step;
   const auto rounded = [](double v) { return std::round(10 * v) / 10; };

@@ -65,7 +65,8 @@ class Table {
   }
   void refuse_unknown() {
     for (const Entry& entry : node_.entries)
-      if (!known_.contains(entry.key)) problems_.push_back({file_, entry.place.line, entry.place.column, fmt::format("`{}` is no key of a figure", entry.key)});
+      if (!known_.contains(entry.key))
+        problems_.push_back({file_, entry.place.line, entry.place.column, fmt::format("`{}` is not a key of a figure", entry.key)});
   }
   void refuse(const Node& node, const std::string& key, const std::string& message) {
     problems_.push_back({file_, node.place.line, node.place.column, fmt::format("`{}` {}", key, message)});
@@ -100,7 +101,8 @@ void check_figure(Table& table, const Node& node, const Figure& figure) {
   if (const std::size_t n = figure.curves.empty() ? figure.y.size() : figure.curves.size(); !figure.names.empty() && figure.names.size() != n)
     table.refuse(node, "names", fmt::format("must be as many as what is drawn: {}", n));
   if (const double n = figure.sectors.value_or(18); !(n >= 2 && n <= 360 && n == std::floor(n))) table.refuse(node, "sectors", "is a whole number, 2 to 360");
-  if (const double share = figure.window.value_or(1); !(share > 0 && share <= 1)) table.refuse(node, "window", "is a share of the area, above 0 and up to 1");
+  if (const double share = figure.window.value_or(1); !(share > 0 && share <= 1))
+    table.refuse(node, "window", "is a fraction of the area, above 0 and up to 1");
   if (!figure.fits.empty() && figure.fits.size() != figure.curves.size()) table.refuse(node, "fits", "must be as many as `curves`");
 }
 

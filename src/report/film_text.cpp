@@ -40,21 +40,21 @@ Numbers film_summary(FilmSource& source, std::size_t most_frames) {
             {"bits", described(film.bits, "", "Bits of a pixel")},
             {"floating", described(film.floating, "", "Whether pixels are floating-point numbers")},
             {"quantity", described(name_of(film.quantity), "", "What pixels hold")},
-            {"emissivity", known(film.emissivity, "", "Emissivity that the camera was set to")},
-            {"ambient_K", known(film.ambient, "K", "Temperature of the surroundings that it was set to")},
-            {"band_low_m", known(film.band_low, "m", "Shortest wave of its band")},
-            {"band_high_m", known(film.band_high, "m", "Longest wave of its band")},
+            {"emissivity", known(film.emissivity, "", "Emissivity set in the camera")},
+            {"ambient_K", known(film.ambient, "K", "Temperature of the surroundings set in the camera")},
+            {"band_low_m", known(film.band_low, "m", "Shortest wavelength of its band")},
+            {"band_high_m", known(film.band_high, "m", "Longest wavelength of its band")},
             {"stamped", described(!film.time.empty(), "", "Whether frames have the times at which they were taken")},
             {"frame_interval_s", known(times.interval, "s", "Time between two frames")},
             {"duration_s", known(times.duration, "s", "Time from the first frame to the last")},
             {"dropped_frames", described(times.dropped, "", "Frames of the camera that are missing")}};
   j["gaps_before_frames"] = described(times.gap, "", "Frames before which some are missing");
-  j["pixels"] = {{"frames_read", described(pixels.frames, "", "First frames that these are of")},
+  j["pixels"] = {{"frames_read", described(pixels.frames, "", "Number of first frames evaluated")},
                  {"least", described(level(*std::ranges::min_element(pixels.least)), "", "Least value")},
                  {"most", described(level(*std::ranges::max_element(pixels.most)), "", "Largest value")},
                  {"median", described(median(pixels.mean), "", "Median of the pixels' means")},
                  {"median_noise", described(median(pixels.noise), "", "Median noise of a pixel, from frame to frame")},
-                 {"constant", described(doubtful.constant, "", "Pixels that never change")},
+                 {"constant", described(doubtful.constant, "", "Pixels constant in time (dead)")},
                  {"saturated", described(doubtful.saturated, "", "Pixels that reach the top of the range")}};
   j["remarks"] = film.remarks;
   return j;

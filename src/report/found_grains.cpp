@@ -40,7 +40,7 @@ constexpr GrainColumn grain_columns[] = {
     {"position_error", "{:.4f}", {"position_error", "px", &PictureGrains::position_error}, "Standard error of the centre along one axis"},
     {"radius_error", "{:.4f}", {"radius_error", "px", &PictureGrains::radius_error}, "Standard error of the radius"},
     {"brightness", "{:.6g}", {"brightness", "", &PictureGrains::brightness}, "Mean over the inner half of the disk"},
-    {"score", "{:.3f}", {"score", "", &PictureGrains::score}, "Share of the rim that shows an edge"}};
+    {"score", "{:.3f}", {"score", "", &PictureGrains::score}, "Fraction of the rim that shows an edge"}};
 
 /// Grains by column.
 Numbers by_grain(const PictureGrains& grains) {
@@ -134,7 +134,7 @@ std::string grains_text(const FoundGrains& g) {
   const imaging::CircleReport& r = g.found.report;
   const char* contrast = r.between ? "brighter and darker" : r.bright ? "brighter" : "darker";
   std::string out =
-      fmt::format("{} grains in {} x {} pixels, {} than what is around them\n", g.found.grains.size(), g.picture.image.width, g.picture.image.height, contrast);
+      fmt::format("{} grains in {} x {} pixels, {} than their surroundings\n", g.found.grains.size(), g.picture.image.width, g.picture.image.height, contrast);
   for (std::size_t c = 0; c < r.sizes.size(); ++c)
     out += fmt::format("  size: radius {:.2f} pixels{}, {} grains\n", r.sizes.mean[c],
                        g.pixel > 0 ? fmt::format(" = {:.3g} mm", length(g, r.sizes.mean[c])) : "", r.sizes.members[c]);

@@ -28,7 +28,7 @@ Numbers provenance(const Provenance& p) {
 Numbers equilibrium(const Equilibrium& now) {
   return {{"unbalanced_ratio", described(now.unbalanced_ratio, "", "Mean resultant force on a grain over the mean contact force")},
           {"kinetic_ratio", described(now.kinetic_ratio, "", "Kinetic over elastic energy")},
-          {"loose_kinetic_ratio", described(now.loose_kinetic, "", "The same of grains that carry nothing")},
+          {"loose_kinetic_ratio", described(now.loose_kinetic, "", "The same for grains that carry no load")},
           {"falling", described(now.falling, "", "Fraction of grains that are falling")},
           {"mobilisation", described(now.mobilisation, "", "Mean |F_t|/F_n")},
           {"wall_speed_m_s", described(now.wall_speed, "m/s", "Speed of the fastest wall or boundary")}};
@@ -54,7 +54,7 @@ Numbers boundaries(const Domain& domain) {
                  {"centre_m", described({b.centre.x, b.centre.y}, "m", "Centre, which moves with the boundary")},
                  {"velocity_m_s", described({b.velocity.x, b.velocity.y}, "m/s", "Velocity of the centre")},
                  {"spin_rad_s", described(b.spin, "rad/s", "Counter-clockwise")},
-                 {"force_N", described({b.force.x, b.force.y}, "N", "Of the grains on it, along x and y")},
+                 {"force_N", described({b.force.x, b.force.y}, "N", "Force of the grains on it, along x and y")},
                  {"torque_N_m", described(b.torque, "N m", "Torque of the grains about the centre")}};
   return j;
 }

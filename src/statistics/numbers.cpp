@@ -140,7 +140,7 @@ const Numbers& Numbers::at(std::size_t i) const {
 
 Numbers& Numbers::operator[](std::string_view name) {
   if (kind_ == Kind::unknown) kind_ = Kind::tree;
-  if (!is_tree()) throw NumbersError("what has no names has no \"" + std::string(name) + "\"");
+  if (!is_tree()) throw NumbersError("this node has no named members, so no \"" + std::string(name) + "\"");
   const auto found = std::find(names_.begin(), names_.end(), name);
   if (found != names_.end()) return items_[static_cast<std::size_t>(found - names_.begin())];
   names_.emplace_back(name);
@@ -168,7 +168,7 @@ const Numbers* Numbers::at_path(std::string_view path) const {
 
 void Numbers::push_back(Numbers value) {
   if (kind_ == Kind::unknown) kind_ = Kind::list;
-  if (!is_list()) throw NumbersError("what is no list takes no items");
+  if (!is_list()) throw NumbersError("cannot append to something that is not a list");
   items_.push_back(std::move(value));
 }
 
@@ -189,18 +189,18 @@ bool Numbers::as_truth() const {
 }
 
 const std::string& Numbers::as_text() const {
-  if (!is_text()) throw NumbersError("a value is no text");
+  if (!is_text()) throw NumbersError("a value is not a text");
   return text_;
 }
 
 const Numbers::Items& Numbers::as_list() const {
-  if (!is_list()) throw NumbersError("a value is no list");
+  if (!is_list()) throw NumbersError("a value is not a list");
   return items_;
 }
 
 double Numbers::as_real() const {
   if (kind_ == Kind::truth) return static_cast<double>(integer_);
-  if (kind_ != Kind::real) throw NumbersError("a value is no number");
+  if (kind_ != Kind::real) throw NumbersError("a value is not a number");
   return real_;
 }
 

@@ -77,7 +77,7 @@ class ExportFolder {
   explicit ExportFolder(fs::path folder) : folder_(std::move(folder)) {
     std::error_code error;
     made_ = fs::create_directories(folder_, error);
-    if (error) throw InputError(folder_.string(), 0, "cannot be made: " + error.message() + "; give another --out");
+    if (error) throw InputError(folder_.string(), 0, "cannot be created: " + error.message() + "; give another --out");
   }
 
   ExportFolder(const ExportFolder&) = delete;

@@ -26,7 +26,7 @@ constexpr struct {
 /// Volumes of pores or voids over pi radius^2 with their density, and what the rules left out.
 Numbers volumes(const PhaseMap& map, grid::Cavity kind, const grid::CavityRules& rules, double radius) {
   const auto s = grid::cavity_statistics(find_cavities(map, kind, rules), map.dx, radius);
-  Numbers j{{"count", described(s.count, "", kind == grid::Cavity::pore ? "Spaces between grains, matrix or not" : "Spaces that nothing fills")}};
+  Numbers j{{"count", described(s.count, "", kind == grid::Cavity::pore ? "Spaces between grains, with or without matrix" : "Empty spaces")}};
   if (s.count > 0) j["mean"] = described(s.mean, "", "Mean volume over pi times the reference radius squared");
   if (s.count > 1) {
     j["deviation"] = described(s.deviation, "", "Standard deviation of these volumes");
@@ -36,8 +36,8 @@ Numbers volumes(const PhaseMap& map, grid::Cavity kind, const grid::CavityRules&
     j["median"] = described(s.median, "", "Median of these volumes");
     j["pdf"] = {{"edge", s.density.edge}, {"density", s.density.density}, {"error", s.density.error}};
   }
-  j["specks"] = described(s.specks, "", "Too small to count");
-  j["at_border"] = described(s.cut, "", "Left out as they reach the border");
+  j["specks"] = described(s.specks, "", "Sets with too few nodes");
+  j["at_border"] = described(s.cut, "", "Left out because they reach the border");
   return j;
 }
 
@@ -47,7 +47,7 @@ bool has_classes(const PhaseMap& map) {
 
 Numbers phases(const PhaseMap& map) {
   const auto f = grid::phase_fractions(map);
-  const char* sentence = "Share of the nodes";
+  const char* sentence = "Fraction of the nodes";
   Numbers j{{"particle", described(f.particle, "", sentence)}, {"matrix", described(f.matrix, "", sentence)}, {"void", described(f.empty, "", sentence)}};
   if (has_classes(map)) j.update({{"large", described(f.large, "", sentence)}, {"small", described(f.small, "", sentence)}});
   return j;
@@ -93,8 +93,8 @@ Numbers map_numbers(const PhaseMap& map, const grid::CavityRules& rules, double 
   j["grains"] = grains(map);
   j["phases"] = phases(map);
   const auto fractions = grid::phase_fractions(map);
-  j["solid_fraction"] = described(fractions.particle, "", "Solid fraction, share of the nodes in grains");
-  j["S_m"] = described(fractions.saturation, "", "Saturation S_m, share of the space between grains that matrix fills, of the nodes");
+  j["solid_fraction"] = described(fractions.particle, "", "Solid fraction: fraction of the nodes in grains");
+  j["S_m"] = described(fractions.saturation, "", "Saturation S_m: fraction of the space between grains filled by matrix, by nodes");
   if (fractions.small > 0) j["volume_ratio"] = described(fractions.large / fractions.small, "", "Area of large over area of small grains");
   const auto through = grid::find_percolation(map, rules.eight_connected);
   j["percolates"] = {{"solid_bottom_top", through.solid_bottom_top},
@@ -114,10 +114,10 @@ void add_reports(Numbers& j, const SampleReports& reports) {
   const auto& c = reports.cement;
   const auto& r = reports.grid;
   const auto kind = static_cast<std::size_t>(reports.law.kind);
-  const char* off = "Area of the nodes over the exact area, less 1";
+  const char* off = "Area of the nodes over the exact area, minus 1";
   j["area_error"] = {{"particle", described(r.particle_area_error, "", off)}, {"matrix", described(r.matrix_area_error, "", off)}};
-  j["exact"] = {{"solid_fraction", described(c.areas.particle / c.areas.window, "", "Share of the area in grains, of exact areas")},
-                {"S_m", described(c.saturation, "", "Share of the space between grains that matrix fills, of exact areas")}};
+  j["exact"] = {{"solid_fraction", described(c.areas.particle / c.areas.window, "", "Fraction of the area in grains, by exact areas")},
+                {"S_m", described(c.saturation, "", "Fraction of the space between grains filled by matrix, by exact areas")}};
   Numbers cement{{"kind", recipe::word_of(reports.law.kind)},
                  {"gap_m", described(*reports.law.gap, "m", "Largest gap that a neck bridges")},
                  {"necks", described(c.necks, "", "Pairs of grains with a neck")}};
@@ -144,22 +144,22 @@ void add_load(Numbers& j, const recipe::Load& load, const peridynamics::LoadRepo
        {"iterations", described(report.iterations, "", "Iterations of the solver")},
        {"residual", described(report.residual, "", "Out-of-balance force over that of uniform strain")},
        {"reaction_balance_error", described(report.identity_defect, "", "Sum of sigma_yy over the volume against the clamp's force times the height, less 1")},
-       {"top_force_N_per_m", described({report.top_force.x, report.top_force.y}, "N/m", "Force of the upper clamp on the sample, a metre of depth")},
+       {"top_force_N_per_m", described({report.top_force.x, report.top_force.y}, "N/m", "Force of the upper clamp on the sample, per metre of depth")},
        {"nodes", support(report.support)},
-       {"loose_nodes", described(report.loose_nodes, "", "Nodes that no bond holds in some direction")},
-       {"hinges", described(report.hinges.size(), "", "Nodes about which a part of the sample can turn")}});
+       {"loose_nodes", described(report.loose_nodes, "", "Nodes without stiffness in some direction")},
+       {"hinges", described(report.hinges.size(), "", "Nodes about which a part of the sample can rotate")}});
   j["load"] = l;
   if (report.ending == peridynamics::Ending::solved) {
     j["modulus_Pa"] = described(report.modulus, "Pa", "Apparent modulus, mean stress over strain");
     if (load.loading != peridynamics::Loading::shear) j["poisson"] = described(report.poisson, "", "Apparent Poisson's ratio, of the middle half");
     if (j.contains("phases"))
-      j["modulus_bounds_Pa"] = described(bounds(j["phases"], load.stiffness.resolved()), "Pa", "Bound of Young's modulus by the phases' shares");
+      j["modulus_bounds_Pa"] = described(bounds(j["phases"], load.stiffness.resolved()), "Pa", "Bound of Young's modulus from the phase fractions");
   }
   if (moduli)
     j["moduli"] = {{"E_x_Pa", described(moduli->young_x, "Pa", "Young's modulus along x")},
                    {"E_y_Pa", described(moduli->young_y, "Pa", "Young's modulus along y")},
-                   {"nu_xy", described(moduli->poisson_xy, "", "Poisson's ratio, pulled along x")},
-                   {"nu_yx", described(moduli->poisson_yx, "", "Poisson's ratio, pulled along y")},
+                   {"nu_xy", described(moduli->poisson_xy, "", "Poisson's ratio for tension along x")},
+                   {"nu_yx", described(moduli->poisson_yx, "", "Poisson's ratio for tension along y")},
                    {"G_Pa", described(moduli->shear, "Pa", "Shear modulus")}};
 }
 
@@ -181,9 +181,9 @@ void add_failure(Numbers& j, const recipe::Load& load, const peridynamics::Damag
     if (state.stress == result.strength) failure["strain_at_strength"] = described(state.strain, "", "Strain at the greatest mean stress");
   if (!result.curve.empty()) {
     const auto& last = result.curve.back();
-    failure.update({{"work_J_per_m", described(last.work, "J/m", "Work of the load, a metre of depth")},
-                    {"released_J_per_m", described(last.released, "J/m", "Elastic energy lost as bonds broke, a metre of depth")},
-                    {"bond_energy_J_per_m", described(last.bond_energy, "J/m", "Of that, what the broken bonds held")}});
+    failure.update({{"work_J_per_m", described(last.work, "J/m", "Work of the load, per metre of depth")},
+                    {"released_J_per_m", described(last.released, "J/m", "Elastic energy released by breaking bonds, per metre of depth")},
+                    {"bond_energy_J_per_m", described(last.bond_energy, "J/m", "Part of it that was stored in the broken bonds")}});
   }
   j["failure"] = failure;
 }

@@ -63,7 +63,7 @@ std::string unequal(const recipe::FilmRecipe& recipe, const std::vector<Scale>& 
   const double ratio = std::exp(high.log - low.log);
   if (taken_for(scales, low, recipe, 0.5 * (low.log + high.log)))
     return fmt::format(
-        "forces between {0} and {1} agree only if each has the other's thermoelastic factor: the two materials are taken for each other; check their "
+        "forces between {0} and {1} agree only if each has the other's thermoelastic factor: the two materials are probably swapped; check their "
         "brightness (or the list of grains) and their factors",
         first, second);
   return fmt::format(
@@ -115,7 +115,8 @@ std::string no_load_sentence(const LockinMaps& maps, double frequency, std::stri
                        maps.other_frequency, given_by);
   if (maps.chance < 0.01)
     return fmt::format(
-        "what the film shows at {:.6g} Hz has no common phase, as under a load, but is a line of the camera; give the frequency of the load ({}), or a film of "
+        "the signal at {:.6g} Hz does not have a common phase, as under a load, but is a spectral line of the camera; give the frequency of the load ({}), or "
+        "a film of "
         "a loaded sample",
         frequency, given_by);
   return fmt::format("the film shows only noise at {:.6g} Hz; give the frequency of the load ({}), or a film of a loaded sample", frequency, given_by);
@@ -141,13 +142,13 @@ void refuse_impossible(const recipe::FilmRecipe& recipe, const LockinMaps& maps)
   const double level = median_of_finite(maps.mean);
   if (level > hottest)
     throw refusal(
-        "its values are about {:.4g}, which are no temperatures of a sample in kelvin: levels of the camera are taken for kelvin; "
+        "its values are about {:.4g}, which cannot be temperatures of a sample in kelvin: camera levels are taken for kelvin; "
         "choose temperature.from = \"references\", \"curve\" or \"radiometry\", or give the scale of the film",
         level);
   const double amplitude = median_of_finite(maps.amplitude);
   if (amplitude > largest_amplitude)
     throw refusal(
-        "half of its pixels have amplitudes above {:.3g} K, as no elastic grain has: levels of the camera are taken for kelvin, or "
+        "half of its pixels have amplitudes above {:.3g} K, impossible for elastic grains: camera levels are taken for kelvin, or "
         "the calibration is wrong; check [temperature]",
         amplitude);
   if (!recipe.lockin.phase) return;
@@ -171,7 +172,7 @@ std::vector<std::string> film_doubts(const recipe::FilmRecipe& recipe, const Fil
   }
   if (const thermography::Adiabatic heat(recipe.lockin.diffusivity, r.maps.frequency, r.pixel); !heat.holds()) doubts.push_back(heat.sentence());
   if (r.rim_blur > 0 && std::abs(r.rim_blur - recipe.forces.blur) > blur_doubted)
-    doubts.push_back(fmt::format("rims of grains are blurred as by {:.2g} pixels, and forces.blur is {:.2g}; give what the camera's lens does", r.rim_blur,
+    doubts.push_back(fmt::format("the rims of grains show a blur of {:.2g} pixels, but forces.blur is {:.2g}; give the blur of the camera's lens", r.rim_blur,
                                  recipe.forces.blur));
   if (r.packing.contacts.size() == 0) return doubts;
   add_scales(recipe, r, doubts);

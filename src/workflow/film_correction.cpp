@@ -26,13 +26,13 @@ bool nearly_all(std::size_t some, const FilmInfo& film) { return 100 * some >= 9
 
 void refuse_saturated(const thermography::Doubtful& seen, const FilmInfo& film) {
   if (nearly_all(seen.saturated, film))
-    throw refusal("{} of {} pixels reach the top of the camera's range ({}), so what they saw is not known; film with a shorter integration", seen.saturated,
+    throw refusal("{} of {} pixels reach the top of the camera's range ({}), so their signal is lost; use a shorter integration time", seen.saturated,
                   film.pixels(), (1 << film.bits) - 1);
 }
 
 void refuse_constant(const thermography::Doubtful& seen, const FilmInfo& film, std::size_t frames) {
   if (nearly_all(seen.constant, film))
-    throw refusal("{} of {} pixels never change in the first {} frames, not even by noise; give the film as the camera recorded it", seen.constant,
+    throw refusal("{} of {} pixels are constant in the first {} frames, even without noise; give the film as recorded by the camera", seen.constant,
                   film.pixels(), frames);
 }
 
@@ -57,13 +57,13 @@ radiometry::Band band_of(const recipe::FilmRecipe& recipe, const FilmInfo& film,
   const auto um = [](double low, double high) { return fmt::format("{:.3g} to {:.3g} um", 1e6 * low, 1e6 * high); };
   if (!given.empty()) {
     if (film_says && (std::abs(film.band_low / given[0] - 1) > 0.01 || std::abs(film.band_high / given[1] - 1) > 0.01))
-      notes.push_back(fmt::format("the film says that its camera sees {}; {} is taken, as temperature.band says", um(film.band_low, film.band_high),
-                                  um(given[0], given[1])));
+      notes.push_back(
+          fmt::format("the film gives the band {}; temperature.band, {}, is used instead", um(film.band_low, film.band_high), um(given[0], given[1])));
     return {given[0], given[1]};
   }
   if (film_says) return {film.band_low, film.band_high};
   const radiometry::Band usual;
-  notes.push_back(fmt::format("neither the film nor temperature.band says what the camera sees; {} is taken", um(usual.low, usual.high)));
+  notes.push_back(fmt::format("neither the film nor temperature.band gives the band of the camera; {} is used", um(usual.low, usual.high)));
   return usual;
 }
 
@@ -159,9 +159,9 @@ std::optional<thermography::LoadSignal> load_signal_of(const std::filesystem::pa
   const auto time = thermography::frame_times(film);
   const auto signal = thermography::fit_load_signal(time, line, given);
   if (!signal) {
-    notice(fmt::format("the film's lock-in line shows no cycle near {:.6g} Hz; it is left aside", given));
+    notice(fmt::format("the film's lock-in line shows no cycle near {:.6g} Hz; it is ignored", given));
   } else if (std::abs(signal->frequency - given) > 1 / (time.back() - time.front())) {
-    notice(fmt::format("the film's lock-in line cycles at {:.6g} Hz, and not at the given {:.6g} Hz; it is taken", signal->frequency, given));
+    notice(fmt::format("the film's lock-in line cycles at {:.6g} Hz instead of the given {:.6g} Hz; the former is used", signal->frequency, given));
   }
   return signal;
 }

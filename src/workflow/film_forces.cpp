@@ -59,7 +59,8 @@ inference::ThermoelasticPicture picture_of(const FilmResult& r) {
   return picture;
 }
 
-constexpr const char* nothing_presses = "no contact between grains is pressed as the load rises; check lockin.phase, the places of the grains and the film";
+constexpr const char* nothing_presses =
+    "no contact between grains is compressed as the load rises; check lockin.phase, the positions of the grains and the film";
 
 /// Those contacts of the packing that are wanted, with their forces; `also` is thinned out likewise.
 void keep(Contacts& contacts, const std::vector<std::uint8_t>& wanted, std::initializer_list<std::vector<double>*> also) {

@@ -105,7 +105,7 @@ void drop_pores(const std::vector<float>& frame, bool bright, PictureGrains& gra
 void refuse_overlapping(const std::string& file, const Grains& grains) {
   Problems problems(file);
   each_overlap(grains.position, grains.radius, [&](std::size_t i, std::size_t j, double overlap) {
-    problems.add("grains {} and {} overlap by {:.3g} mm, more than load presses grains together; correct their centres or radii", grains.id[j], grains.id[i],
+    problems.add("grains {} and {} overlap by {:.3g} mm, more than the load can cause; correct their centres or radii", grains.id[j], grains.id[i],
                  1e3 * overlap);
   });
   problems.raise();

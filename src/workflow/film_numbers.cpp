@@ -47,7 +47,7 @@ Numbers lockin_of(const FilmResult& r) {
   put(j, "frequency_Hz", Estimate{m.frequency, m.frequency_error}, "Hz", "Frequency of the load");
   put(j, "reference_phase_deg", m.reference_phase * 180 / std::numbers::pi, "deg", "Phase of the load at the first frame");
   put(j, "standard_error_K", median_of_finite(m.standard_error), "K", "Median standard error of a pixel's amplitude");
-  put(j, "residual_K", median_of_finite(m.residual), "K", "Median of what the fit leaves in a pixel");
+  put(j, "residual_K", median_of_finite(m.residual), "K", "Median residual of the fit in a pixel");
   if (!m.second_harmonic.empty()) put(j, "second_harmonic_K", median_of_finite(m.second_harmonic), "K", "Median amplitude at twice the frequency");
   return j;
 }
@@ -57,7 +57,7 @@ Numbers grains_of(const FilmResult& r) {
   for (std::size_t m = 0; m < r.packing.materials.size(); ++m)
     j[r.packing.materials[m].name] = std::count(r.packing.grains.material.begin(), r.packing.grains.material.end(), static_cast<std::int32_t>(m));
   if (!r.grains.position_error.empty())
-    put(j, "position_error_pixels", median(r.grains.position_error, statistics::unknown), "pixels", "Median standard error of a grain's place");
+    put(j, "position_error_pixels", median(r.grains.position_error, statistics::unknown), "pixels", "Median standard error of a grain's position");
   return j;
 }
 
@@ -86,10 +86,10 @@ Numbers forces_of(const FilmResult& r) {
   for (const double f : between) mean += f / n;
   for (const double f : between) squares += (f - mean) * (f - mean);
   const auto above = static_cast<double>(std::count_if(between.begin(), between.end(), [&](double f) { return f > mean; }));
-  Numbers j{{"proposed", described(r.fit.proposed, "", "Contacts that could be there by distance")},
-            {"present", described(contacts.size(), "", "Contacts that are there by their forces")},
+  Numbers j{{"proposed", described(r.fit.proposed, "", "Contacts proposed by distance")},
+            {"present", described(contacts.size(), "", "Contacts present according to their forces")},
             {"between_grains", described(between.size(), "", "Of these, contacts between grains")}};
-  put(j, "present_error", r.fit.present_error, "", "Standard error of how many are there");
+  put(j, "present_error", r.fit.present_error, "", "Standard error of the number of contacts present");
   if (between.size() > 1) {
     // Of the sample's contacts, and of how many there are: one more or less of those that carry next to nothing.
     const double spread = std::sqrt(squares / (n - 1) / n), counted = mean * r.fit.present_error / n;
@@ -108,7 +108,7 @@ Numbers checks_of(const FilmResult& r) {
   if (fit.over_noise > 0) {
     put(j, "misfit_over_noise", fit.over_noise, "", "What the fit of forces leaves in a pixel over its noise");
     put(j, "misfit_over_signal", fit.over_signal, "", "The same over the signal");
-    put(j, "field_error_that_agrees", fit.model_error, "", "Relative error of the grains' fields that would explain it");
+    put(j, "field_error_that_agrees", fit.model_error, "", "Relative model error of the grains' fields that would explain the misfit");
   }
   if (r.rim_blur > 0) put(j, "blur_of_rims_pixels", r.rim_blur, "pixels", "Blur that the rims of grains show");
   if (fit.load != 0) put(j, "load_by_forces_N", fit.load, "N", "Load as the forces on the walls have it, peak to peak");
@@ -127,7 +127,7 @@ Numbers agreement_of(const FilmResult& r, const std::vector<double>& simulation,
     j[name] = {{"grains", described(a.grains, "", "Grains that are compared")},
                {"correlation", described(a.correlation, "", "Pearson's correlation of the grains' stresses, film and simulation")},
                {"rms_sigma_norm", described(a.rms_sigma_norm, "", "Root mean square difference of the stresses, each over its mean")},
-               {"slope", described(a.slope, "", "Simulation against film, through the origin")}};
+               {"slope", described(a.slope, "", "Slope of film on simulation, through the origin")}};
   };
   add("all", considered);
   for (std::size_t m = 0; m < r.packing.materials.size(); ++m) {

@@ -21,7 +21,7 @@ const Kernel& find_kernel(const std::string& asked) {
   if (asked == "auto") return choice.best();
   if (const Kernel* kernel = choice.named(asked)) return *kernel;
   if (asked == avx2_kernel.name || asked == avx512_kernel.name)
-    throw InputError(fmt::format("kernel \"{}\" needs a processor that this machine lacks; \"auto\" takes the best it has", asked));
+    throw InputError(fmt::format("kernel \"{}\" is not supported by this processor; \"auto\" chooses the best one", asked));
   throw InputError(fmt::format("kernel \"{}\" is none of auto, portable, avx2, avx512", asked));
 }
 
@@ -130,7 +130,7 @@ void Engine::set_glue(bool on) {
 
 void Engine::make_bonds() {
   Sample& s = machine_->sample;
-  if (!s.contact.has_bonds()) throw InputError("bonds cannot be made where contact.bonds is \"none\"");
+  if (!s.contact.has_bonds()) throw InputError("bonds cannot be created if contact.bonds is \"none\"");
   synchronise(s);
   list_anew(s, machine_->pool);
   bond_near_pairs(s);

@@ -12,7 +12,7 @@ namespace arenite::dem {
 
 std::string describe(const Equilibrium& now) {
   std::string text = fmt::format("unbalanced force ratio {:.1e}, kinetic over elastic energy {:.1e}", now.unbalanced_ratio, now.kinetic_ratio);
-  if (now.loose_kinetic > 0) text += fmt::format(", of grains that carry nothing {:.1e}", now.loose_kinetic);
+  if (now.loose_kinetic > 0) text += fmt::format(", of grains that carry no load {:.1e}", now.loose_kinetic);
   return now.falling > 0 ? text + fmt::format(", {:.2g} % of the grains fall", 100 * now.falling) : text;
 }
 
@@ -109,7 +109,7 @@ void store_frame(const Engine& engine, const Equilibrium& now, std::string label
 /// The same with what the pressing sides still lack, relative to their aim; nothing on that where none presses.
 std::string describe_pressed(const Equilibrium& now, const WallDrives& drives, const Domain& domain) {
   const bool presses = std::any_of(drives.begin(), drives.end(), [](const WallDrive& d) { return d.kind == WallDrive::Kind::force; });
-  return describe(now) + (presses ? fmt::format(", forces on the sides within {:.1e} of their aim", load_error(drives, domain)) : "");
+  return describe(now) + (presses ? fmt::format(", forces on the sides within {:.1e} of their targets", load_error(drives, domain)) : "");
 }
 
 /// How the stage came to its end, how many of the bonds have broken, and how many pairs cohesion joins; nothing on these where there are none.
@@ -120,7 +120,7 @@ std::string outcome_of(const Engine& engine, const Stage& stage, const Equilibri
   if (const BondCount bonds = engine.bond_count(); bonds.made() > 0) text += fmt::format("; {} of {} bonds broken", bonds.made() - bonds.intact, bonds.made());
   if (!engine.is_cohesive()) return text;
   const CohesionCount pairs = engine.cohesion_count();
-  return text + fmt::format("; {} pairs cohere, {} of them apart", pairs.joined, pairs.apart);
+  return text + fmt::format("; {} cohesive pairs, {} of them not touching", pairs.joined, pairs.apart);
 }
 
 /// The end of a leg: a row for the curves against cycles, and a state.
@@ -149,7 +149,7 @@ StageRun begin_stage(Engine& engine, const Stage& stage) {
   engine.set_gravity(stage.gravity ? stage.gravity_size * Vec2{std::sin(stage.gravity_angle), -std::cos(stage.gravity_angle)} : Vec2{});
   engine.set_friction(stage.friction);
   if (stage.gravity && stage.mass_scaling == MassScaling::uniform)
-    throw InputError("grains with scaled masses cannot weigh; leave gravity or mass_scaling out");
+    throw InputError("mass scaling cannot be used with gravity; leave gravity or mass_scaling out");
   engine.set_mass_scaling(stage.mass_scaling);
   engine.set_inertial_number(stage.inertial_number);
   engine.set_drag(engine.integration().drag + stage.drag + stage.critical_drag * engine.critical_drag());

@@ -110,7 +110,7 @@ void choose_step(Sample& s) {
   if (!positive(s.dt)) throw InputError(fmt::format("time step {} s must be above 0", s.dt));
   if (s.dt > bounds.largest())
     throw InputError(
-        fmt::format("integration.time_step of {:.4g} s is too long for this packing: {} would make its motion grow without end; "
+        fmt::format("integration.time_step of {:.4g} s is too long for this packing: {} would make it unstable; "
                     "{:.4g} s would do, or leave the key out",
                     s.dt, bounds.damping < bounds.stiffness ? "damping (dashpots and drag)" : "the stiffness of its contacts", 0.999 * bounds.largest()));
   s.dt_at_start = s.dt;

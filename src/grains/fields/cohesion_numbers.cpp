@@ -70,8 +70,8 @@ Numbers cohesion_numbers(const StageResult& result, const dem::Stage& stage, con
   if (!(pull > 0)) return {{"cohesion", j}};
   const Means means = means_of(start);
   const double load = stage.gravity ? means.mass * stage.gravity_size : pressure_on(start.domain) * means.diameter * thickness;
-  j["pull_N"] = described(pull, "N", "Mean pull of a pair at contact");
-  if (load > 0) j["bond_number"] = described(pull / load, "", "That pull over the load of a grain");
+  j["pull_N"] = described(pull, "N", "Mean attraction of a pair in contact");
+  if (load > 0) j["bond_number"] = described(pull / load, "", "Granular Bond number: this attraction over the load on a grain");
   if (const double strength = tensile_strength(result, stage, thickness); before && strength > 0) {
     const double fraction = means.area / start.domain.area(),
                  neighbours = 2.0 * static_cast<double>(start.cohesive.size()) / static_cast<double>(start.grains.size());

@@ -62,7 +62,7 @@ Estimate neighbours(const View& view) {
   return mean(view.grains, view.grain_block, [&](std::size_t g) { return static_cast<double>(touched[g].size()); });
 }
 
-constexpr const char* mean_number = "Mean number of contacts a grain, of the pair or set that the name says";
+constexpr const char* mean_number = "Mean number of contacts per grain, of the named pair or set";
 
 /// Of every material with every other one: neighbours of the second a grain of the first, and "POM-ANY" = (2 N_XX + N_XY)/N_X.
 void put_by_material(Numbers& j, const View& view, const Partners& partners) {
@@ -88,7 +88,7 @@ void put_by_material(Numbers& j, const View& view, const Partners& partners) {
       share.emplace_back(name, ratio(view, ends, all));
     }
   put(j, "rattlers", grain_mean(view, -1, [&](std::size_t g) { return view.rattler[g] ? 1.0 : 0.0; }), "",
-      "Share of grains with fewer than two contacts that carry force");
+      "Fraction of grains with fewer than two force-bearing contacts");
   put(j, "unlike_contacts_twice", doubled, "", "2 (N_XX + N_XY)/N_X (T 4.3.1)");
   put(j, "parts_of_z", parts, "", "2 N_AB over all grains (T 5.3.1); the parts add up to z");
   put(j, "share_of_contacts", share, "", "N_AB over all contacts");

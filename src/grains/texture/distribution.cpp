@@ -66,10 +66,10 @@ void put_tail(Numbers& to, const statistics::ExponentialTail& tail) {
   put(to, "beta", tail.beta, "", "Decay of values above the mean, P ~ exp(-beta x), by maximum likelihood");
   put(to, "beta_error", tail.beta.error, "", "Standard error of beta");
   put(to, "beta_line", tail.line_beta, "", "The same by a straight line through ln of the survival function");
-  put(to, "line_r2", tail.line_r2, "", "Share of that logarithm's variance that the line explains");
+  put(to, "line_r2", tail.line_r2, "", "Coefficient of determination of that line");
   put(to, "tail_count", tail.count, "", "Values above the mean");
   put(to, "log_likelihood_ratio", tail.likelihood_ratio, "", "ln L(exponential) - ln L(half-Gaussian)");
-  put(to, "p_value", tail.p_value, "", "That the exponential's lead is chance (Vuong's test, one-sided)");
+  put(to, "p_value", tail.p_value, "", "Probability that the exponential fits better by chance (Vuong's test, one-sided)");
 }
 
 /// The contacts of a set that push (sign = 1) or pull (sign = -1).
@@ -107,7 +107,7 @@ Numbers distribution(const Items& items, const std::vector<int>& block_of, const
   Numbers j{{"count", described(items.size(), "", "Values of the set")}};
   put(j, names.mean, estimates[0], names.unit, names.mean_is);
   put(j, names.share, estimates[1], "", names.share_is);
-  put(j, "fraction_above_mean_of_all", estimates[2], "", "Share of the set above the mean of all");
+  put(j, "fraction_above_mean_of_all", estimates[2], "", "Fraction of the set above the mean of all");
 
   const double own_mean = mean_of(items, value);
   std::vector<double> sorted;
@@ -129,9 +129,9 @@ Numbers distribution(const Items& items, const std::vector<int>& block_of, const
 
 /// Normal forces between grains, pushing and pulling ones apart (T Fig. 1.6, 1.9).
 void forces(const View& view, Texture& texture) {
-  constexpr DistributionNames names{"mean_N", "N", "strong_share", "Mean normal force of the set", "Share of contacts above the set's own mean"};
+  constexpr DistributionNames names{"mean_N", "N", "strong_share", "Mean normal force of the set", "Fraction of contacts above the set's own mean"};
   if (view.contacts.empty()) {
-    texture.notes.push_back("No contact lies in the window, so coordination is zero and fabric and forces are left out.");
+    texture.notes.push_back("There is no contact in the window, so coordination is zero, and fabric and forces are left out.");
     return;
   }
   ByName<Items> sets{{"all", view.contacts}};
@@ -151,9 +151,9 @@ void forces(const View& view, Texture& texture) {
   }
   if (compressive.empty()) return;
   put(compressive, "tensile_share", mean(view.contacts, view.contact_block, [&](std::size_t c) { return pull[c] > 0 ? 1.0 : 0.0; }), "",
-      "Share of contacts that pull");
+      "Fraction of tensile contacts");
   if (!tensile.empty()) {
-    put(tensile, "mean_over_compressive_mean", view.mean_force > 0 ? mean_pull / view.mean_force : unknown, "", "Mean pull over mean push");
+    put(tensile, "mean_over_compressive_mean", view.mean_force > 0 ? mean_pull / view.mean_force : unknown, "", "Mean tensile over mean compressive force");
     compressive["tensile"] = tensile;
   }
   texture.numbers["force"] = compressive;

@@ -102,8 +102,8 @@ Numbers fabric_of(const View& view, const Items& items) {
   const auto tensor = [&](double Estimate::*part) { return Tensor2{r[phi_xx].*part, r[phi_xy].*part, r[phi_xy].*part, r[phi_yy].*part}; };
   Numbers j = Numbers::tree();
   put(j, "contacts", items.size(), "", "Contacts of the set");
-  put(j, "a_c", r[a_c], "", "Contact anisotropy a_c, 2 (phi_1 - phi_2), T eq. 1.8; 0: contacts in all directions alike");
-  put(j, "theta_c_deg", r[theta_c], "deg", "Direction of most contacts, from x");
+  put(j, "a_c", r[a_c], "", "Contact anisotropy a_c, 2 (phi_1 - phi_2), T eq. 1.8; 0: isotropic");
+  put(j, "theta_c_deg", r[theta_c], "deg", "Principal direction of the contacts, from x");
   put(j, "phi", statistics::TensorEstimate{tensor(&Estimate::value), tensor(&Estimate::error)}, "", "Fabric tensor <n (x) n>, T eq. 1.6");
   put(j, "a_c_signed", r[a_c_signed], "", "a_c cos 2(theta_c - theta_load): positive along the load");
   put(j, "a_c_noise", 2 * noise, "", "a_c that as many random directions give");

@@ -57,8 +57,8 @@ Numbers gap_coordination(const Packing& packing, double gap, int large, int smal
     if (material[g] == large || material[g] == small) counted.push_back(g);
   }
   Numbers j{{"gap_m", described(gap, "m", "Largest distance of the surfaces of neighbours")},
-            {"large_grains", described(of_class[0], "", "Large grains that count")},
-            {"small_grains", described(of_class[1], "", "Small grains that count")}};
+            {"large_grains", described(of_class[0], "", "Large grains considered")},
+            {"small_grains", described(of_class[1], "", "Small grains considered")}};
   if (counted.empty()) return j;
   const BlockGrid blocks{window.value_or(box_of(packing.domain)), blocks_per_side(counted.size())};
   std::vector<int> block;

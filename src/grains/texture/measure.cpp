@@ -37,7 +37,7 @@ void sample(const View& view, Texture& texture) {
   if (!view.options.load_axis && !view.contacts.empty())
     texture.notes.push_back(
         "The direction of the load is not given: signed anisotropies refer to the sample's own axis of greatest compression, "
-        "about which even chance has a positive sign.");
+        "about which even a random network has a positive value.");
   const bool walled = view.has_box && !(view.packing.domain.periodic[0] && view.packing.domain.periodic[1]);
   if (walled && view.options.border > 0 && view.window.border == 0)
     texture.notes.push_back(

@@ -84,7 +84,7 @@ void quality(const View& view, Texture& texture) {
   for (const std::size_t c : view.contacts) largest = std::max(largest, force[c]);
   if (largest > 50 * view.mean_force && view.mean_force > 0)
     texture.notes.push_back(
-        fmt::format("The largest force is {:.3g} times the mean, so a few rows decide the mean and all that hangs on it.", largest / view.mean_force));
+        fmt::format("The largest force is {:.3g} times the mean, so a few rows dominate the mean and everything derived from it.", largest / view.mean_force));
   if (imbalance > 0.1)
     texture.notes.push_back(
         fmt::format("Grains are not in balance: the median resultant is {:.2g} of the mean force, so stresses "

@@ -58,9 +58,9 @@ void check_header(std::string_view bytes, std::string_view kind, const fs::path&
   if (format > file_format)
     refuse(fmt::format("was written by a newer Arenite (file format {}, this one reads up to {}); update Arenite", format, file_format));
   if (after(head, "\nbytes ") != std::to_string(bytes.size()))
-    damaged(fmt::format(
-        "has not the length it was written with ({} bytes are here): it was cut short or added to; remove it and make it again with \"arenite run\"",
-        bytes.size()));
+    damaged(
+        fmt::format("does not have its original length (it has {} bytes): it was truncated or extended; remove it and compute it again with \"arenite run\"",
+                    bytes.size()));
   if (after(head, "\nxxh3 ") != content_hash(bytes.substr(header_size)))
     damaged("was changed or damaged after it was written (its checksum differs); remove it and make it again with \"arenite run\"");
 }
@@ -99,13 +99,11 @@ std::string read_checksummed(const fs::path& path, std::string_view kind) {
   return bytes;
 }
 
-std::string stage_file_name(int place, std::string_view stage, std::string_view hash) { return full_stage_file_name(place, stage, hash.substr(0, 12)); }
-
-std::string full_stage_file_name(int place, std::string_view stage, std::string_view hash) {
+std::string stage_file_name(int place, std::string_view stage, std::string_view hash) {
   std::string name(stage);
   for (char& c : name)
     if (!is_name_character(c) && c != '.') c = '-';
-  return fmt::format("{:02}-{}-{}.h5", place, name, hash);
+  return fmt::format("{:02}-{}-{}.h5", place, name, hash.substr(0, 12));
 }
 
 std::vector<fs::path> stage_files(const fs::path& result) {
@@ -140,7 +138,7 @@ void AppendLog::add(std::string line) const {
   torn_ = error != 0 && (torn_ || written > 0);
   if (error == 0 || notified_ || !notice_) return;
   notified_ = true;
-  notice_(fmt::format("{}: lines are being lost: {}; make room, or what is done may look as if it were not", file_.string(), std::strerror(error)));
+  notice_(fmt::format("{}: lines are being lost: {}; free some space, or finished runs may appear unfinished", file_.string(), std::strerror(error)));
 }
 
 void read_log(const fs::path& folder, const std::function<void(std::string_view)>& see) {

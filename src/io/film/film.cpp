@@ -112,7 +112,7 @@ std::unique_ptr<FilmSource> open_film(const Bytes& bytes, const FilmChoice& choi
   if (bytes->size() == 0) refuse(bytes->name(), "is empty; copy it again");
   if (const FilmFormat* format = format_of(*bytes)) return scaled_film(format->open(bytes, choice), choice);
   refuse(bytes->name(),
-         "is no film: neither .ptw, .sfmov, .hcc, .npy, TIFF, HDF5 nor frames as text; "
+         "is not a film in a known format (.ptw, .sfmov, .hcc, .npy, TIFF, HDF5, frames as text); "
          "describe raw frames in a text beside it, NAME.txt with the lines width = .., height = .. and type = ..");
 }
 

@@ -75,7 +75,7 @@ void check_size(const std::string& file, std::int64_t width, std::int64_t height
   if (width <= 0 || height <= 0) refuse(file, "holds a picture of {} x {} pixels; give one with at least one each way", width, height);
   constexpr auto most = std::int64_t{std::numeric_limits<std::int32_t>::max()};
   if (width > most || height > most || width > choice.most_pixels / height)
-    refuse(file, "holds a picture of {} x {} pixels, and {} million can be read; cut out the part that matters", width, height,
+    refuse(file, "holds a picture of {} x {} pixels, but at most {} million can be read; crop it", width, height,
            static_cast<double>(choice.most_pixels) / 1e6);
 }
 

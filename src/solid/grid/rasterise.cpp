@@ -196,7 +196,7 @@ PhaseMap rasterise(const Packing& packing, const Cement& cement, const GridParam
 geometry::Rectangle crop_window(const Packing& packing, double crop) {
   const geometry::Rectangle sample = sample_of(packing);
   if (!(sample.width() > 0 && sample.height() > 0) || !std::isfinite(sample.area()))
-    throw InputError("a sample without frame and grains has nothing to crop; give it a domain with positive sides");
+    throw InputError("a sample without container and grains has nothing to crop; give it a domain with positive sides");
   if (!(crop >= 0) || !std::isfinite(crop)) throw InputError(fmt::format("the crop is {:g} m wide; give a positive length, or 0 for the largest square", crop));
   const double largest = std::min(sample.width(), sample.height());
   if (crop > largest * (1 + 1e-12))

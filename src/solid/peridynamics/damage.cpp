@@ -19,7 +19,7 @@ void check(const DamageOptions& o) {
   positive(o.tolerance, "tolerance");
   positive(o.max_strain, "largest strain");
   if (!(o.end_stress >= 0) || !(o.end_stress < 1))
-    throw InputError(fmt::format("the share of the strength at which a test ends is {:g}; give one from 0 to below 1", o.end_stress));
+    throw InputError(fmt::format("the fraction of the strength at which a test ends is {:g}; give one from 0 to below 1", o.end_stress));
   if (!(o.band >= 0) || !(o.band < 1)) throw InputError(fmt::format("the band of bonds that break together is {:g}; give one from 0 to below 1", o.band));
 }
 

@@ -110,7 +110,7 @@ void FailureTest::resume(const FailureState& s) {
   state_ = s;
   // The set-up lags behind the bonds: it is that of the bonds that it was once made for.
   take(s.words_at_setup);
-  if (!prepare()) throw InputError("the stored state of a test ties no clamps; run the load again from its start");
+  if (!prepare()) throw InputError("in the stored state of a test the clamps are not connected; run the load again from its start");
   take(s.words);
 }
 

@@ -114,13 +114,13 @@ std::string sentence_of(const LoadReport& r, const LoadOptions& o) {
   switch (r.ending) {
     case Ending::empty: return "the map is all void: there is nothing to load";
     case Ending::severed:
-      text = fmt::format("nothing ties the bottom row to the top row: {} nodes hang on the lower clamp, {} on the upper; no stress", r.support.held_below,
+      text = fmt::format("{} nodes are connected to the lower clamp, {} to the upper one, and none to both; no stress", r.support.held_below,
                          r.support.held_above);
       break;
     case Ending::solved: text = fmt::format("equilibrium to a relative residual of {:.1e} in {} iterations", r.residual, r.iterations); break;
     case Ending::stopped: text = fmt::format("stopped at a relative residual of {:.1e} after {} iterations", r.residual, r.iterations); break;
     case Ending::not_converged:
-      text = fmt::format("no equilibrium: relative residual {:.1e} after {} iterations, {:.0e} was asked for", r.residual, r.iterations, o.tolerance);
+      text = fmt::format("no equilibrium: relative residual {:.1e} after {} iterations, above the tolerance of {:.0e}", r.residual, r.iterations, o.tolerance);
       break;
   }
   if (r.support.floating > 0) text += fmt::format("; {} floating nodes in {} islands without stress", r.support.floating, r.support.islands);
@@ -130,7 +130,7 @@ std::string sentence_of(const LoadReport& r, const LoadOptions& o) {
     const auto carrying = std::find_if(r.hinges.begin(), r.hinges.end(), [](const Hinge& h) { return h.carries; });
     const Hinge& h = carrying != r.hinges.end() ? *carrying : r.hinges.front();
     text += fmt::format("; {} hinges, one at node ({}, {}) with {} nodes behind it", r.hinges.size(), h.x, h.y, h.nodes);
-    if (h.carries) text += ": the load passes it";
+    if (h.carries) text += ": it transmits the load";
   }
   return text;
 }

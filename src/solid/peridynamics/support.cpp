@@ -120,7 +120,7 @@ Vec2 direction_of(Loading loading) {
 
 std::vector<std::uint8_t> prescribed_rows(int height, Loading loading, LowerEdge lower) {
   if (loading == Loading::shear && lower == LowerEdge::sliding)
-    throw InputError("a lower edge that slides carries no shear; fix it, or choose tension or compression");
+    throw InputError("a sliding lower edge carries no shear; fix it, or choose tension or compression");
   std::vector<std::uint8_t> rows(static_cast<std::size_t>(height), nothing_prescribed);
   rows.front() = lower == LowerEdge::sliding ? y_prescribed : both_prescribed;
   rows.back() = both_prescribed;

@@ -61,7 +61,7 @@ Numbers agreement(std::vector<double> field, std::vector<double> contacts) {
   double squares = 0;
   for (std::size_t k = 0; k < field.size(); ++k) squares += (field[k] - contacts[k]) * (field[k] - contacts[k]);
   put(j, "correlation", relation.pearson, "", "Pearson's correlation of both stresses");
-  put(j, "slope", Estimate{relation.line.slope, relation.line.slope_error}, "", "Of the field's stress over its mean against that of the contacts");
+  put(j, "slope", Estimate{relation.line.slope, relation.line.slope_error}, "", "Slope of the field's stress over its mean on that of the contacts");
   put(j, "rms", std::sqrt(squares / static_cast<double>(field.size())), "", "Root mean square of their difference");
   return j;
 }

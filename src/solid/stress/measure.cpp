@@ -201,7 +201,7 @@ const char* name_of(Component component) {
 
 Statistics measure(const PhaseMap& map, const StressField& field, const StressOptions& options) {
   const Selection selection = select(map, field, options);
-  Numbers j{{"nodes", described(selection.nodes, "", "Nodes of particles and matrix that count")},
+  Numbers j{{"nodes", described(selection.nodes, "", "Nodes of particles and matrix that are considered")},
             {"clamp_nodes", described(selection.clamp_nodes, "", "Nodes left out as clamp rows")},
             {"surface_nodes", described(selection.surface_nodes, "", "Nodes left out that border another phase or grain")},
             {"unloaded_nodes", described(selection.unloaded_nodes, "", "Nodes without any stress")},

@@ -127,11 +127,11 @@ void put_ranks(Numbers& to, const Scaled& s, const BlockCounts& counts, const st
     replicates.push_back(std::move(row));
   }
   const auto e = statistics::with_errors(values, replicates);
-  put(to, "fraction_above_own_mean", e[0], "", "Share of nodes above the set's own mean");
-  put(to, "fraction_above_sample_mean", e[1], "", "Share of nodes above the sample's mean");
+  put(to, "fraction_above_own_mean", e[0], "", "Fraction of nodes above the set's own mean");
+  put(to, "fraction_above_sample_mean", e[1], "", "Fraction of nodes above the sample's mean");
   statistics::ByName<statistics::Estimate> named;
   for (std::size_t k = 0; k < std::size(quantile_shares); ++k) named.emplace_back(quantile_shares[k].first, e[k + 2]);
-  put(to, "quantiles", named, "", "Stress over the sample's mean below which this share of nodes lies");
+  put(to, "quantiles", named, "", "Stress over the sample's mean below which this fraction of nodes lies");
 }
 
 /// Six digits are more than counting gives.
@@ -182,7 +182,7 @@ Numbers describe(const std::string& name, BlockedSample& sigma, const Normaliser
   put(j, "minimum", std::min(*low * r, *high * r), "", "Least stress over the sample's mean");
   put(j, "maximum", std::max(*low * r, *high * r), "", "Largest stress over the sample's mean");
   if (uniform) {
-    notes.push_back(fmt::format("{} is the same in every node: it has no distribution", name));
+    notes.push_back(fmt::format("{} is equal in all nodes: it has no distribution", name));
     return j;
   }
   if (own) put_shape(j, s, counts);

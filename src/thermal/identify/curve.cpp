@@ -59,7 +59,8 @@ void check_valleys(const Curve& curve, const std::vector<double>& f, const std::
     const double lesser = std::min(f[turns[t - 1].at], f[turns[t + 1].at]);
     if (f[turns[t].at] > 0.5 * lesser)
       refuse(curve, turns[t].at,
-             fmt::format("the force falls from {:.4g} to {:.4g} N and rises again; a loading must rise steadily: remove what slipped, or sort the rows by time",
+             fmt::format("the force falls from {:.4g} to {:.4g} N and rises again; a loading must rise steadily: remove the rows where the specimen slipped, "
+                         "or sort the rows by time",
                          f[turns[t - 1].at], f[turns[t].at]));
   }
 }

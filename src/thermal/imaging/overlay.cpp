@@ -134,7 +134,7 @@ void refine(const PictureGrains& circles, const FloatImage& picture, Overlay& fo
 }  // namespace
 
 Overlay lay_over(const PictureGrains& circles, const Similarity& first, const FloatImage& picture, const OverlayOptions& options) {
-  if (circles.size() < 3) throw refusal("there are {} grains to lay over the picture; three are needed", circles.size());
+  if (circles.size() < 3) throw refusal("there are {} grains to register with the picture; three are needed", circles.size());
   Overlay found{first, 0, 0, 0};
   search(circles, picture, options, found);
   for (int round = 0; round < rounds; ++round) refine(circles, picture, found);

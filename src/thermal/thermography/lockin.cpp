@@ -29,7 +29,7 @@ int possible_harmonics(const std::vector<double>& time, const LockinOptions& o) 
   const double nyquist = nyquist_frequency(time), cycles = o.frequency * (time.back() - time.front());
   if (o.frequency >= nyquist)
     throw refusal(
-        "the load frequency of {:.6g} Hz is at or above the Nyquist frequency of {:.6g} Hz, half the frame rate; such a film does not show the load's cycle",
+        "the load frequency of {:.6g} Hz is at or above the Nyquist frequency of {:.6g} Hz, half the frame rate, so the film cannot resolve the load cycle",
         o.frequency, nyquist);
   const double frame = 0.5 / nyquist;
   if (cycles + o.frequency * frame < 1 - 1e-9)
@@ -180,7 +180,8 @@ double Adiabatic::lost() const {
 
 std::string Adiabatic::sentence() const {
   return fmt::format(
-      "heat diffuses {:.3g} pixels far within a cycle, not far less than one: the finest detail of the signal is not adiabatic; raise the load frequency",
+      "heat diffuses over {:.3g} pixels within a cycle, which is not much less than one: the finest detail of the signal is not adiabatic; raise the load "
+      "frequency",
       length / pixel);
 }
 

@@ -106,8 +106,7 @@ std::vector<double> frame_times(const FilmInfo& film, double frame_rate) {
   if (time.empty()) {
     const double rate = frame_rate > 0 ? frame_rate : film.frame_rate;
     if (!(rate > 0) || !std::isfinite(rate))
-      throw InputError(
-          "the film does not say how many frames it has a second; give the frame rate (--frame-rate, frame_rate in [film] of a recipe or beside raw frames)");
+      throw InputError("the film does not state its frame rate; give it (--frame-rate, frame_rate in [film] of a recipe or beside raw frames)");
     time.resize(frames);
     for (std::size_t n = 0; n < frames; ++n) time[n] = static_cast<double>(n) / rate;
   }

@@ -26,7 +26,6 @@ TEST(RunFolder, ListsStagesInTheOrderOfTheLoading) {
 TEST(RunFolder, NamesHoldTheFirstTwelveDigitsOfTheHash) {
   const std::string hash = "27aea0a6ba881cd7d92e7f41f8cf3980";
   EXPECT_EQ(stage_file_name(1, "packing", hash), "01-packing-27aea0a6ba88.h5");
-  EXPECT_EQ(arenite::io::full_stage_file_name(1, "packing", hash), "01-packing-" + hash + ".h5");
 }
 
 TEST(RunFolder, AFileIsItsOwnList) { EXPECT_EQ(stage_files("some.h5"), std::vector<std::filesystem::path>{"some.h5"}); }

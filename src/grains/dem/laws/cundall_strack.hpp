@@ -9,7 +9,7 @@ namespace arenite::dem {
 /// xi is the integral of v_s by the trapezoidal rule, which is of second order. One number a contact is enough for it: `memory` = xi + lag v_s, to
 /// which the next evaluation adds lead v_s. Where velocities are those of the middle of a step (leapfrog), lead = dt and lag = 0.
 struct CundallStrack : WithoutParameters {
-  static constexpr Word word{"cundall_strack", "spring with Coulomb's cap: holds static friction"};
+  static constexpr Word word{"cundall_strack", "spring with the Coulomb limit: sustains static friction"};
   static constexpr bool remembers = true;
 
   template <class V, class T> T tangential(const Slip<V, T>& slip, T& memory) const {

@@ -8,7 +8,7 @@ namespace arenite::dem {
 
 /// Grains that neither stick nor are wet.
 struct NoCohesion : WithoutParameters {
-  static constexpr Word word{"none", "grains neither stick nor are wet"};
+  static constexpr Word word{"none", "no cohesion"};
   static constexpr bool breaks = false;
   double joins_within() const { return 0; }
   PullCurve curve(double /*radius_i*/, double /*radius_j*/, double /*thickness*/) const { return {}; }
@@ -24,7 +24,7 @@ struct Dmt {
   void declare(ParameterVisitor& v) {
     v.number({"work_of_adhesion", "Work of adhesion w of two grains, twice the surface energy of like ones.", true}, work_of_adhesion, "J/m^2",
              range::positive);
-    v.number({"adhesion_range", "Gap up to which two grains attract each other; the pull falls linearly towards it.", true}, range_of_pull, "um",
+    v.number({"adhesion_range", "Gap up to which two grains attract each other; the attraction falls linearly to zero there.", true}, range_of_pull, "um",
              range::positive);
   }
   bool operator==(const Dmt&) const = default;

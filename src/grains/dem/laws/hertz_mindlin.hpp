@@ -9,7 +9,7 @@ namespace arenite::dem {
 /// xi since the contact began F_t = -k_t(h) xi: xi is not rescaled where h falls (gran/hertz/history of LAMMPS). A spring that is loaded at small h
 /// and relaxed at large h therefore gives back more than it took (Elata and Berryman, Mechanics of Materials 24, 229, 1996).
 struct HertzMindlin : Hertz {
-  static constexpr Word word{"hertz_mindlin", "Hertz contact of spheres by E and nu, friction's spring grows with it"};
+  static constexpr Word word{"hertz_mindlin", "Hertz contact of spheres with E and nu, with Mindlin's tangential spring"};
 
   /// What the spring of friction is a share of, N/m: the tangent stiffness S = 2 E* sqrt(R* h), so that k_t/S = 4 G*/E*.
   template <class V> V sliding_base(V h, V stiffness, V curvature) const {

@@ -53,15 +53,15 @@ struct ParallelBond {
     v.number({"bond_modulus", "Young's modulus E of the bonds.", true}, modulus, "GPa", range::positive);
     v.number({"bond_stiffness_ratio", "Normal over shear stiffness of the bonds."}, stiffness_ratio, "", range::positive);
     v.number({"bond_width", "Half width of a bond over the smaller of its two radii."}, width, "", range::above(0, 1));
-    v.number({"bond_tensile_strength", "Tensile strength of the bonds, that of their most stretched fibre.", true}, tensile_strength, "MPa", range::positive);
-    v.number({"bond_cohesion", "Shear strength of the bonds where nothing presses on them.", true}, cohesion, "MPa", range::positive);
-    v.number({"bond_friction_angle", "Angle by which pressure on a bond raises its shear strength."}, friction_angle, "deg",
+    v.number({"bond_tensile_strength", "Tensile strength of the bonds, reached in their outermost fibre.", true}, tensile_strength, "MPa", range::positive);
+    v.number({"bond_cohesion", "Shear strength of the bonds at zero normal stress.", true}, cohesion, "MPa", range::positive);
+    v.number({"bond_friction_angle", "Friction angle by which pressure on a bond raises its shear strength."}, friction_angle, "deg",
              range::between(0, 80 * std::numbers::pi / 180));
     v.number({"bond_strength_scatter", "Standard deviation of the bonds' strengths, normally distributed, over their mean; none is below a tenth of it."},
              scatter, "", range::between(0, 0.5));
     v.integer({"bond_seed", "Seed of that scatter."}, seed, {0, 1'000'000'000});
-    v.number({"bond_damping", "Dashpots of the bonds, as a share of their critical damping."}, damping, "", range::between(0, 1));
-    v.number({"bond_gap", "Greatest gap between two grains that is bonded, over the mean radius."}, gap, "", range::between(0, 0.1));
+    v.number({"bond_damping", "Damping of the bonds, as a fraction of critical damping."}, damping, "", range::between(0, 1));
+    v.number({"bond_gap", "Largest gap between two bonded grains, over the mean radius."}, gap, "", range::between(0, 0.1));
   }
   bool operator==(const ParallelBond&) const = default;
 

@@ -22,7 +22,7 @@ struct NoRolling : WithoutParameters {
 /// Constant torque (type A): the full moment against the turning, below mu_r R F_n only where turning is so slow that the normal damping times R^2
 /// would give less.
 struct ConstantTorque {
-  static constexpr Word word{"constant_torque", "mu_r R F_n against the turning"};
+  static constexpr Word word{"constant_torque", "mu_r R F_n against the relative rotation"};
   static constexpr bool remembers = false;
   void declare(ParameterVisitor& v) { v.number({"rolling_friction", "Coefficient mu_r of rolling resistance."}, coefficient, "", range::not_negative); }
   bool operator==(const ConstantTorque&) const = default;
@@ -41,7 +41,7 @@ struct ElasticPlasticRolling {
   static constexpr bool remembers = true;
   void declare(ParameterVisitor& v) {
     v.number({"rolling_friction", "Coefficient mu_r of rolling resistance."}, coefficient, "", range::not_negative);
-    v.number({"rolling_damping", "Dashpot of the rolling spring, as a share of its critical damping."}, damping_share, "", range::not_negative);
+    v.number({"rolling_damping", "Damping of the rolling spring, as a fraction of critical damping."}, damping_share, "", range::not_negative);
   }
   bool operator==(const ElasticPlasticRolling&) const = default;
 

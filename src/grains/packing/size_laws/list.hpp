@@ -11,7 +11,7 @@ namespace arenite::packing {
 struct SizeList {
   std::vector<double> values;  ///< diameters, m
 
-  static constexpr Word word{"list", "the values in turn, from the start again when used up"};
+  static constexpr Word word{"list", "the values in turn, repeated cyclically"};
   void declare(ParameterVisitor& visitor) {
     visitor.numbers({"values", "The diameters.", true}, values, "mm", range::positive);
     visitor.require(!values.empty(), {"values"}, "must hold at least one diameter");

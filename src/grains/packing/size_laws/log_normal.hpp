@@ -9,9 +9,9 @@ namespace arenite::packing {
 struct LogNormalSizes : UniformSizes {
   double median = 0, spread = 0;  ///< before the truncation: m, and the standard deviation of ln d
 
-  static constexpr Word word{"log_normal", "ln of the diameter is Gaussian, truncated to min..max"};
+  static constexpr Word word{"log_normal", "log-normal distribution, truncated to min..max"};
   void declare(ParameterVisitor& visitor) {
-    visitor.number({"median", "Median diameter before the truncation.", true}, median, "mm", range::positive);
+    visitor.number({"median", "Median diameter before truncation.", true}, median, "mm", range::positive);
     visitor.number({"spread", "Standard deviation of the natural logarithm of the diameter.", true}, spread, "", range::between(0, 5));
     UniformSizes::declare(visitor);
     visitor.require(median >= min && median <= max, {"median", "min", "max"}, "must lie between min and max");

@@ -7,10 +7,10 @@ namespace arenite::packing {
 struct NormalSizes : UniformSizes {
   double mean = 0, deviation = 0;  ///< before the cut, m
 
-  static constexpr Word word{"normal", "Gaussian of mean and deviation, cut to min..max"};
+  static constexpr Word word{"normal", "normal distribution of given mean and deviation, truncated to min..max"};
   void declare(ParameterVisitor& visitor) {
-    visitor.number({"mean", "Mean diameter before the cut.", true}, mean, "mm", range::positive);
-    visitor.number({"deviation", "Standard deviation before the cut.", true}, deviation, "mm", range::not_negative);
+    visitor.number({"mean", "Mean diameter before truncation.", true}, mean, "mm", range::positive);
+    visitor.number({"deviation", "Standard deviation before truncation.", true}, deviation, "mm", range::not_negative);
     UniformSizes::declare(visitor);
     visitor.require(mean >= min && mean <= max, {"mean", "min", "max"}, "must lie between min and max");
   }

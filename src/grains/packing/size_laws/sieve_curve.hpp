@@ -14,10 +14,10 @@ namespace arenite::packing {
 struct SieveCurve {
   std::vector<double> sieves, passing;  ///< m, rising; share of the mass below each, 0 to 1
 
-  static constexpr Word word{"sieve_curve", "a grading curve by mass: sieves and what passes them"};
+  static constexpr Word word{"sieve_curve", "a grading curve by mass: sieve sizes and the fraction passing each"};
   void declare(ParameterVisitor& visitor) {
     visitor.numbers({"sieves", "Sizes of the sieves, rising.", true}, sieves, "mm", range::positive);
-    visitor.numbers({"passing", "Share of the mass that passes each, from 0 at the first to 1 at the last.", true}, passing, "%", range::between(0, 1));
+    visitor.numbers({"passing", "Fraction of the mass that passes each, from 0 at the first to 1 at the last.", true}, passing, "%", range::between(0, 1));
     visitor.require(sieves.size() >= 2 && std::is_sorted(sieves.begin(), sieves.end(), std::less_equal<>()), {"sieves"},
                     "must be two sizes or more, each above the one before");
     visitor.require(passing.size() == sieves.size(), {"passing", "sieves"}, "must hold one share for each sieve");

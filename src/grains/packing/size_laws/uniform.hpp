@@ -9,7 +9,7 @@ namespace arenite::packing {
 struct UniformSizes {
   double min = 0, max = 0;  ///< m
 
-  static constexpr Word word{"uniform", "evenly between min and max"};
+  static constexpr Word word{"uniform", "uniformly between min and max"};
   void declare(ParameterVisitor& visitor) {
     visitor.number({"min", "Smallest diameter.", true}, min, "mm", range::positive);
     visitor.number({"max", "Largest diameter.", true}, max, "mm", range::positive);

@@ -12,7 +12,7 @@ struct WeibullSizes : UniformSizes {
 
   static constexpr Word word{"weibull", "Weibull (Rosin-Rammler) by number, truncated to min..max"};
   void declare(ParameterVisitor& visitor) {
-    visitor.number({"scale", "Diameter that 1/e of the grains exceed, before the truncation.", true}, scale, "mm", range::positive);
+    visitor.number({"scale", "Diameter exceeded by 1/e of the grains, before truncation.", true}, scale, "mm", range::positive);
     visitor.number({"shape", "Exponent: larger is narrower.", true}, shape, "", range::between(0.1, 100));
     UniformSizes::declare(visitor);
   }
