@@ -120,7 +120,7 @@ TEST(FilmCommand, TakesABareArrayThatIsToldWhatItIs) {
       "film " + of.at("film/film.npy").string() + " --recipe " + of.at("film/film.toml").string() + " --quiet --out " + of.at("result").string();
   const auto bare = arenite::test::arenite(film);
   EXPECT_EQ(bare.status, 2);
-  EXPECT_NE(bare.err.find("give the frame rate (--frame-rate, frame_rate in [film] of a recipe"), std::string::npos) << bare.err;
+  EXPECT_NE(bare.err.find("give it (--frame-rate, frame_rate in [film] of a recipe"), std::string::npos) << bare.err;
   const auto given = arenite::test::arenite(film + " --frame-rate 148Hz");
   EXPECT_EQ(given.status, 0) << given.err;
   const auto slip = arenite::test::arenite(film + " --frame-rate 148");

@@ -136,7 +136,7 @@ TEST(LockInCommand, TakesAStackOfTiffThatIsToldItsFrameRateAndScale) {
   io::write_film(folder / "stack.tif", film);
   const auto bare = arenite("lockin " + (folder / "stack.tif").string() + " --frequency 3Hz");
   EXPECT_EQ(bare.status, 2);
-  EXPECT_NE(bare.err.find("give the frame rate"), std::string::npos) << bare.err;
+  EXPECT_NE(bare.err.find("does not state its frame rate"), std::string::npos) << bare.err;
   const auto plain = arenite("lockin " + (folder / "stack.tif").string() + " --frequency 3Hz --frame-rate 148Hz --json");
   ASSERT_EQ(plain.status, 0) << plain.err;
   const auto scaled = arenite("lockin " + (folder / "stack.tif").string() + " --frequency 3Hz --frame-rate 148Hz --scale 10mK --offset 273K --json");

@@ -48,7 +48,7 @@ TEST(Show, NumbersHaveTheirErrorUnitAndSentence) {
   const auto shown = arenite("show " + (folder / "01-compact.h5").string() + " --numbers");
   ASSERT_EQ(shown.status, 0) << shown.err;
   EXPECT_NE(shown.out.find("coordination.all "), std::string::npos) << shown.out;
-  EXPECT_NE(shown.out.find("Mean number of contacts a grain"), std::string::npos) << shown.out;
+  EXPECT_NE(shown.out.find("Mean number of contacts per grain"), std::string::npos) << shown.out;
 }
 
 TEST(Show, AStoredTextureIsNotMeasuredAgain) {
@@ -150,7 +150,7 @@ TEST(Show, IsShortAndSaysWhatItsSymbolsMean) {
   EXPECT_LE(std::count(shown.out.begin(), shown.out.end(), '\n'), 30) << shown.out;
   EXPECT_GT(all.out.size(), shown.out.size());
   for (const char* part :
-       {"coordination.all ", "Mean number of contacts a grain", "fabric.a_c ", "Contact anisotropy", "force.mean_N ", "P ~ exp(-beta x)", "--all"})
+       {"coordination.all ", "Mean number of contacts per grain", "fabric.a_c ", "Contact anisotropy", "force.mean_N ", "P ~ exp(-beta x)", "--all"})
     EXPECT_NE(shown.out.find(part), std::string::npos) << part << "\n" << shown.out;
   EXPECT_NE(all.out.find("dissipated by friction"), std::string::npos) << all.out;
 }
@@ -177,7 +177,7 @@ TEST(Show, BadFilesGiveStatus2AndOneSentence) {
   io::write_atomically(folder / "foreign.h5", whole.substr(512));
   io::write_atomically(folder / "empty.h5", "");
   for (const auto& [name, words] :
-       std::map<std::string, std::string>{{"cut.h5", "cut short"}, {"foreign.h5", "another program"}, {"empty.h5", "is empty"}, {"none.h5", "no such file"}}) {
+       std::map<std::string, std::string>{{"cut.h5", "truncated"}, {"foreign.h5", "another program"}, {"empty.h5", "is empty"}, {"none.h5", "no such file"}}) {
     const auto shown = arenite("show " + (folder / name).string());
     EXPECT_EQ(shown.status, 2) << name;
     EXPECT_NE(shown.err.find(words), std::string::npos) << shown.err;

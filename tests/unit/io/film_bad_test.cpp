@@ -49,8 +49,8 @@ TEST(BadFilm, EveryFormatCutShortIsRefused) {
 
 TEST(BadFilm, NothingAndNonsense) {
   expect_refusal("", "is empty");
-  expect_refusal(std::string("\0\1\2\3", 4), "is no film");
-  expect_refusal("no numbers here\n", "is no film");
+  expect_refusal(std::string("\0\1\2\3", 4), "is not a film in a known format");
+  expect_refusal("no numbers here\n", "is not a film in a known format");
   EXPECT_NE(test::complaint([] { open_film(std::filesystem::path("/nowhere/film.ptw")); }).find("no such file"), std::string::npos);
   const test::TemporaryFolder folder;
   EXPECT_NE(test::complaint([&] { open_film(folder.path()); }).find("no files"), std::string::npos);

@@ -222,7 +222,7 @@ TEST(StageFile, CutAnywhereIsAnInputErrorThatSaysSo) {
   for (const auto length : lengths) {
     spill(folder / "cut.h5", std::string_view(whole).substr(0, length));
     const auto said = complaint_about(folder / "cut.h5");
-    EXPECT_NE(said.find(length == 0 ? "is empty" : "cut short"), std::string::npos) << length << ": " << said;
+    EXPECT_NE(said.find(length == 0 ? "is empty" : "truncated"), std::string::npos) << length << ": " << said;
   }
 }
 

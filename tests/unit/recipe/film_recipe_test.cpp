@@ -98,7 +98,7 @@ TEST(FilmRecipe, EmissivitiesThatNothingReadsAreRefusedWithTheirPlace) {
   twice.insert(twice.find('\n', twice.find("[temperature]")) + 1, "assumed_emissivity = 1\nemissivity = 0.9\n");
   const auto problems = problems_of(twice);
   ASSERT_EQ(problems.size(), 1u);
-  EXPECT_NE(problems[0].message.find("every one does"), std::string::npos) << problems[0].message;
+  EXPECT_NE(problems[0].message.find("every material has one"), std::string::npos) << problems[0].message;
 }
 
 TEST(FilmRecipe, ABandIsTwoWavelengths) {

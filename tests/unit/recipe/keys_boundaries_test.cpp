@@ -91,7 +91,7 @@ TEST(BoundariesInRecipes, ThatMakeNoSenseAreRefused) {
   EXPECT_TRUE(is_refused(with("[[stages]]\n", "[[boundaries]]\nname = \"left\"\npoints = [[\"0 mm\", \"0 mm\"], [\"1 mm\", \"0 mm\"]]\n[[stages]]\n"),
                          "not be that of a wall"));
   EXPECT_TRUE(is_refused(with("duration = \"1 s\"\n", ""), "moving side or boundary"));
-  EXPECT_TRUE(is_refused(with("open = {", "right = { velocity = \"1 mm/s\" }\nopen = {"), "cannot be away"));
+  EXPECT_TRUE(is_refused(with("open = {", "right = { velocity = \"1 mm/s\" }\nopen = {"), "cannot be open and move"));
   EXPECT_TRUE(is_refused(with("bottom = \"60 mm\"", "bottom = \"600 mm\""), "must lie in the container"));
 }
 
@@ -113,7 +113,7 @@ TEST(BoundariesInRecipes, AreDrivenByTablesAndForces) {
   EXPECT_TRUE(parse_recipe(to_toml(pushed), "r.toml") == pushed);
   EXPECT_TRUE(is_refused(table("boundary.force_x", "3 N"), "only a boundary with a mass"));
   EXPECT_TRUE(is_refused(table("boundary.y", "3 mm", "mass = \"2 kg\"\n"), "has a mass in this stage"));
-  EXPECT_TRUE(is_refused(table("boundary.y", "3 mm", "velocity = [\"0 mm/s\", \"1 mm/s\"]\n"), "moves otherwise"));
+  EXPECT_TRUE(is_refused(table("boundary.y", "3 mm", "velocity = [\"0 mm/s\", \"1 mm/s\"]\n"), "is already prescribed in this stage"));
   EXPECT_TRUE(is_refused(table("boundary.y", "3 mm", "force = [\"0 N\", \"1 N\"]\n"), "moves only a boundary with a mass"));
 }
 

@@ -62,7 +62,7 @@ TEST(ShapesInRecipes, AreRefusedWhereOnlyDisksCanBe) {
   const std::string bonds = "[contact]\nbonds = \"parallel\"\nbond_modulus = \"1 GPa\"\nbond_tensile_strength = \"1 MPa\"\nbond_cohesion = \"1 MPa\"\n";
   EXPECT_TRUE(is_refused("shape = \"polygon\"\n", population, "integration.integrator", "[integration]\nintegrator = \"gear5\"\n" + stage));
   EXPECT_TRUE(is_refused("shape = \"clump\"\n", population, "bonds join disks only", bonds + stage));
-  EXPECT_TRUE(is_refused("shape = \"clump\"\n", population, "rough walls hold disks only", stage + "rough = { top = true }\n"));
+  EXPECT_TRUE(is_refused("shape = \"clump\"\n", population, "rough walls work with disks only", stage + "rough = { top = true }\n"));
 }
 
 }  // namespace

@@ -284,7 +284,7 @@ TEST(BadRecipe, GrainWiderThanTheFrameIsRefused) {
 
 TEST(BadRecipe, KeyOfAnotherChoiceSaysWhenItExists) {
   EXPECT_EQ(problems(smallest + "[packing]\nfile = \"grains.csv\"\n"),
-            Lines{"r.toml:15:1: packing.file: this key goes with method = \"file\" only; leave it out or change that"});
+            Lines{"r.toml:15:1: packing.file: this key is only valid with method = \"file\"; leave it out or change that"});
 }
 
 TEST(BadRecipe, GlueNeedsAnAdhesion) {
@@ -326,7 +326,7 @@ TEST(BadRecipe, WhatIsNotTomlIsOneSentenceWithItsPlace) {
 TEST(BadRecipe, KeysOfEndlessDepthAreRefusedBeforeTheyAreBuilt) {
   std::string key = "a";
   for (int i = 0; i < 400'000; ++i) key += ".a";
-  EXPECT_EQ(problems("x = 1\n" + key + " = 1\n"), Lines{"r.toml:2: no key of a recipe has so many parts; check the dots in this line"});
+  EXPECT_EQ(problems("x = 1\n" + key + " = 1\n"), Lines{"r.toml:2: no recipe key has that many parts; check the dots in this line"});
   EXPECT_EQ(problems("x = 1\n[" + key + "]\n").size(), 1u);
   EXPECT_EQ(problems("a = " + std::string(400'000, '[')).size(), 1u);
   EXPECT_TRUE(problems("title = \"" + std::string(100, '.') + "\" # " + std::string(100, '.') + "\n" + smallest).empty());

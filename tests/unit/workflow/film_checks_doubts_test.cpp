@@ -48,7 +48,7 @@ TEST(FilmDoubts, NothingIsSaidOfWhatAgrees) { EXPECT_EQ(all(film_doubts(two_mate
 
 TEST(FilmDoubts, MaterialsTakenForEachOtherAreNamed) {
   const double apart = 0.0258 / 0.015;
-  EXPECT_NE(all(film_doubts(two_materials(), wanting(apart, 1 / apart))).find("the two materials are taken for each other"), std::string::npos);
+  EXPECT_NE(all(film_doubts(two_materials(), wanting(apart, 1 / apart))).find("the two materials are probably swapped"), std::string::npos);
 }
 
 TEST(FilmDoubts, OneWrongFactorIsNamed) {

@@ -142,7 +142,7 @@ TEST(Cohesion, OfAStageIsToldInHistoryStatesAndOutcome) {
   while (!run.finished) continue_stage(engine, stage, run);
   const CohesionCount count = engine.cohesion_count();
   ASSERT_GT(count.apart, 0u);
-  EXPECT_NE(run.result.outcome.find(std::to_string(count.joined) + " pairs cohere"), std::string::npos) << run.result.outcome;
+  EXPECT_NE(run.result.outcome.find(std::to_string(count.joined) + " cohesive pairs"), std::string::npos) << run.result.outcome;
   std::size_t columns = 0;
   for (const auto& column : run.result.history.columns) {
     if (!column.name.starts_with("cohesive_pairs")) continue;
