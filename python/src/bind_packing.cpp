@@ -37,13 +37,13 @@ io::RawGrains rows_of(const ArrayLike& x, const ArrayLike& y, const ArrayLike& r
   const auto centre_x = finite_numbers(x, "x"), centre_y = finite_numbers(y, "y"), radii = finite_numbers(radius, "radius");
   if (centre_y.size() != centre_x.size() || radii.size() != centre_x.size()) throw InputError("x, y, radius and material must be of one length");
   io::RawGrains grains;
-  grains.has_box = true;
-  const Vec2 low = grains.box_low = frame.corner, high = grains.box_high = frame.corner + Vec2{frame.width, frame.height};
-  std::tie(grains.periodic[0], grains.periodic[1]) = periodic_directions(frame.periodic);
+  const Vec2 low = frame.corner, high = frame.corner + Vec2{frame.width, frame.height};
+  grains.lay_box(low, high);
+  auto& periodic = grains.cell.periodic;
+  std::tie(periodic[0], periodic[1]) = periodic_directions(frame.periodic);
   for (std::size_t k = 0; k < radii.size(); ++k) {
     const Vec2 centre{centre_x[k], centre_y[k]};
-    const bool outside_x = !grains.periodic[0] && (centre.x < low.x || centre.x > high.x),
-               outside_y = !grains.periodic[1] && (centre.y < low.y || centre.y > high.y);
+    const bool outside_x = !periodic[0] && (centre.x < low.x || centre.x > high.x), outside_y = !periodic[1] && (centre.y < low.y || centre.y > high.y);
     if (outside_x || outside_y)
       throw InputError(
           fmt::format("the centre of grain {}, ({:g}, {:g}) m, lies outside the container, which extends from ({:g}, {:g}) to ({:g}, {:g}) m; "

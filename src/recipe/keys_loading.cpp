@@ -26,9 +26,9 @@ void declare(Visitor& v, dem::ContactParameters& contact) {
   v.member({"friction_law", "Tangential force."}, contact.friction_law);
   v.number({"friction", "Coefficient mu between grains."}, contact.friction, "", range::not_negative);
   v.number({"wall_friction", "Coefficient mu at the walls; unless given, that of the grains."}, contact.wall_friction, "", range::not_negative);
-  v.number({"sliding_viscosity", "gamma_s of the regularised law; unless given, the normal damping of the pair."}, contact.sliding_viscosity, "N s/m",
-           range::not_negative);
-  v.number({"tangential_stiffness_ratio", "k_t/k_n of the Cundall-Strack spring."}, contact.tangential_stiffness_ratio, "", range::positive);
+  v.number({"sliding_viscosity", "gamma_s, tangential damping coefficient of the friction law; if not given, the normal damping of the pair."},
+           contact.sliding_viscosity, "N s/m", range::not_negative);
+  v.number({"tangential_stiffness_ratio", "k_t/k_n, for friction laws with a tangential spring."}, contact.tangential_stiffness_ratio, "", range::positive);
   v.member({"rolling", "Moment between two grains that rotate relative to each other."}, contact.rolling);
   v.member({"bonds", "Cement between two grains, from the stage that creates it."}, contact.bonds);
   v.member({"cohesion", "Attraction between all grains, touching or not: adhesion without glue, or liquid bridges."}, contact.cohesion);

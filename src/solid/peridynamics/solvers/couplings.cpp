@@ -70,6 +70,25 @@ struct CouplingSum {
     return cross.back();
   }
 
+  /// A node that only slides along x; the bonds between it and the rows above all start here.
+  void add_sliding_node(std::ptrdiff_t i, int x, int y, double diagonal_xx) {
+    const std::int32_t p = aggregates.of_node[i];
+    const Hats& own = hats_at(x, y);
+    for (unsigned a = 0; a < 4; ++a) self[p].block[0][a] += own[a] * (0.5 * diagonal_xx * own);
+    for (unsigned d = 0; d < bonds_per_node; ++d) {
+      const unsigned type = bonds.words[i] >> (2 * d) & 3u;
+      const Offset e = half_bonds[d];
+      const std::int32_t q = aggregates.of_node[i + bonds.step(static_cast<int>(d))];
+      if (type == no_bond || q < 0) continue;
+      const Hats& other = hats_at(x + e.x, y + e.y);
+      Coupling& to = q == p ? self[p] : between(p, q);
+      for (unsigned a = 0; a < 4; ++a) {
+        to.block[0][a] -= own[a] * blocks[d][type].xx * other;
+        if (e.y > 0) to.block[1][a] -= own[a] * blocks[d][type].xy * other;
+      }
+    }
+  }
+
   /// A node's bonds inside its own aggregate, whose block times hats is `modulus` times `sums`. They appear as they are and transposed; half of the
   /// diagonal goes to each.
   void add_within(std::int32_t p, const Hats& own, const std::array<double, 3>& diagonal, double modulus, const std::array<Hats, 3>& sums) {
@@ -84,8 +103,7 @@ struct CouplingSum {
     add_within(aggregates.of_node[i], hats_at(x, y), diagonal, modulus, inner_sums.at[y * cell + x]);
   }
 
-  /// Where the node only slides along x its bonds resist that alone; those to the rows above all start here.
-  void add_node(std::ptrdiff_t i, int x, int y, const std::array<double, 3>& diagonal, bool slides = false) {
+  void add_node(std::ptrdiff_t i, int x, int y, const std::array<double, 3>& diagonal) {
     const std::int32_t p = aggregates.of_node[i];
     const std::uint32_t word = bonds.words[i];
     std::array<Reach, bonds_per_node> reach;
@@ -108,8 +126,6 @@ struct CouplingSum {
       reach[at].sum[1] += block.xy * other;
       reach[at].sum[2] += block.yy * other;
     }
-    if (slides)
-      for (Reach& r : reach) r.sum[2] = Hats{};
     const Hats& own = hats_at(x, y);
     add_within(p, own, diagonal, 1, reach[0].sum);
     for (unsigned k = 1; k < reached; ++k) {
@@ -145,7 +161,7 @@ std::vector<Coupling> couplings(const Bonds& bonds, const Aggregates& aggregates
   for (int y = 0; y < grid.height; ++y)
     if (prescribed[y] == y_prescribed)
       for (int x = 0; x < grid.width; ++x)
-        if (const std::ptrdiff_t i = grid.index(x, y); aggregates.of_node[i] >= 0) sum.add_node(i, x % cell, y % cell, {diagonal.xx[i], 0, 0}, true);
+        if (const std::ptrdiff_t i = grid.index(x, y); aggregates.of_node[i] >= 0) sum.add_sliding_node(i, x % cell, y % cell, diagonal.xx[i]);
   for (Coupling& within : sum.self)
     for (unsigned a = 0; a < 4; ++a)
       for (unsigned b = 0; b < 4; ++b) {
