@@ -119,7 +119,7 @@ int execute(const LoadArguments& a) {
   fmt::print("{}", a.json ? to_json(report::field_numbers(*field), 2) + "\n" : report::field_summary(*field));
   if (!a.out.empty()) {
     const fs::path page = fs::path(a.out) / "report.html";
-    report::write_page(page, {.title = fmt::format("{} of {}", field->name, fs::path(a.map).filename().string()), .fields = {&*field, 1}});
+    report::write_page(page, {.fields = {&*field, 1}});
     if (!a.json) fmt::print("\nresult: {}\npage:   {}\n", file.string(), page.string());
   }
   return field->converged ? done : not_converged;

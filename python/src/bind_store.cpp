@@ -192,7 +192,8 @@ void bind_store(py::module_& m) {
         const Result result = any_result(what);
         Call call;
         call.without_lock([&] {
-          report::write_page(file, {result.title, result.run.stages, result.run.fields, result.films, result.run.measured});
+          const auto& stages = result.run.stages.empty() ? result.companion : result.run.stages;
+          report::write_page(file, {result.title, stages, result.run.fields, result.films, result.run.measured});
           return 0;
         });
       },

@@ -6,17 +6,11 @@
 #include "core/version.hpp"
 #include "io/disk/store_file.hpp"
 #include "io/results/results.hpp"
+#include "report/page.hpp"
 #include "workflow/result_folder.hpp"
 
 namespace arenite::python {
 namespace {
-
-std::string title_of(const Result& r) {
-  for (const auto& stage : r.run.stages) return recipe::title_in(stage.provenance.recipe);
-  for (const auto& field : r.run.fields) return recipe::title_in(field.provenance.recipe);
-  for (const auto& film : r.films) return recipe::title_in(film.provenance.recipe);
-  return {};
-}
 
 template <class Parts> bool all_converged(const Parts& parts) {
   return std::all_of(parts.begin(), parts.end(), [](const auto& part) { return part.converged; });
@@ -56,7 +50,7 @@ Result result_of(std::vector<StageResult> stages, std::vector<FieldResult> field
   r.films = std::move(films);
   r.run.converged = all_converged(r.run.stages) && all_converged(r.run.fields) && all_converged(r.films);
   for (const auto& name : file_names(r)) r.run.files.emplace_back(name);
-  r.title = title.empty() ? title_of(r) : std::move(title);
+  r.title = title.empty() ? report::title_of({.stages = r.run.stages, .fields = r.run.fields, .films = r.films}) : std::move(title);
   return r;
 }
 
@@ -69,6 +63,8 @@ Result open_result(const Path& path) {
   Result r = result_of(std::move(stages), std::move(fields), std::move(films), {});
   r.path = path.string();
   r.run.files = std::move(files);
+  if (const Path simulation = path / "simulation"; !r.films.empty() && !r.films.front().simulation.empty() && std::filesystem::is_directory(simulation))
+    for (const auto& file : io::stage_files(simulation)) r.companion.push_back(io::read_stage(file));
   return r;
 }
 

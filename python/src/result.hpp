@@ -13,6 +13,7 @@ struct Result {
   std::string path, title;
   workflow::RunOutcome run;
   std::vector<FilmResult> films;
+  std::vector<StageResult> companion{};  ///< stages of the simulation beside a film, which its page shows
 };
 
 /// Reads a run's folder, or one file of it.

@@ -1,11 +1,14 @@
 #include "report/page.hpp"
 
+#include <algorithm>
 #include <stdexcept>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include "io/disk/file.hpp"
 #include "io/results/results.hpp"
+#include "recipe/recipe.hpp"
 #include "report/page_document.hpp"
 #include "report/page_template.hpp"
 
@@ -27,7 +30,21 @@ std::string html_text(std::string_view plain) {
   return text;
 }
 
-std::string page(const PageData& data) {
+std::string title_of(const PageData& data) {
+  const auto made_by = [](const Provenance& p, const char* file, const std::string& before) {
+    const std::string title = recipe::title_in(p.recipe);
+    const auto from = std::ranges::find(p.options, file, &std::pair<std::string, std::string>::first);
+    return !title.empty() || from == p.options.end() ? title : before + from->second;
+  };
+  if (!data.films.empty()) return made_by(data.films.front().provenance, "film", "");
+  if (!data.stages.empty()) return recipe::title_in(data.stages.front().provenance.recipe);
+  if (!data.fields.empty()) return made_by(data.fields.front().provenance, "map", data.fields.front().name + " of ");
+  return {};
+}
+
+std::string page(const PageData& given) {
+  PageData data = given;
+  if (data.title.empty()) data.title = title_of(data);
   const PageDocument document = page_document(data);
   std::string text(page_template());
   replace_once(text, "__TITLE__", html_text(data.title));

@@ -13,12 +13,15 @@ namespace arenite::report {
 /// What a result holds, wherever it comes from: a run that has just ended, a folder, parts put together. Any part may be missing. The page shows
 /// the stages in their order; results on a grid follow, then films, each on a tab of its own.
 struct PageData {
-  std::string title;
+  std::string title{};  ///< if empty, title_of
   std::span<const StageResult> stages{};
   std::span<const FieldResult> fields{};
   std::span<const FilmResult> films{};
   std::span<const std::optional<texture::Texture>> measured{};  ///< of the last state of each stage, where it is known already (workflow::RunOutcome)
 };
+
+/// Title of the recipe that a result was made by; of a recipe without one the name of the film, and of a loaded phase map "tension of map.png".
+std::string title_of(const PageData& data);
 
 /// The page as one HTML text: script, styles and data inside, no request to anywhere. What it shows follows from the result alone: textures are
 /// measured as each stage's own recipe says, of all states of a small sample and of the last one of each stage of a large one; densities of stresses
