@@ -111,7 +111,7 @@ void require_place(Visitor& v, const Programme& p, const Stage& stage, const Rec
     const int side = p.of - Programme::slide;
     v.require(!frame.is_periodic(side), {"of"}, fmt::format("there is no wall at the {}: the container is periodic there", side_names[side]));
   } else if (p.of == Programme::shear_rate) {
-    v.require(frame.periodic[0] && frame.periodic[1], {"of"}, "only a cell that is periodic both ways is sheared so");
+    v.require(frame.periodic[0] && frame.periodic[1], {"of"}, "only a cell periodic in both directions can be sheared in this way");
   } else if (!p.drives_boundary()) {
     v.require(stage.gravity, {"of"}, "there is no gravity in this stage; write gravity = true");
   }
@@ -220,7 +220,8 @@ void declare_strain_cycles(Visitor& v, Stage& stage, const Recipe& recipe) {
         declare_store_every(inner, cycles.store_every);
         const auto of = static_cast<std::size_t>(cycles.of);
         if (cycles.of == dem::StrainCycles::shear)
-          inner.require(recipe.container.periodic[0] && recipe.container.periodic[1], {"of"}, "only a cell that is periodic both ways is sheared so");
+          inner.require(recipe.container.periodic[0] && recipe.container.periodic[1], {"of"},
+                        "only a cell periodic in both directions can be sheared in this way");
         else
           inner.require(stage.side[of].kind == SideDrive::Kind::fixed, {"of"},
                         fmt::format("the {} side is already driven in this stage; leave it \"fixed\"", side_names[of]));

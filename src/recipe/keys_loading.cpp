@@ -116,7 +116,7 @@ void require_usable_sides(Visitor& v, const Stage& stage, const ContainerParamet
   const bool moves = std::ranges::count(stage.side, Kind::velocity, &SideDrive::kind) > 0 || stage.slide != std::array<double, 4>{} || stage.shear_rate != 0 ||
                      std::ranges::any_of(stage.boundaries, [](const auto& b) { return b.velocity != Vec2{} || b.spin != 0; });
   v.require(stage.shear_rate == 0 || (frame.periodic[0] && frame.periodic[1]), {"shear_rate"},
-            "only a cell that is periodic both ways is sheared so; set container.periodic_x and periodic_y, or let a wall slide");
+            "only a cell periodic in both directions can be sheared in this way; set container.periodic_x and periodic_y, or let a wall slide");
   for (std::size_t side = 0; side < 4; ++side)
     v.require((stage.slide[side] == 0 && !stage.rough[side]) || !frame.is_periodic(side), {"slide", "rough"},
               fmt::format("there is no wall at the {}: the container is periodic there", side_names[side]));

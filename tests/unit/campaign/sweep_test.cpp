@@ -164,7 +164,7 @@ TEST(Sweep, EveryProblemIsFoundInOnePassWithItsPlace) {
                    "r.toml:36:22: sweep.latin_hypercube.contact.friction: \"0.5\" is not below \"0.1\"; begin with the smaller end"}));
   EXPECT_EQ(problems("[sweep]\nreplicates = 2\n[sweep.grid]\nseed = [1, 2]\n\"cement.width\" = [0.1]\n[[sweep.list]]\ncement.width = 0.2\n"),
             (Lines{"r.toml:31:9: sweep: seed: replicates give each run its seed; leave out one of the two",
-                   "r.toml:34:16: sweep: cement.width: is swept in two ways; leave it in one of them"}));
+                   "r.toml:34:16: sweep: cement.width: is swept twice; keep one"}));
   EXPECT_EQ(problems("[sweep]\n").size(), 1u);
 }
 

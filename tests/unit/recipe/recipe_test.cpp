@@ -241,7 +241,7 @@ TEST(BadRecipe, OfTwoPeriodicEdgesOnlyOnePresses) {
   const auto periodic = replaced(smallest, "thickness", "periodic_y = true\nthickness");
   EXPECT_EQ(problems(periodic), Lines{});
   EXPECT_EQ(problems(periodic + "top = { pressure = \"5 kPa\" }\n"),
-            Lines{"r.toml:15:7: stages.0.top: of the two periodic edges bottom and top one presses and the other holds; leave "
+            Lines{"r.toml:15:7: stages.0.top: of the two periodic edges bottom and top one is under pressure and the other fixed; leave "
                   "bottom = \"fixed\""});
   EXPECT_EQ(problems(periodic + "top = { velocity = \"1 mm/s\" }\nduration = \"1 s\"\n").size(), 1u);
   EXPECT_EQ(problems(smallest + "top = { pressure = \"5 kPa\" }\n"), Lines{}) << "two walls may press on a sample between them";
@@ -288,13 +288,13 @@ TEST(BadRecipe, KeyOfAnotherChoiceSaysWhenItExists) {
 }
 
 TEST(BadRecipe, GlueNeedsAnAdhesion) {
-  EXPECT_EQ(problems(smallest + "glue = true\n").at(0).find("r.toml:14:8: stages.0.glue: there is nothing to glue with"), 0u);
+  EXPECT_EQ(problems(smallest + "glue = true\n").at(0).find("r.toml:14:8: stages.0.glue: no adhesion is defined"), 0u);
   EXPECT_EQ(problems(smallest + "[contact]\nadhesion = \"geometrical\"\n").at(0),
             "r.toml:15:12: contact.surface_energy: must be above 0 kN/mm where adhesion acts");
 }
 
 TEST(BadRecipe, BondsNeedALawAndItsStrengths) {
-  EXPECT_EQ(problems(smallest + "bond = true\n").at(0).find("r.toml:14:8: stages.0.bond: there is nothing to bond with"), 0u);
+  EXPECT_EQ(problems(smallest + "bond = true\n").at(0).find("r.toml:14:8: stages.0.bond: no bonds are defined"), 0u);
   const auto missing = problems(smallest + "bond = true\n[contact]\nbonds = \"parallel\"\n");
   ASSERT_EQ(missing.size(), 3u);
   EXPECT_NE(missing.at(0).find("contact.bond_modulus"), std::string::npos);
@@ -380,7 +380,7 @@ TEST(RecipeFile, WhatCannotBeReadIsOneSentence) {
   } catch (const InputError& error) {
     ASSERT_EQ(error.problems().size(), 1u);
     EXPECT_EQ(error.problems()[0].line, 13);
-    EXPECT_EQ(error.problems()[0].message, "packing.file: there is no file \"grains.csv\"; its place counts from the recipe's folder");
+    EXPECT_EQ(error.problems()[0].message, "packing.file: there is no file \"grains.csv\"; paths are relative to the folder of the recipe");
   }
   std::ofstream(folder / "grains.csv") << "id,x,y,radius\n";
   EXPECT_EQ(read_recipe(file.string()).packing.file, "grains.csv");
