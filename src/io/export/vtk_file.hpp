@@ -21,7 +21,7 @@ std::vector<double> in_space(const std::vector<Vec2>& plane);
 
 /// Points with either one vertex each or straight lines between pairs of them: all that disks, contacts and walls need.
 struct VtkPolyData {
-  bool lines = false;  ///< a line per two successive points; else a vertex per point
+  bool lines = false;          ///< a line per two successive points; else a vertex per point
   std::vector<double> points;  ///< x, y, z of each, m
   std::vector<VtkArray> point_arrays, cell_arrays;
   double time = 0;  ///< s; stored as TimeValue
