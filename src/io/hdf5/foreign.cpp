@@ -72,7 +72,7 @@ std::string meant_dataset(hid_t file, const std::string& file_name, const std::s
   if (set) refuse(file_name, "holds \"{}\", which is no {}; it has: {}", chosen, kind.sentence, fmt::join(found, ", "));
   if (!chosen.empty()) refuse(file_name, "has no dataset \"{}\"; it has: {}", chosen, fmt::join(found, ", "));
   if (found.size() == 1) return found.front();
-  if (found.empty()) refuse(file_name, "holds no {}; give a file with one", kind.sentence);
+  if (found.empty()) refuse(file_name, "is an HDF5 file of another program and holds no {}; give a file with one", kind.sentence);
   refuse(file_name, "holds {} datasets that can be meant; choose one with --dataset: {}", found.size(), fmt::join(found, ", "));
 }
 
