@@ -24,7 +24,7 @@ auto unless_damaged(const std::filesystem::path& file, const RunOptions& options
   try {
     return read();
   } catch (const io::DamagedFile&) {
-    options.notice(fmt::format("{}: is empty, cut short or changed; {}", file.string(), instead));
+    options.notice(fmt::format("{}: is empty, truncated or changed; {}", file.string(), instead));
     return std::nullopt;
   }
 }

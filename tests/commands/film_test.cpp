@@ -219,7 +219,7 @@ TEST(FilmCommand, RefusesPixelsThatTellNothing) {
   change_levels(of, "film.ptw", "saturated", [](std::uint16_t) { return std::uint16_t{16383}; });
   expect_refused(of, of.film("", "saturated"), "film.ptw: 9216 of 9216 pixels reach the top of the camera's range (16383)");
   change_levels(of, "film.ptw", "constant", [](std::uint16_t) { return std::uint16_t{5000}; });
-  expect_refused(of, of.film("", "constant"), "film.ptw: 9216 of 9216 pixels never change in the first 200 frames");
+  expect_refused(of, of.film("", "constant"), "film.ptw: 9216 of 9216 pixels are constant in the first 200 frames");
   change_levels(of, "warm.ptw", "saturated", [](std::uint16_t) { return std::uint16_t{16383}; });
   expect_refused(of, of.film("--set correction.warm='\"../saturated/warm.ptw\"'"), "warm.ptw: 9216 of 9216 pixels reach the top");
   expect_refused(of, of.film("--set correction.warm='\"cold.ptw\"'"), "the two references show the same level");

@@ -159,7 +159,7 @@ TEST(LockInCommand, SaysWhetherTheSignalIsAdiabatic) {
   EXPECT_EQ(coarse.err, "");
   EXPECT_NEAR(Json::parse(coarse.out)["diffusion_length_m"].get<double>(), 0.103006e-3, 1e-9);
   EXPECT_EQ(Json::parse(coarse.out)["adiabatic"], true);
-  EXPECT_NE(fine.err.find("0.343 pixels far within a cycle"), std::string::npos) << fine.err;
+  EXPECT_NE(fine.err.find("over 0.343 pixels within a cycle"), std::string::npos) << fine.err;
   EXPECT_EQ(fine.status, 0);
   EXPECT_EQ(Json::parse(fine.out)["adiabatic"], false);
   EXPECT_NEAR(Json::parse(fine.out)["amplitude_lost_in_finest_detail"].get<double>(), 1 - 1 / std::sqrt(1 + std::pow(0.5818, 2)), 1e-3);

@@ -231,7 +231,7 @@ TEST(Study, ThePlanTellsRunsSharedStagesAndTimeWithoutTouchingTheDisk) {
   EXPECT_EQ(before.status, 0);
   EXPECT_TRUE(contains(before.out, "cement.width = 0.4, seed = 4\n")) << before.out;
   EXPECT_TRUE(contains(before.out, "packing                 6          2              0\n")) << before.out;
-  EXPECT_TRUE(contains(before.out, "time: not known yet")) << before.out;
+  EXPECT_TRUE(contains(before.out, "time: not known until")) << before.out;
   EXPECT_FALSE(fs::exists(out));
   ASSERT_EQ(arenite(study_line("run", file, out, "--quiet --shard 1/2")).status, 0);
   EXPECT_TRUE(contains(arenite(study_line("plan", file, out)).out, "time: about ")) << "costs of the first half estimate the second";
