@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "core/error.hpp"
-#include "grains/dem/kernels/kernel.hpp"
 #include "core/mapped.hpp"
 #include "core/version.hpp"
+#include "grains/dem/kernels/kernel.hpp"
 #include "grains/dem/run_stage.hpp"
 #include "grains/fields/flow_numbers.hpp"
 #include "io/disk/file.hpp"

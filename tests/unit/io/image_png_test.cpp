@@ -73,8 +73,7 @@ TEST(PngImage, RefusesAFileCutShortAtAnyByte) {
 
 TEST(PngImage, RefusesSizesOfNothingAndOfTooMuch) {
   EXPECT_NE(png_refusal(png(0, 4, 8, grey, {})).find("damaged"), std::string::npos);
-  EXPECT_EQ(png_refusal(png(100000, 100000, 8, grey, {})),
-            "a.png: holds a picture of 100000 x 100000 pixels, but at most 100 million can be read; crop it");
+  EXPECT_EQ(png_refusal(png(100000, 100000, 8, grey, {})), "a.png: holds a picture of 100000 x 100000 pixels, but at most 100 million can be read; crop it");
   EXPECT_NE(png_refusal(grey_png(3, 1, "abc"), {.slice = {}, .dataset = {}, .most_pixels = 2}).find("crop it"), std::string::npos);
   EXPECT_NE(png_refusal(grey_png(3, 1, "abc"), {.slice = 1}).find("no slice 1"), std::string::npos);
 }
