@@ -1,7 +1,6 @@
 #pragma once
 #include <cstdint>
 #include <cstring>
-#include <span>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -38,7 +37,7 @@ class ByteWriter {
 /// Throws InputError where the bytes end too early.
 class ByteReader {
  public:
-  explicit ByteReader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
+  explicit ByteReader(const std::vector<std::uint8_t>& bytes) : bytes_(bytes) {}
   template <class T> void operator()(T& value) {
     static_assert(std::is_arithmetic_v<T>);
     take(&value, sizeof(T));
@@ -60,7 +59,7 @@ class ByteReader {
     if (size > 0) std::memcpy(target, bytes_.data() + at_, size);
     at_ += size;
   }
-  std::span<const std::uint8_t> bytes_;
+  const std::vector<std::uint8_t>& bytes_;
   std::size_t at_ = 0;
 };
 

@@ -1,6 +1,10 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <array>
 
+#include "core/bytes.hpp"
 #include "core/problems.hpp"
 #include "io/film/formats.hpp"
 #include "io/hdf5/foreign.hpp"
@@ -8,86 +12,155 @@
 namespace arenite::io {
 namespace {
 
-constexpr ForeignKind films{[](hid_t set) {
-                              return shape_of(set).size() == 3 && holds(set, {H5T_INTEGER, H5T_FLOAT});
-                            },
-                            "dataset of numbers with three dimensions (frames x height x width)"};
+bool holds_numbers(hid_t set) {
+  const auto type = own(H5Dget_type(set), H5Tclose);
+  return type && (H5Tget_class(*type) == H5T_INTEGER || H5Tget_class(*type) == H5T_FLOAT);
+}
+
+bool can_be_film(hid_t set) { return shape_of(set).size() == 3 && holds_numbers(set); }
+
+[[noreturn]] void refuse_damaged(const Bytes& bytes) { refuse(bytes->name(), "is an HDF5 file that is cut short or damaged; copy it again"); }
 
 /// Numbers of a chunk, which is read as a whole.
 double most_in_chunk(const FilmChoice& choice) { return std::max(2.0 * static_cast<double>(choice.most_pixels), 1e6); }
 
 /// One number a frame, in the group of the film.
-std::vector<double> times_beside(const Hdf5Handle& file, const Bytes& bytes, const std::string& film, std::int64_t frames) {
-  const std::string group = film.substr(0, film.rfind('/') + 1);
+std::vector<double> times_beside(hid_t file, const Bytes& bytes, const std::string& film, std::int64_t frames) {
+  const std::string group = film.substr(0, film.rfind('/') == std::string::npos ? 0 : film.rfind('/') + 1);
   for (const char* name : {"time", "times", "timestamps"}) {
-    const auto set = own(H5Dopen2(*file, (group + name).c_str(), H5P_DEFAULT), H5Dclose);
-    if (set && shape_of(*set) == std::vector{frames} && frames <= 100'000'000 && holds(*set, {H5T_INTEGER, H5T_FLOAT}))
-      return ForeignDataset(file, bytes, group + name, 1e8).read<double>(0, frames);
+    const auto set = own(H5Dopen2(file, (group + name).c_str(), H5P_DEFAULT), H5Dclose);
+    if (!set || shape_of(*set) != std::vector<std::int64_t>{frames} || frames > 100'000'000 || !holds_numbers(*set)) continue;
+    Hdf5Numbers numbers(set, group + name, bytes, 1e8);
+    std::string stored;
+    numbers.read(0, static_cast<hsize_t>(frames), stored);
+    std::vector<double> time(static_cast<std::size_t>(frames));
+    each_number(numbers.number().type, numbers.number().big_endian, stored.data(), time.size(),
+                [&](std::size_t i, auto v) { time[i] = static_cast<double>(v); });
+    return time;
   }
   return {};
+}
+
+std::string chosen(hid_t file, const std::string& name, const FilmChoice& choice) {
+  if (!choice.dataset.empty()) return choice.dataset;
+  const auto found = datasets_in(file, can_be_film);
+  if (found.size() == 1) return found.front();
+  if (found.empty())
+    refuse(name, "is an HDF5 file of another program and holds no dataset of numbers with three dimensions (frames x height x width); give a film");
+  refuse(name, "holds {} datasets that can be films; choose one with --dataset: {}", found.size(), fmt::join(found, ", "));
+}
+
+/// A film may lie on a disk that only lets itself be read; the one that is written is locked already.
+Hdf5Handle without_lock() {
+  memory_properties();  // silences HDF5's own messages
+  auto access = made(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  done(H5Pset_file_locking(*access, false, true));
+  return access;
+}
+
+Hdf5Handle opened(const Bytes& bytes) {
+  if (bytes->path() == nullptr) return open_in_memory(bytes->text(0, bytes->size()), bytes->name());
+  auto id = own(H5Fopen(bytes->path()->c_str(), H5F_ACC_RDONLY, *without_lock()), H5Fclose);
+  if (!id) refuse_damaged(bytes);
+  return id;
+}
+
+Hdf5Handle film_in(const Hdf5Handle& file, const Bytes& bytes, const std::string& name) {
+  auto set = own(H5Dopen2(*file, name.c_str(), H5P_DEFAULT), H5Dclose);
+  if (!set || !can_be_film(*set))
+    refuse(bytes->name(), "has no dataset \"{}\" of frames x height x width; it has: {}", name, fmt::join(datasets_in(*file, can_be_film), ", "));
+  return set;
 }
 
 /// What the file says of its film.
 struct Facts {
   std::string name, notes;
   std::vector<std::int64_t> shape;
-  int bits = 0;  ///< of a level; 0: the film is floating
+  NumberType pixel = NumberType::u16;
+  bool big_endian = false;
   double frame_rate = 0, integration = 0;
   std::vector<double> time;
-
-  template <class Archive> void transfer(Archive& a) { a(name), a(notes), a(shape), a(bits), a(frame_rate), a(integration), a(time); }
 };
 
-template <class T> struct Pixels {
-  std::vector<T> value;
-
-  template <class Archive> void transfer(Archive& a) { a(value); }
-};
+/// One list of members for both ways.
+template <class Archive> void transfer(Archive& a, Facts& facts) {
+  auto pixel = static_cast<std::uint8_t>(facts.pixel), big_endian = static_cast<std::uint8_t>(facts.big_endian);
+  a(facts.name), a(facts.notes), a(facts.shape), a(pixel), a(big_endian), a(facts.frame_rate), a(facts.integration), a(facts.time);
+  facts.pixel = static_cast<NumberType>(pixel);
+  facts.big_endian = big_endian != 0;
+}
 
 Facts look(const Bytes& bytes, const FilmChoice& choice) {
   Facts facts;
-  const auto file = open_foreign(bytes);
-  facts.name = meant_dataset(*file, bytes->name(), choice.dataset, films);
-  const ForeignDataset film(file, bytes, facts.name, most_in_chunk(choice));
-  facts.shape = film.shape();
+  const auto file = opened(bytes);
+  facts.name = chosen(*file, bytes->name(), choice);
+  const auto set = film_in(file, bytes, facts.name);
+  facts.shape = shape_of(*set);
   check_film_size(bytes->name(), facts.shape[2], facts.shape[1], facts.shape[0], choice);
-  facts.bits = film.is_level() ? film.bits() : 0;
-  facts.notes = text_attribute(film.id(), "notes");
-  for (const hid_t at : {film.id(), static_cast<hid_t>(*file)}) {
+  const Hdf5Numbers numbers(set, facts.name, bytes, most_in_chunk(choice));
+  facts.pixel = numbers.number().type;
+  facts.big_endian = numbers.number().big_endian;
+  facts.notes = text_attribute(*set, "notes");
+  for (const hid_t at : {static_cast<hid_t>(*set), static_cast<hid_t>(*file)}) {
     if (facts.frame_rate == 0) facts.frame_rate = number_attribute(at, {"frame_rate", "frame_rate_Hz", "fps"});
     if (facts.integration == 0) facts.integration = number_attribute(at, {"integration", "integration_s"});
   }
-  if (!choice.frame_rate) facts.time = times_beside(file, bytes, facts.name, facts.shape[0]);
+  if (!choice.frame_rate) facts.time = times_beside(*file, bytes, facts.name, facts.shape[0]);
   return facts;
 }
 
+/// HDF5 trusts what it reads: it is used in a process of its own, which a damaged file may bring down.
 class Hdf5Film : public KnownFilm {
  public:
   Hdf5Film(const Bytes& bytes, const FilmChoice& choice) : bytes_(bytes), most_(most_in_chunk(choice)) {
-    take(from_sandbox<Facts>(
-             bytes_->name(), [&] { return look(bytes_, choice); }, most_told, room()),
-         choice);
+    prepare_hdf5();
+    take(given(choice), choice);
     FrameBlock last;  // what is cut short lacks it
     read(info_.frames - 1, 1, last);
   }
 
   void fill(std::int64_t first, std::size_t count, FrameBlock& block) override {
-    info_.floating ? read_into(block.value, first, count) : read_into(block.level, first, count);
+    const std::size_t pixels = info_.pixels(), at_once = std::max<std::size_t>(1, most_at_once / (pixels * bytes_of(layout_.pixel)));
+    for (std::size_t n = 0; n < count; n += at_once) {
+      const std::size_t part = std::min(at_once, count - n), size = part * pixels * bytes_of(layout_.pixel);
+      const std::string stored = in_sandbox(
+          bytes_->name(), [&] { return frames(static_cast<hsize_t>(first) + n, part); }, size, room());
+      if (stored.size() != size) refuse_damaged(bytes_);
+      take_pixels(layout_, stored.data(), part * pixels, block, n * pixels);
+    }
   }
 
  private:
   static constexpr std::size_t most_at_once = std::size_t{32} << 20, most_told = std::size_t{2} << 30;  // bytes
 
-  [[noreturn]] void refuse_damaged() const { refuse(bytes_->name(), "is an HDF5 file that is cut short or damaged; copy it again"); }
-
   /// A file in memory is copied by HDF5.
   std::size_t room() const { return bytes_->path() != nullptr ? 0 : 3 * static_cast<std::size_t>(bytes_->size()); }
 
+  Facts given(const FilmChoice& choice) const {
+    const auto packed = [&] {
+      Facts found = look(bytes_, choice);
+      ByteWriter write;
+      transfer(write, found);
+      return std::string(write.bytes.begin(), write.bytes.end());
+    };
+    const std::string stored = in_sandbox(bytes_->name(), packed, most_told, room());
+    const std::vector<std::uint8_t> bytes(stored.begin(), stored.end());
+    Facts facts;
+    try {
+      ByteReader read(bytes);
+      transfer(read, facts);
+      if (read.at_end()) return facts;
+    } catch (const InputError&) {}
+    refuse_damaged(bytes_);
+  }
+
   void take(const Facts& facts, const FilmChoice& choice) {
-    if (facts.shape.size() != 3) refuse_damaged();
+    if (facts.shape.size() != 3 || bytes_of(facts.pixel) == 0) refuse_damaged(bytes_);
     name_ = facts.name;
+    layout_.pixel = facts.pixel;
+    layout_.big_endian = facts.big_endian;
     info_.format = "hdf5";
-    take_shape(info_, bytes_->name(), facts.shape, facts.bits == 0 ? NumberType::f32 : facts.bits == 8 ? NumberType::u8 : NumberType::u16, choice);
+    take_shape(info_, bytes_->name(), facts.shape, facts.pixel, choice);
     take_notes(facts.notes, info_);
     if (info_.frame_rate == 0) info_.frame_rate = facts.frame_rate;
     if (info_.integration == 0) info_.integration = facts.integration;
@@ -95,23 +168,18 @@ class Hdf5Film : public KnownFilm {
     take_choice(info_, choice);
   }
 
-  template <class T> void read_into(std::vector<T>& pixels, std::int64_t first, std::size_t count) const {
-    const std::size_t frame = info_.pixels(), at_once = std::max<std::size_t>(1, most_at_once / (frame * sizeof(T)));
-    for (std::size_t n = 0; n < count; n += at_once) {
-      const std::size_t part = std::min(at_once, count - n), numbers = part * frame;
-      const auto frames = [&] {
-        const ForeignDataset film(open_foreign(bytes_), bytes_, name_, most_);
-        return Pixels<T>{film.read<T>(first + static_cast<std::int64_t>(n), static_cast<std::int64_t>(part))};
-      };
-      const auto [read] = from_sandbox<Pixels<T>>(bytes_->name(), frames, sizeof(std::uint64_t) + numbers * sizeof(T), room());
-      if (read.size() != numbers) refuse_damaged();
-      std::copy(read.begin(), read.end(), pixels.begin() + static_cast<std::ptrdiff_t>(n * frame));
-    }
+  /// In the process of its own.
+  std::string frames(hsize_t first, hsize_t count) const {
+    const auto file = opened(bytes_);
+    std::string stored;
+    Hdf5Numbers(film_in(file, bytes_, name_), name_, bytes_, most_).read(first, count, stored);
+    return stored;
   }
 
   Bytes bytes_;
   double most_;
   std::string name_;
+  PlainLayout layout_;
 };
 
 class Hdf5FilmWriter : public FilmWriter {

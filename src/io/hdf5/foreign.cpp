@@ -1,13 +1,13 @@
 #include "io/hdf5/foreign.hpp"
 
+#include "core/problems.hpp"
+
 #include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <zlib.h>
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
-
-#include "core/mapped.hpp"
-#include "core/problems.hpp"
 
 namespace arenite::io {
 namespace {
@@ -15,129 +15,185 @@ namespace {
 /// Deflate packs at most a thousandfold; a table that is larger was never written.
 constexpr double most_packed = 1100;
 
-double product_of(const auto& numbers) {
-  double product = 1;
-  for (const auto n : numbers) product *= static_cast<double>(n);
-  return product;
+/// A checksum behind the bytes may still follow.
+constexpr std::size_t slack = 16;
+
+bool inflate_to(std::string& bytes, std::size_t most) {
+  std::string plain(most, '\0');
+  if (bytes.size() > std::numeric_limits<uInt>::max() || most > std::numeric_limits<uInt>::max()) return false;
+  uLongf length = most;
+  const auto* from = reinterpret_cast<const Bytef*>(bytes.data());
+  if (uncompress(reinterpret_cast<Bytef*>(plain.data()), &length, from, static_cast<uLong>(bytes.size())) != Z_OK) return false;
+  plain.resize(length);
+  bytes = std::move(plain);
+  return true;
 }
 
-/// Names of the datasets that fit, in rising order.
-std::vector<std::string> datasets_in(hid_t file, const ForeignKind& kind) {
-  struct Search {
-    const ForeignKind& kind;
-    std::vector<std::string> found;
-  } search{kind, {}};
-  const auto note = [](hid_t root, const char* name, const H5O_info_t* info, void* into) -> herr_t {
-    if (info->type != H5O_TYPE_DATASET) return 0;
-    const auto set = own(H5Dopen2(root, name, H5P_DEFAULT), H5Dclose);
-    if (auto& s = *static_cast<Search*>(into); set && s.kind.fits(*set)) s.found.emplace_back(name);
-    return 0;
-  };
-  H5Ovisit2(file, H5_INDEX_NAME, H5_ITER_INC, note, &search, H5O_INFO_BASIC);
-  return std::move(search.found);
+/// First bytes of all numbers come first, then their second bytes; what is no whole number is left at the end.
+void unshuffle(std::string& bytes, std::size_t element) {
+  const std::size_t count = bytes.size() / element;
+  std::string plain = bytes;
+  for (std::size_t b = 0; b < element; ++b)
+    for (std::size_t i = 0; i < count; ++i) plain[i * element + b] = bytes[b * count + i];
+  bytes = std::move(plain);
 }
 
-/// Null where there is no attribute of this name that is one value, or a damaged one.
-struct Attribute {
-  Hdf5Handle id, type;
-  Attribute(hid_t at, const char* name) {
-    if (H5Aexists(at, name) <= 0) return;
-    const auto attribute = own(H5Aopen(at, name, H5P_DEFAULT), H5Aclose), space = attribute ? own(H5Aget_space(*attribute), H5Sclose) : nullptr;
-    if (!space || H5Sget_simple_extent_npoints(*space) != 1) return;
-    type = own(H5Aget_type(*attribute), H5Tclose);
-    if (type) id = attribute;
+/// Fletcher's sums of 16-bit words, first byte high, in arithmetic modulo 65535 where 65535 stays as it is.
+std::uint32_t fletcher(const std::string& bytes, std::size_t size) {
+  const auto fold = [](std::uint32_t sum) { return (sum & 0xffff) + (sum >> 16); };
+  std::uint32_t first = 0, second = 0;
+  for (std::size_t i = 0; i < size; i += 2) {
+    const std::uint32_t high = static_cast<std::uint8_t>(bytes[i]), low = i + 1 < size ? static_cast<std::uint8_t>(bytes[i + 1]) : 0;
+    first = fold(first + (high << 8 | low));
+    second = fold(second + first);
   }
-};
+  return second << 16 | first;
+}
+
+bool take_checksum(std::string& bytes) {
+  if (bytes.size() < 4) return false;
+  const std::size_t size = bytes.size() - 4;
+  std::uint32_t stored = 0;
+  for (std::size_t b = 0; b < 4; ++b) stored |= static_cast<std::uint32_t>(static_cast<std::uint8_t>(bytes[size + b])) << 8 * b;
+  if (stored != fletcher(bytes, size)) return false;
+  bytes.resize(size);
+  return true;
+}
 
 }  // namespace
 
-std::vector<std::int64_t> shape_of(hid_t set) {
-  const auto space = own(H5Dget_space(set), H5Sclose);
-  const int rank = space ? H5Sget_simple_extent_ndims(*space) : 0;
-  if (rank <= 0 || rank > H5S_MAX_RANK) return {};
-  std::vector<hsize_t> shape(static_cast<std::size_t>(rank));
-  H5Sget_simple_extent_dims(*space, shape.data(), nullptr);
-  return mapped(shape, [](hsize_t n) { return static_cast<std::int64_t>(std::min<hsize_t>(n, std::numeric_limits<std::int64_t>::max())); });
-}
-
-bool holds(hid_t set, std::initializer_list<H5T_class_t> classes) {
-  const auto type = own(H5Dget_type(set), H5Tclose);
-  return type && std::ranges::count(classes, H5Tget_class(*type)) > 0;
-}
-
-std::string meant_dataset(hid_t file, const std::string& file_name, const std::string& chosen, const ForeignKind& kind) {
-  const auto set = chosen.empty() ? nullptr : own(H5Dopen2(file, chosen.c_str(), H5P_DEFAULT), H5Dclose);
-  if (set && kind.fits(*set)) return chosen;
-  const auto found = datasets_in(file, kind);
-  if (set) refuse(file_name, "holds \"{}\", which is no {}; it has: {}", chosen, kind.sentence, fmt::join(found, ", "));
-  if (!chosen.empty()) refuse(file_name, "has no dataset \"{}\"; it has: {}", chosen, fmt::join(found, ", "));
-  if (found.size() == 1) return found.front();
-  if (found.empty()) refuse(file_name, "is an HDF5 file of another program and holds no {}; give a file with one", kind.sentence);
-  refuse(file_name, "holds {} datasets that can be meant; choose one with --dataset: {}", found.size(), fmt::join(found, ", "));
-}
-
-ForeignDataset::ForeignDataset(Hdf5Handle file, const Bytes& bytes, const std::string& name, double most)
-    : file_(std::move(file)),
-      set_(own(H5Dopen2(*file_, name.c_str(), H5P_DEFAULT), H5Dclose)),
-      file_name_(bytes->name()),
-      name_(name) {
-  type_ = set_ ? own(H5Dget_type(*set_), H5Tclose) : nullptr;
-  const auto creation = set_ ? own(H5Dget_create_plist(*set_), H5Pclose) : nullptr;
-  if (!type_ || !creation) refuse("that is damaged; copy the file again");
-  shape_ = shape_of(*set_);
-  if (product_of(shape_) * bits() / 8 > most_packed * static_cast<double>(bytes->size()))
-    refuse("that announces more than a file of this size can hold; copy it again");
-  const H5D_layout_t layout = H5Pget_layout(*creation);
-  if (H5Pget_external_count(*creation) > 0 || layout == H5D_VIRTUAL) refuse("whose numbers are in other files; copy them into one");
-  if (layout != H5D_CHUNKED) return;
-  std::vector<hsize_t> chunk(shape_.size());
-  if (H5Pget_chunk(*creation, static_cast<int>(chunk.size()), chunk.data()) < 0) refuse("that is damaged; copy the file again");
-  if (product_of(chunk) > most) refuse(fmt::format("stored in chunks of {:.0f} numbers; store a few frames a chunk", product_of(chunk)));
-}
-
-void ForeignDataset::refuse(const std::string& what) const { arenite::refuse(file_name_, "holds a dataset \"{}\" {}", name_, what); }
-
-std::int64_t ForeignDataset::numbers_in_slab() const {
-  std::int64_t numbers = 1;
-  for (std::size_t axis = 1; axis < shape_.size(); ++axis) numbers *= shape_[axis];
-  return numbers;
-}
-
-void ForeignDataset::read(std::int64_t first, std::int64_t count, hid_t type, void* to) const {
-  std::vector<hsize_t> start(shape_.size()), size(shape_.begin(), shape_.end());
-  start.front() = static_cast<hsize_t>(first);
-  size.front() = static_cast<hsize_t>(count);
-  const auto there = own(H5Dget_space(*set_), H5Sclose), here = own(H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr), H5Sclose);
-  const bool is_there = there && here && H5Sselect_hyperslab(*there, H5S_SELECT_SET, start.data(), nullptr, size.data(), nullptr) >= 0;
-  if (!is_there || H5Dread(*set_, type, *here, *there, H5P_DEFAULT, to) < 0)
-    refuse(
-        "that cannot be read: it is cut short or damaged, or packed in a way that is not known here; copy the file again, or pack it with h5repack -f GZIP=4");
-}
-
-double number_attribute(hid_t at, std::initializer_list<const char*> names) {
-  for (const char* name : names) {
-    const Attribute attribute(at, name);
-    double value = 0;
-    if (attribute.id && H5Aread(*attribute.id, H5T_NATIVE_DOUBLE, &value) >= 0 && value > 0) return value;
+std::optional<std::string> unpack_chunk(std::string stored, const std::vector<Hdf5Filter>& filters, unsigned skipped, std::size_t size) {
+  for (std::size_t i = filters.size(); i-- > 0;) {
+    if (i < 32 && (skipped >> i & 1) != 0) continue;
+    const Hdf5Filter& filter = filters[i];
+    if (filter.kind == Hdf5Filter::Kind::shuffle) unshuffle(stored, filter.element);
+    else if (!(filter.kind == Hdf5Filter::Kind::deflate ? inflate_to(stored, size + slack) : take_checksum(stored))) return std::nullopt;
   }
-  return 0;
+  if (stored.size() != size) return std::nullopt;
+  return stored;
 }
 
-std::string text_attribute(hid_t at, const char* name) {
-  const Attribute attribute(at, name);
-  if (!attribute.id || H5Tget_class(*attribute.type) != H5T_STRING || H5Tis_variable_str(*attribute.type) != 0) return {};
-  const std::size_t size = H5Tget_size(*attribute.type);
-  if (size == 0 || size > 65536) return {};
-  std::string text(size, '\0');
-  if (H5Aread(*attribute.id, *attribute.type, text.data()) < 0) return {};
-  return text.substr(0, text.find('\0'));
+Hdf5Numbers::Hdf5Numbers(Hdf5Handle set, const std::string& name, Bytes file, double most) : set_(std::move(set)), name_(name), file_(std::move(file)) {
+  const auto space = own(H5Dget_space(*set_), H5Sclose), type = own(H5Dget_type(*set_), H5Tclose), creation = own(H5Dget_create_plist(*set_), H5Pclose);
+  const int rank = space ? H5Sget_simple_extent_ndims(*space) : 0;
+  if (rank < 1 || rank > 3 || !type || !creation) refuse("that is damaged; copy the file again");
+  shape_.resize(static_cast<std::size_t>(rank));
+  H5Sget_simple_extent_dims(*space, shape_.data(), nullptr);
+  std::copy(shape_.begin(), shape_.end(), extent_.begin());
+  const auto number = number_of(*type);
+  if (!number) refuse("whose numbers are of a kind that is not read; store integers of 1 to 8 bytes, float or double");
+  number_ = *number;
+  fill_.assign(size_of_number(), '\0');
+  double bytes = static_cast<double>(size_of_number());
+  for (const hsize_t n : extent_) bytes *= static_cast<double>(n);
+  if (bytes > most_packed * static_cast<double>(file_->size())) refuse("that announces more than a file of this size can hold; copy it again");
+  layout_ = H5Pget_layout(*creation);
+  if (H5Pget_external_count(*creation) > 0 || layout_ == H5D_VIRTUAL) refuse("whose numbers are in other files; copy them into one");
+  if (layout_ == H5D_CHUNKED) look_at_chunks(*creation, most);
+  else if (layout_ == H5D_COMPACT) read_compact();
+  else if (bytes > 0) look_at_piece(bytes);
 }
 
-Hdf5Handle open_foreign(const Bytes& bytes) {
-  if (bytes->path() == nullptr) return open_in_memory(bytes->text(0, bytes->size()), bytes->name());
-  auto id = own(H5Fopen(bytes->path()->c_str(), H5F_ACC_RDONLY, *without_lock()), H5Fclose);
-  if (!id) refuse(bytes->name(), "is an HDF5 file that is cut short or damaged; copy it again");
-  return id;
+void Hdf5Numbers::look_at_piece(double bytes) {
+  const haddr_t begin = H5Dget_offset(*set_);
+  if (layout_ != H5D_CONTIGUOUS || begin == HADDR_UNDEF || begin > file_->size() || bytes > static_cast<double>(file_->size() - begin))
+    refuse("that is cut short; copy the file again");
+  begin_ = begin;
+}
+
+void Hdf5Numbers::refuse(const std::string& what) const { arenite::refuse(file_->name(), "holds a dataset \"{}\" {}", name_, what); }
+
+void Hdf5Numbers::read_compact() {
+  compact_.resize(slab() * extent_[0]);
+  const auto type = own(H5Dget_type(*set_), H5Tclose);
+  if (compact_.size() > 65536 || H5Dget_storage_size(*set_) != compact_.size() || !type ||
+      (!compact_.empty() && H5Dread(*set_, *type, H5S_ALL, H5S_ALL, H5P_DEFAULT, compact_.data()) < 0))
+    refuse("that is damaged; copy the file again");
+}
+
+void Hdf5Numbers::look_at_chunks(hid_t creation, double most) {
+  const auto rank = static_cast<int>(shape_.size());
+  if (H5Pget_chunk(creation, rank, chunk_.data()) != rank) refuse("that is damaged; copy the file again");
+  double numbers = 1;
+  for (const hsize_t n : chunk_) numbers *= static_cast<double>(n);
+  if (!(numbers > 0)) refuse("that is damaged; copy the file again");
+  if (numbers > most) refuse(fmt::format("stored in chunks of {:.0f} numbers; store a few frames a chunk", numbers));
+  chunk_bytes_ = static_cast<std::size_t>(numbers) * size_of_number();
+  unsigned edges = 0;
+  whole_at_edges_ = H5Pget_chunk_opts(creation, &edges) < 0 || (edges & H5D_CHUNK_DONT_FILTER_PARTIAL_CHUNKS) == 0;
+  H5D_fill_value_t fill = H5D_FILL_VALUE_DEFAULT;
+  const auto type = own(H5Dget_type(*set_), H5Tclose);
+  if (H5Pfill_value_defined(creation, &fill) >= 0 && fill == H5D_FILL_VALUE_USER_DEFINED && type && H5Pget_fill_value(creation, *type, fill_.data()) < 0)
+    refuse("that is damaged; copy the file again");
+  look_at_filters(creation);
+}
+
+void Hdf5Numbers::look_at_filters(hid_t creation) {
+  const int count = H5Pget_nfilters(creation);
+  for (int i = 0; i < count; ++i) {
+    unsigned flags = 0, value[8] = {};
+    std::size_t values = std::size(value);
+    const H5Z_filter_t id = H5Pget_filter2(creation, static_cast<unsigned>(i), &flags, &values, value, 0, nullptr, nullptr);
+    if (id == H5Z_FILTER_DEFLATE) filters_.push_back({Hdf5Filter::Kind::deflate, 1});
+    else if (id == H5Z_FILTER_FLETCHER32) filters_.push_back({Hdf5Filter::Kind::checksum, 1});
+    else if (id == H5Z_FILTER_SHUFFLE) filters_.push_back({Hdf5Filter::Kind::shuffle, size_of_number()});
+    else refuse("compressed with a filter that is not supported; repack it with h5repack -f GZIP=4");
+  }
+}
+
+void Hdf5Numbers::read(hsize_t first, hsize_t count, std::string& to) {
+  if (first > extent_[0] || count > extent_[0] - first) refuse("that is shorter than expected; copy the file again");
+  to.resize(slab() * count);
+  if (to.empty()) return;
+  if (layout_ == H5D_CHUNKED) return read_chunks(first, count, to);
+  if (layout_ == H5D_COMPACT) std::memcpy(to.data(), compact_.data() + slab() * first, to.size());
+  else if (file_->read(begin_ + slab() * first, to.size(), to.data()) != to.size()) refuse("that became shorter; copy the file again");
+}
+
+void Hdf5Numbers::read_chunks(hsize_t first, hsize_t count, std::string& to) {
+  Place at{};
+  for (at[0] = first / chunk_[0] * chunk_[0]; at[0] < first + count; at[0] += chunk_[0])
+    for (at[1] = 0; at[1] < extent_[1]; at[1] += chunk_[1])
+      for (at[2] = 0; at[2] < extent_[2]; at[2] += chunk_[2]) copy_chunk(at, first, count, to);
+}
+
+const std::string& Hdf5Numbers::chunk_at(const Place& at) {
+  if (held_ && held_at_ == at) return chunk_held_;
+  held_ = false;
+  hsize_t stored = 0;
+  if (H5Dget_chunk_storage_size(*set_, at.data(), &stored) < 0) refuse("that is damaged; copy the file again");
+  if (stored == 0) {  // never written
+    chunk_held_.resize(chunk_bytes_);
+    for (std::size_t i = 0; i < chunk_bytes_; i += fill_.size()) std::memcpy(chunk_held_.data() + i, fill_.data(), fill_.size());
+  } else {
+    std::string packed;
+    std::uint32_t skipped = 0;
+    if (stored <= chunk_bytes_ + chunk_bytes_ / 8 + 4096 && stored <= file_->size()) packed.resize(stored);
+    if (packed.empty() || H5Dread_chunk(*set_, H5P_DEFAULT, at.data(), &skipped, packed.data()) < 0)
+      refuse("that is cut short or damaged; copy the file again");
+    bool inside = true;
+    for (std::size_t axis = 0; axis < 3; ++axis) inside = inside && chunk_[axis] <= extent_[axis] - at[axis];
+    auto plain = unpack_chunk(std::move(packed), inside || whole_at_edges_ ? filters_ : std::vector<Hdf5Filter>{}, skipped, chunk_bytes_);
+    if (!plain) refuse("with a chunk that cannot be decompressed; copy the file again");
+    chunk_held_ = std::move(*plain);
+  }
+  held_ = true;
+  held_at_ = at;
+  return chunk_held_;
+}
+
+void Hdf5Numbers::copy_chunk(const Place& at, hsize_t first, hsize_t count, std::string& to) {
+  const std::string& chunk = chunk_at(at);
+  const std::size_t number = size_of_number();
+  const hsize_t begin = std::max(at[0], first), end = std::min(at[0] + chunk_[0], first + count);
+  const hsize_t rows = std::min(chunk_[1], extent_[1] - at[1]), columns = std::min(chunk_[2], extent_[2] - at[2]);
+  const bool rows_join = chunk_[2] == extent_[2], one_row = rows_join || rows == 1;
+  for (hsize_t i = begin; i < end; ++i)
+    for (hsize_t r = 0; r < (one_row ? 1 : rows); ++r) {
+      const std::size_t from = ((i - at[0]) * chunk_[1] + r) * chunk_[2] * number;
+      const std::size_t into = ((i - first) * extent_[1] + at[1] + r) * extent_[2] * number + at[2] * number;
+      std::memcpy(to.data() + into, chunk.data() + from, (rows_join ? rows : 1) * columns * number);
+    }
 }
 
 }  // namespace arenite::io

@@ -1,11 +1,15 @@
 #include "io/hdf5/handle.hpp"
+#include "core/mapped.hpp"
 #include "core/problems.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <atomic>
+#include <limits>
 #include <mutex>
 #include <stdexcept>
+#include <tuple>
 
 namespace arenite::io {
 namespace {
@@ -13,6 +17,16 @@ namespace {
 /// Not a recursive mutex: a forked process has another thread number, and could not give back what it holds.
 std::mutex speaking;
 thread_local int turns = 0;
+
+/// Null where there is no attribute of this name, or a damaged one.
+struct Attribute {
+  Hdf5Handle id, space, type;
+  Attribute(hid_t at, const char* name) {
+    if (H5Aexists(at, name) > 0) id = own(H5Aopen(at, name, H5P_DEFAULT), H5Aclose);
+    if (id) space = own(H5Aget_space(*id), H5Sclose), type = own(H5Aget_type(*id), H5Tclose);
+  }
+  bool is_one() const { return space && type && H5Sget_simple_extent_npoints(*space) == 1; }
+};
 
 }  // namespace
 
@@ -53,13 +67,6 @@ Hdf5Handle memory_properties() {
   done(H5Pset_fapl_core(*properties, growth, false));
   done(H5Pset_libver_bounds(*properties, H5F_LIBVER_V18, H5F_LIBVER_V18));
   return properties;
-}
-
-Hdf5Handle without_lock() {
-  memory_properties();  // silences HDF5's own messages
-  auto access = made(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-  done(H5Pset_file_locking(*access, false, true));
-  return access;
 }
 
 std::string bytes_of_file(hid_t file, std::size_t before) {
@@ -120,6 +127,66 @@ Hdf5Handle open_in_memory(std::string bytes, const std::string& file, const char
   }
   if (!id) refuse(file, "{}", refusal);
   return id;
+}
+
+std::vector<std::int64_t> shape_of(hid_t set) {
+  const auto space = own(H5Dget_space(set), H5Sclose);
+  const int rank = space ? H5Sget_simple_extent_ndims(*space) : 0;
+  if (rank <= 0 || rank > H5S_MAX_RANK) return {};
+  std::vector<hsize_t> shape(static_cast<std::size_t>(rank));
+  H5Sget_simple_extent_dims(*space, shape.data(), nullptr);
+  return mapped(shape, [](hsize_t n) { return static_cast<std::int64_t>(std::min<hsize_t>(n, std::numeric_limits<std::int64_t>::max())); });
+}
+
+std::vector<std::string> datasets_in(hid_t file, bool (*fits)(hid_t set)) {
+  struct Search {
+    bool (*fits)(hid_t set);
+    std::vector<std::string> found;
+  } search{fits, {}};
+  const auto note = [](hid_t root, const char* name, const H5O_info_t* info, void* into) -> herr_t {
+    if (info->type != H5O_TYPE_DATASET) return 0;
+    const auto set = own(H5Dopen2(root, name, H5P_DEFAULT), H5Dclose);
+    if (auto& s = *static_cast<Search*>(into); set && s.fits(*set)) s.found.emplace_back(name);
+    return 0;
+  };
+  H5Ovisit2(file, H5_INDEX_NAME, H5_ITER_INC, note, &search, H5O_INFO_BASIC);
+  return std::move(search.found);
+}
+
+std::optional<Hdf5Number> number_of(hid_t type) {
+  using enum NumberType;
+  const std::tuple<hid_t, hid_t, NumberType> known[] = {
+      {H5T_STD_U8LE, H5T_STD_U8BE, u8},      {H5T_STD_I8LE, H5T_STD_I8BE, i8},     {H5T_STD_U16LE, H5T_STD_U16BE, u16}, {H5T_STD_I16LE, H5T_STD_I16BE, i16},
+      {H5T_STD_U32LE, H5T_STD_U32BE, u32},   {H5T_STD_I32LE, H5T_STD_I32BE, i32},  {H5T_STD_U64LE, H5T_STD_U64BE, u64}, {H5T_STD_I64LE, H5T_STD_I64BE, i64},
+      {H5T_IEEE_F32LE, H5T_IEEE_F32BE, f32}, {H5T_IEEE_F64LE, H5T_IEEE_F64BE, f64}};
+  const auto base = H5Tget_class(type) == H5T_ENUM ? own(H5Tget_super(type), H5Tclose) : nullptr;
+  const hid_t it = base ? *base : type;
+  for (const auto& [low_first, high_first, number] : known) {
+    if (H5Tequal(it, low_first) > 0) return Hdf5Number{number, false};
+    if (H5Tequal(it, high_first) > 0) return Hdf5Number{number, true};
+  }
+  return std::nullopt;
+}
+
+double number_attribute(hid_t at, std::initializer_list<const char*> names) {
+  for (const char* name : names) {
+    const Attribute attribute(at, name);
+    const auto number = attribute.is_one() ? number_of(*attribute.type) : std::nullopt;
+    double value = 0;
+    if (!number || H5Aget_storage_size(*attribute.id) != bytes_of(number->type)) continue;  // not there as a whole
+    if (H5Aread(*attribute.id, H5T_NATIVE_DOUBLE, &value) >= 0 && value > 0) return value;
+  }
+  return 0;
+}
+
+std::string text_attribute(hid_t at, const char* name) {
+  const Attribute attribute(at, name);
+  if (!attribute.is_one() || H5Tget_class(*attribute.type) != H5T_STRING || H5Tis_variable_str(*attribute.type) != 0) return {};
+  const std::size_t size = H5Tget_size(*attribute.type);
+  if (size == 0 || size > 65536 || H5Aget_storage_size(*attribute.id) != size) return {};
+  std::string text(size, '\0');
+  if (H5Aread(*attribute.id, *attribute.type, text.data()) < 0) return {};
+  return text.substr(0, text.find('\0'));
 }
 
 }  // namespace arenite::io

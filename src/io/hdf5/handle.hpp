@@ -2,9 +2,13 @@
 #include <hdf5.h>
 
 #include <cstdint>
+#include <initializer_list>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "io/disk/byte_source.hpp"
 
 // Only the files that speak HDF5 include this one.
 namespace arenite::io {
@@ -32,9 +36,6 @@ void done(herr_t status);
 
 /// Starts HDF5 in this process, for all processes that are forked from it.
 void prepare_hdf5();
-
-/// For a file on the disk, which may only let itself be read; or, while it is written, is locked already.
-Hdf5Handle without_lock();
 
 /// For a file in memory; silences HDF5's own messages on stderr, since failures become our errors.
 Hdf5Handle memory_properties();
@@ -65,12 +66,30 @@ template <> inline hid_t number_type<float>() { return H5T_IEEE_F32LE; }
 template <> inline hid_t number_type<std::int32_t>() { return H5T_STD_I32LE; }
 template <> inline hid_t number_type<std::int64_t>() { return H5T_STD_I64LE; }
 template <> inline hid_t number_type<std::uint64_t>() { return H5T_STD_U64LE; }
-template <> inline hid_t number_type<std::uint16_t>() { return H5T_STD_U16LE; }
 template <> inline hid_t number_type<std::uint8_t>() { return H5T_STD_U8LE; }
 
 template <class T> void write_number(hid_t owner, const std::string& name, T value) { write_attribute(owner, name, number_type<T>(), &value); }
 
 /// A file in memory that is read, whoever wrote it; `file` names it in the InputError of one that HDF5 cannot open.
 Hdf5Handle open_in_memory(std::string bytes, const std::string& file, const char* refusal = "is an HDF5 file that is cut short or damaged; copy it again");
+
+/// Lengths of a dataset's axes; empty for one without.
+std::vector<std::int64_t> shape_of(hid_t set);
+
+/// Names of the datasets that `fits` takes, in rising order.
+std::vector<std::string> datasets_in(hid_t file, bool (*fits)(hid_t set));
+
+/// How numbers of an HDF5 type lie in a file; nothing for a type that is no plain number of 1 to 8 bytes.
+struct Hdf5Number {
+  NumberType type = NumberType::u16;
+  bool big_endian = false;
+};
+std::optional<Hdf5Number> number_of(hid_t type);
+
+/// The first of these attributes that is one number above 0, or 0.
+double number_attribute(hid_t at, std::initializer_list<const char*> names);
+
+/// An attribute that is a text of fixed length; empty without one.
+std::string text_attribute(hid_t at, const char* name);
 
 }  // namespace arenite::io

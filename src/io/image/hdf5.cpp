@@ -1,52 +1,82 @@
 #include "core/problems.hpp"
 #include "io/image/image.hpp"
 
-#include <algorithm>
-#include <utility>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include "core/mapped.hpp"
+#include <algorithm>
+#include <cstring>
+#include <vector>
+
 #include "io/hdf5/foreign.hpp"
 
 namespace arenite::io {
 namespace {
 
-constexpr ForeignKind pictures{[](hid_t set) {
-                                 const std::size_t rank = shape_of(set).size();
-                                 return (rank == 2 || rank == 3) && holds(set, {H5T_INTEGER, H5T_ENUM});
-                               },
-                               "dataset of whole numbers with two or three dimensions"};
+bool can_be_picture(hid_t set) {
+  const auto type = own(H5Dget_type(set), H5Tclose);
+  const bool whole = type && (H5Tget_class(*type) == H5T_INTEGER || H5Tget_class(*type) == H5T_ENUM);
+  const std::size_t rank = shape_of(set).size();
+  return whole && (rank == 2 || rank == 3);
+}
+
+std::vector<std::string> pictures(hid_t file) { return datasets_in(file, can_be_picture); }
+
+std::string chosen_dataset(hid_t id, const std::string& file, const ImageChoice& choice) {
+  if (!choice.dataset.empty()) return choice.dataset;
+  const auto found = pictures(id);
+  if (found.size() == 1) return found.front();
+  if (found.empty()) refuse(file, "holds no dataset of whole numbers with two or three dimensions; give a file with one");
+  refuse(file, "holds {} datasets that can be meant; choose one with --dataset: {}", found.size(), fmt::join(found, ", "));
+}
 
 Image decode(const std::string& bytes, const std::string& file, const ImageChoice& choice) {
-  const Bytes source = bytes_kept(bytes, file);
-  const auto id = open_foreign(source);
-  const std::string name = meant_dataset(*id, file, choice.dataset, pictures);
-  const auto shape = shape_of(*own(H5Dopen2(*id, name.c_str(), H5P_DEFAULT), H5Dclose));
+  const auto id = open_in_memory(bytes, file);
+  const std::string name = chosen_dataset(*id, file, choice);
+  const auto set = own(H5Dopen2(*id, name.c_str(), H5P_DEFAULT), H5Dclose);
+  if (!set) refuse(file, "has no dataset \"{}\"; it has: {}", name, fmt::join(pictures(*id), ", "));
+  if (!can_be_picture(*set))
+    refuse(file, "holds \"{}\", which is not a table of whole numbers with two or three dimensions; choose another with --dataset", name);
+  const auto shape = shape_of(*set);
   const bool stack = shape.size() == 3;
   const std::int64_t slice = chosen_slice(file, stack ? shape[0] : 1, choice);
   const std::int64_t height = shape[stack ? 1 : 0], width = shape[stack ? 2 : 1];
   check_size(file, width, height, choice);
-  const ForeignDataset numbers(id, source, name, std::max(2.0 * static_cast<double>(choice.most_pixels), 1e6));
+  Hdf5Numbers numbers(set, name, bytes_kept(bytes, file), std::max(2.0 * static_cast<double>(choice.most_pixels), 1e6));
+  std::string stored;
+  numbers.read(stack ? static_cast<hsize_t>(slice) : 0, stack ? 1 : static_cast<hsize_t>(height), stored);
   Image image{static_cast<int>(width), static_cast<int>(height), {}};
-  image.value = mapped(numbers.read<std::int64_t>(stack ? slice : 0, stack ? 1 : height), [&](std::int64_t v) {
-    if (!std::in_range<std::int32_t>(v)) refuse(file, "holds the value {}; values go from -2147483648 to 2147483647", v);
-    return static_cast<std::int32_t>(v);
+  image.value.resize(image.size());
+  each_number(numbers.number().type, numbers.number().big_endian, stored.data(), image.size(), [&](std::size_t i, auto v) {
+    if constexpr (std::is_integral_v<decltype(v)>) {
+      if (!std::in_range<std::int32_t>(v)) refuse(file, "holds the value {}; values go from -2147483648 to 2147483647", v);
+      image.value[i] = static_cast<std::int32_t>(v);
+    }
   });
   return image;
 }
 
-struct Decoded {
-  Image image;
-
-  template <class Archive> void transfer(Archive& a) { a(image.width), a(image.height), a(image.value); }
-};
-
 }  // namespace
 
+/// HDF5 trusts what it reads: it is used in a process of its own, which a damaged file may bring down.
 Image read_hdf5_image(const std::string& bytes, const std::string& file, const ImageChoice& choice) {
-  const auto pixels = static_cast<std::size_t>(choice.most_pixels);
-  auto [image] = from_sandbox<Decoded>(
-      file, [&] { return Decoded{decode(bytes, file, choice)}; }, 64 + 4 * pixels, 24 * pixels + 3 * bytes.size());
-  if (image.width <= 0 || image.height <= 0 || image.value.size() != image.size()) refuse(file, "is an HDF5 file that is damaged; copy it again");
+  prepare_hdf5();
+  const auto packed = [&] {
+    const Image image = decode(bytes, file, choice);
+    std::string result;
+    append<std::int32_t>(result, image.width);
+    return result.append(reinterpret_cast<const char*>(image.value.data()), image.value.size() * sizeof(std::int32_t));
+  };
+  const std::string made =
+      in_sandbox(file, packed, 16 + 4 * static_cast<std::size_t>(choice.most_pixels), 12 * static_cast<std::size_t>(choice.most_pixels) + 3 * bytes.size());
+  Image image;
+  image.width = number_at<std::int32_t>(made, 0);
+  const std::size_t pixels = made.size() / sizeof(std::int32_t) - 1;
+  if (made.size() < 2 * sizeof(std::int32_t) || image.width <= 0 || pixels % static_cast<std::size_t>(image.width) != 0)
+    refuse(file, "is an HDF5 file that is damaged; copy it again");
+  image.height = static_cast<int>(pixels / static_cast<std::size_t>(image.width));
+  image.value.resize(pixels);
+  std::memcpy(image.value.data(), made.data() + sizeof image.width, pixels * sizeof(std::int32_t));
   return image;
 }
 
