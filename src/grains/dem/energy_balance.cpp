@@ -20,12 +20,17 @@ void add_boundary_contact(const Sample& s, std::size_t slot, const Kinematics& c
   for (std::size_t n = 0; n < 3; ++n) shot.boundary[3 * b + n].push(-dashes[n], -slips[n]);
 }
 
-/// Adds forces that act on a grain at a lever from its centre, with their torque about that place.
-void push(Snapshot::Disk& grain, Vec2 dash, Vec2 slip, double torque, Vec2 lever) {
+/// Adds forces that act on a grain, with their torque about its centre.
+void push(Snapshot::Disk& grain, Vec2 dash, Vec2 slip, double torque) {
   grain.dash.force += dash;
-  grain.dash.torque += cross(lever, dash);
   grain.slip.force += slip;
-  grain.slip.torque += torque + cross(lever, slip);
+  grain.slip.torque += torque;
+}
+
+/// The same where they act at a lever from its centre, with their torque about that place.
+void push(Snapshot::Disk& grain, Vec2 dash, Vec2 slip, double torque, Vec2 lever) {
+  push(grain, dash, slip, torque + cross(lever, slip));
+  grain.dash.torque += cross(lever, dash);
 }
 
 /// What a contact or bond along `branch`, over so many rows of the periodic cell, does to its edges and its shear.
@@ -59,14 +64,20 @@ void add_contacts(const Sample& s, Snapshot& shot) {
       }
       const Vec2 dash = (dot(f, c.normal) - spring) * c.normal, slip = dot(f, t) * t;
       shot.springs += friction.energy(s.laws.slip(c.sliding, sliding_stiffness(s, normal, p, c)), list.memory[p]);
-      const Levers levers = has_levers ? levers_of(s, p) : Levers{};
-      const Torques torques = has_levers ? own_torques(s, p) : Torques{list.force[p].torque_i, list.force[p].torque_j};
-      push(shot.disk[mover_of(s, s.record[list.i[p]].grain)], dash, slip, torques.i, levers.i);
-      if (list.j[p] >= 0) {
-        push(shot.disk[mover_of(s, s.record[list.owner[p]].grain)], -dash, -slip, torques.j, levers.j);
-      } else if (is_boundary(list.j[p])) {
-        add_boundary_contact(s, p, c, dash, slip, shot);
+      Snapshot::Disk& own = shot.disk[mover_of(s, s.record[list.i[p]].grain)];
+      Snapshot::Disk* const partner = list.j[p] >= 0 ? &shot.disk[mover_of(s, s.record[list.owner[p]].grain)] : nullptr;
+      if (has_levers) {
+        const Levers levers = levers_of(s, p);
+        const Torques torques = own_torques(s, p);
+        push(own, dash, slip, torques.i, levers.i);
+        if (partner) push(*partner, -dash, -slip, torques.j, levers.j);
       } else {
+        push(own, dash, slip, list.force[p].torque_i);
+        if (partner) push(*partner, -dash, -slip, list.force[p].torque_j);
+      }
+      if (is_boundary(list.j[p])) {
+        add_boundary_contact(s, p, c, dash, slip, shot);
+      } else if (!partner) {
         const int side = wall_side(list.j[p]);
         shot.edge[side].push(-across(side, dash), 0);
         shot.edge[slides + side].push(0, -along(side, slip));
