@@ -46,7 +46,7 @@ int execute(const FilmArguments& a) {
     return other_failure;
   }
   const fs::path page = folder / "report.html";
-  report::write_page(page, {.stages = outcome.simulation.stages, .films = {&outcome.result, 1}, .measured = outcome.simulation.measured});
+  report::write_page(page, {.stages = outcome.simulation.stages, .films = {&outcome.result, 1}, .measured = &outcome.simulation.measured});
   fmt::print("{}", a.json ? to_json(report::film_numbers(outcome.result), 2) + "\n" : report::film_text(outcome.result));
   if (!a.json) fmt::print("\nresult: {}\npage:   {}   (open it in a browser)\n", outcome.file.string(), page.string());
   return outcome.result.converged ? done : not_converged;

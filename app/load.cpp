@@ -99,6 +99,7 @@ workflow::MapOutcome carry_out(const LoadArguments& a, const recipe::Load& load)
   ProgressLine line(a.quiet || a.json);
   workflow::RunOptions options;
   options.out = a.out;
+  options.page_follows = !a.out.empty();
   options.asked_to_stop = stop_requested;
   options.progress = [&](const workflow::Progress& progress) { line.show(progress); };
   options.notice = [&](const std::string& sentence) { line.notice(sentence); };
@@ -110,7 +111,7 @@ workflow::MapOutcome carry_out(const LoadArguments& a, const recipe::Load& load)
 int execute(const LoadArguments& a) {
   const recipe::Load load = load_of(a);
   watch_for_signals();
-  const auto [field, file] = carry_out(a, load);
+  const auto [field, file, measured] = carry_out(a, load);
   if (!field) {
     if (load.failure && !a.out.empty()) fmt::print(stderr, "stopped; the same command continues from the checkpoint in {}\n", a.out);
     else fmt::print(stderr, "stopped; nothing was stored\n");
@@ -119,7 +120,7 @@ int execute(const LoadArguments& a) {
   fmt::print("{}", a.json ? to_json(report::field_numbers(*field), 2) + "\n" : report::field_summary(*field));
   if (!a.out.empty()) {
     const fs::path page = fs::path(a.out) / "report.html";
-    report::write_page(page, {.fields = {&*field, 1}});
+    report::write_page(page, {.fields = {&*field, 1}, .measured = &measured});
     if (!a.json) fmt::print("\nresult: {}\npage:   {}\n", file.string(), page.string());
   }
   return field->converged ? done : not_converged;

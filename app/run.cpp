@@ -55,6 +55,7 @@ workflow::RunOutcome carry_out(const recipe::Recipe& recipe, const fs::path& fol
   options.out = folder;
   options.checkpoint_seconds = arguments.checkpoint_seconds;
   options.asked_to_stop = stop_requested;
+  options.page_follows = true;
   ProgressLine line(arguments.quiet);
   options.progress = [&](const workflow::Progress& progress) {
     line.show(progress);
@@ -86,7 +87,7 @@ Status run_one(const recipe::Recipe& recipe, const fs::path& folder, const RunAr
   for (const auto& stage : outcome.stages) fmt::print("{:<12} {}\n", stage.name, stage.outcome);
   for (const auto& field : outcome.fields) fmt::print("{:<12} {}\n", field.name, field.outcome);
   const auto page = folder / "report.html";
-  report::write_page(page, {.stages = outcome.stages, .fields = outcome.fields, .measured = outcome.measured});
+  report::write_page(page, {.stages = outcome.stages, .fields = outcome.fields, .measured = &outcome.measured});
   status.finish();
   fmt::print("\nresults: {0}\npage:    {1}   (open it in a browser)\nnumbers: arenite show {0}\n", folder.string(), page.string());
   return outcome.converged ? done : not_converged;

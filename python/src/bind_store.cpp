@@ -193,7 +193,7 @@ void bind_store(py::module_& m) {
         Call call;
         call.without_lock([&] {
           const auto& stages = result.run.stages.empty() ? result.companion : result.run.stages;
-          report::write_page(file, {result.title, stages, result.run.fields, result.films, result.run.measured});
+          report::write_page(file, {result.title, stages, result.run.fields, result.films, &result.run.measured});
           return 0;
         });
       },

@@ -80,12 +80,10 @@ Numbers components_of(const FieldResult& result, const Thinning& kept, NumberBlo
 }
 
 /// Nodes, centres and mean stresses of all grains; no stresses without a field.
-Numbers grains_of(const FieldResult& result, NumberBlock& block) {
-  const stress::StressOptions usual;
-  const stress::GrainStresses g = stress::measure_grains(result.map, result.field, usual.clamp_rows, usual.blocks);
+Numbers grains_of(const stress::GrainStresses& g, bool loaded, NumberBlock& block) {
   const auto column = [&](const auto& rows, auto member, const char* unit) { return block.add_reals(mapped(rows, member), unit); };
   Numbers out{{"nodes", block.add_indices(g.nodes)}, {"x", column(g.centre, &Vec2::x, "m")}, {"y", column(g.centre, &Vec2::y, "m")}};
-  if (result.field.size() > 0)
+  if (loaded)
     out.update({{"xx", column(g.stress, &Tensor2::xx, "Pa")}, {"yy", column(g.stress, &Tensor2::yy, "Pa")}, {"xy", column(g.stress, &Tensor2::xy, "Pa")}});
   return out;
 }
@@ -101,7 +99,7 @@ Numbers cracks_of(const std::vector<Crack>& cracks, NumberBlock& block) {
 /// Those that the stored statistics of stress were measured with, for all components.
 stress::StressOptions options_of(const FieldResult& field) {
   stress::StressOptions options;
-  options.components = {stress::Component::yy, stress::Component::xx, stress::Component::xy, stress::Component::hydrostatic};
+  options.components.assign(std::begin(stress::all_components), std::end(stress::all_components));
   const Numbers* said = field.numbers.at_path("/stress/options");
   if (!said) return options;
   options.clamp_rows = said->value("clamp_rows", options.clamp_rows);
@@ -112,27 +110,31 @@ stress::StressOptions options_of(const FieldResult& field) {
   return options;
 }
 
-/// The densities that the page draws; empty where there is nothing to measure.
-Numbers statistics_of(const FieldResult& result) {
-  if (result.field.size() == 0) return Numbers::tree();
+/// The densities that the page draws, and grains; of densities only notes where there is nothing to measure.
+std::pair<Numbers, stress::GrainStresses> measured(const FieldResult& result) {
+  const stress::StressOptions options = options_of(result);
+  Numbers notes = Numbers::tree();
   try {
-    return shortened(stress::numbers(stress::measure(result.map, result.field, options_of(result)), true));
-  } catch (const InputError& error) {
-    return {{"notes", {error.what()}}};  // a sample without any stress has a page too
-  }
+    if (result.field.size() > 0) {
+      auto statistics = stress::measure(result.map, result.field, options);
+      return {stress::numbers(statistics, true), std::move(statistics.grains)};
+    }
+  } catch (const InputError& error) { notes["notes"] = Numbers::list({error.what()}); }  // a sample without any stress has a page too
+  return {std::move(notes), stress::measure_grains(result.map, result.field, options.clamp_rows, options.blocks)};
 }
 
-Numbers field_of(const FieldResult& r, std::size_t map, const Thinning& kept, NumberBlock& block) {
+Numbers field_of(const FieldResult& r, const stress::Statistics* known, std::size_t map, const Thinning& kept, NumberBlock& block) {
+  const auto [densities, grains] = known ? std::pair(stress::numbers(*known, true), known->grains) : measured(r);
   Numbers out{{"name", r.name},
               {"converged", r.converged},
               {"outcome", r.outcome},
               {"provenance", provenance_of(r.provenance)},
               {"map", map},
               {"components", components_of(r, kept, block)},
-              {"grains", grains_of(r, block)},
+              {"grains", grains_of(grains, r.field.size() > 0, block)},
               {"convergence", history_of(r.convergence, block)},
               {"curve", history_of(r.curve, block)},
-              {"statistics", statistics_of(r)}};
+              {"statistics", shortened(densities)}};
   add_numbers(out, r.numbers);
   out["statistics"].erase("grains");
   if (!r.cracks.empty()) out["cracks"] = cracks_of(r.cracks, block);
@@ -151,10 +153,11 @@ Thinning::Thinning(const PhaseMap& map, std::size_t most) {
     for (int x = 0; x < width; ++x) node.push_back(map.index(std::min(map.width - 1, first + x * stride), std::min(map.height - 1, first + y * stride)));
 }
 
-void add_fields(Numbers& document, std::span<const FieldResult> fields, NumberBlock& block) {
+void add_fields(Numbers& document, const PageData& data, NumberBlock& block) {
   std::vector<const PhaseMap*> known;
   Numbers maps = Numbers::list(), list = Numbers::list();
-  for (const FieldResult& result : fields) {
+  for (std::size_t f = 0; f < data.fields.size(); ++f) {
+    const FieldResult& result = data.fields[f];
     const PhaseMap& map = result.map;
     const Thinning kept(map);
     const auto at = std::find_if(known.begin(), known.end(), [&](const PhaseMap* other) { return same_map(*other, map); });
@@ -163,7 +166,7 @@ void add_fields(Numbers& document, std::span<const FieldResult> fields, NumberBl
       known.push_back(&map);
       maps.push_back(map_of(map, shortened(result.numbers), kept, block));
     }
-    list.push_back(field_of(result, place, kept, block));
+    list.push_back(field_of(result, known_of(data.measured, &workflow::KnownStatistics::fields, f), place, kept, block));
   }
   document["maps"] = std::move(maps);
   document["fields"] = std::move(list);

@@ -137,33 +137,8 @@ Numbers stresses_of(const workflow::FilmStresses& stresses, NumberBlock& block) 
   return all;
 }
 
-/// What relates the simulation's peak-to-peak stress and state to the film's.
-Numbers agreement_of(const Packing& packing, const workflow::FilmStresses& stresses) {
-  Numbers all = Numbers::tree();
-  if (stresses.sources.empty() || stresses.sources[0].source != "film") return all;
-  for (std::size_t k = 1; k < stresses.sources.size(); ++k)
-    for (const workflow::StressRelation& a : workflow::stress_relations(packing, stresses.sources[0], stresses.sources[k])) {
-      Numbers& to = all[stresses.sources[k].source][a.set];
-      to = {{"count", a.relation.count}};
-      statistics::put(to, "correlation", a.relation.pearson, "", "Pearson's correlation of the grains' stresses");
-      statistics::put(to, "slope", statistics::Estimate{a.relation.line.slope, a.relation.line.slope_error}, "", "Film against simulation");
-      statistics::put(to, "rms_Pa", a.rms, "Pa", "Root mean square difference of the stresses");
-      statistics::put(to, "rms_norm", a.rms_norm, "", "The same of stresses over their mean");
-    }
-  return all;
-}
-
-/// The result's own, with the statistics of what the page compares: "stresses" by their source, and the "agreement" of each with the film.
-void add_all_numbers(Numbers& out, const FilmResult& r, const workflow::FilmStresses& stresses) {
-  Numbers numbers = r.numbers;
-  for (const workflow::GrainStresses& s : stresses.sources) numbers["stresses"][s.source] = s.statistics;
-  numbers["agreement"] = agreement_of(r.packing, stresses);
-  add_numbers(out, numbers);
-  for (auto&& [name, meaning] : out["meanings"].items()) meaning[0] = unit_in(r.film, meaning[0].get<std::string>());
-}
-
-Numbers one_film(const FilmResult& r, NumberBlock& block) {
-  const workflow::FilmStresses stresses = workflow::film_stresses(r, {});
+Numbers one_film(const FilmResult& r, const texture::Texture* texture, NumberBlock& block) {
+  const workflow::FilmStresses stresses = texture ? workflow::film_stresses(r, texture->per_grain.considered) : workflow::FilmStresses{};
   std::vector<std::uint32_t> bad;
   for (std::size_t k = 0; k < r.bad.size(); ++k)
     if (r.bad[k]) bad.push_back(static_cast<std::uint32_t>(k));
@@ -181,16 +156,15 @@ Numbers one_film(const FilmResult& r, NumberBlock& block) {
               {"contacts", contacts_of(r, block)},
               {"frame", frame_of(r)},
               {"stresses", stresses_of(stresses, block)}};
-  add_all_numbers(out, r, stresses);
+  add_numbers(out, r.numbers);
+  for (auto&& [name, meaning] : out["meanings"].items()) meaning[0] = unit_in(r.film, meaning[0].get<std::string>());
   return out;
 }
 
 }  // namespace
 
-void add_films(Numbers& document, std::span<const FilmResult> films, NumberBlock& block) {
-  Numbers list = Numbers::list();
-  for (const FilmResult& film : films) list.push_back(one_film(film, block));
-  document["films"] = std::move(list);
+void add_film(Numbers& document, const FilmResult& film, const texture::Texture* texture, NumberBlock& block) {
+  document["films"].push_back(one_film(film, texture, block));
 }
 
 }  // namespace arenite::report

@@ -61,8 +61,7 @@ Numbers film_summary(FilmSource& source, std::size_t most_frames) {
 }
 
 std::string film_text(const FilmResult& r) {
-  return r.outcome + "\n" + to_text(r.numbers, {"texture sectors"}) +
-         rows_of(r.numbers, "texture.sigma_norm.mean_Pa texture.sigma_norm.P0 texture.sigma_norm.beta");
+  return r.outcome + "\n" + to_text(r.numbers, {"texture stresses sectors"}) + rows_of(r.numbers, "stresses.*.mean_Pa stresses.*.P0 stresses.*.beta");
 }
 
 Numbers film_numbers(const FilmResult& r) {

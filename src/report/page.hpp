@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "grains/texture/texture.hpp"
 #include "model/film_result.hpp"
+#include "workflow/run.hpp"
 
 namespace arenite::report {
 
@@ -17,7 +17,7 @@ struct PageData {
   std::span<const StageResult> stages{};
   std::span<const FieldResult> fields{};
   std::span<const FilmResult> films{};
-  std::span<const std::optional<texture::Texture>> measured{};  ///< of the last state of each stage, where it is known already (workflow::RunOutcome)
+  const workflow::KnownStatistics* measured = nullptr;  ///< what the run measured of these already; unset: nothing
 };
 
 /// Title of the recipe that a result was made by; of a recipe without one the name of the film, and of a loaded phase map "tension of map.png".

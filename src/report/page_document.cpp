@@ -120,16 +120,33 @@ struct ShownStage {
   const texture::Texture* last = nullptr;
 };
 
-/// Films with grains as stages, which are put into `measured`, and then the stages.
-std::vector<ShownStage> stages_of(const PageData& data, std::deque<StageResult>& measured) {
-  std::vector<ShownStage> shown;
-  for (const FilmResult& film : data.films)
-    if (film.packing.grains.size() > 0)
-      shown.push_back({&measured.emplace_back(workflow::measured_stage(film)), {.grain_sigma_hyd = film.peak_to_peak.sigma_hyd}});
-  for (std::size_t s = 0; s < data.stages.size(); ++s) {
-    const bool is_known = s < data.measured.size() && data.measured[s];
-    shown.push_back({&data.stages[s], workflow::texture_options(data.stages[s].provenance), is_known ? &*data.measured[s] : nullptr});
+/// A film with grains as a stage, and their texture.
+struct ShownFilm {
+  StageResult stage;
+  std::optional<texture::Texture> now;  ///< where the run does not know it
+  const texture::Texture* texture;
+};
+
+/// One a film; nothing for a film without grains.
+std::deque<std::optional<ShownFilm>> films_of(const PageData& data) {
+  std::deque<std::optional<ShownFilm>> shown;
+  for (std::size_t f = 0; f < data.films.size(); ++f) {
+    const FilmResult& film = data.films[f];
+    auto& one = shown.emplace_back();
+    if (film.packing.grains.size() == 0) continue;
+    one = ShownFilm{workflow::measured_stage(film), {}, known_of(data.measured, &workflow::KnownStatistics::films, f)};
+    if (!one->texture) one->texture = &one->now.emplace(workflow::texture_of(film));
   }
+  return shown;
+}
+
+/// Films with grains, and then the stages.
+std::vector<ShownStage> stages_of(const PageData& data, const std::deque<std::optional<ShownFilm>>& films) {
+  std::vector<ShownStage> shown;
+  for (const auto& film : films)
+    if (film) shown.push_back({&film->stage, {}, film->texture});
+  for (std::size_t s = 0; s < data.stages.size(); ++s)
+    shown.push_back({&data.stages[s], workflow::texture_options(data.stages[s].provenance), known_of(data.measured, &workflow::KnownStatistics::stages, s)});
   return shown;
 }
 
@@ -214,8 +231,8 @@ PageDocument page_document(const PageData& data) {
   NumberBlock block;
   Numbers document{{"title", data.title}};
   Numbers stages = Numbers::list(), frames = Numbers::list();
-  std::deque<StageResult> measured;  // stays in place while the stages point at it
-  const auto shown = stages_of(data, measured);
+  const auto films = films_of(data);  // stay in place while the stages point at them
+  const auto shown = stages_of(data, films);
   const Frame* last = last_frame(shown);
   if (last) {
     document["materials"] = materials_of(last->packing.materials);
@@ -230,8 +247,8 @@ PageDocument page_document(const PageData& data) {
     if (Numbers sizes = size_curves_of(last->packing, shown.back().result->provenance.recipe, block); sizes.is_known()) document["sizes"] = std::move(sizes);
   document["stages"] = std::move(stages);
   document["frames"] = std::move(frames);
-  if (!data.fields.empty()) add_fields(document, data.fields, block);
-  if (!data.films.empty()) add_films(document, data.films, block);
+  if (!data.fields.empty()) add_fields(document, data, block);
+  for (std::size_t f = 0; f < films.size(); ++f) add_film(document, data.films[f], films[f] ? films[f]->texture : nullptr, block);
   return {to_json(document), block.text()};
 }
 

@@ -60,13 +60,19 @@ struct Thinning {
   }
 };
 
-/// Adds "maps" (every phase map once) and "fields" (one a result) to the page's document. Densities of stresses are measured as those in the result's
-/// numbers were; all components are shown, whichever these name.
-void add_fields(Numbers& document, std::span<const FieldResult> fields, NumberBlock& block);
+/// What a run measured of the part at this place of a list of results; nothing where it did not.
+template <class Part>
+const Part* known_of(const workflow::KnownStatistics* measured, std::vector<std::optional<Part>> workflow::KnownStatistics::*parts, std::size_t at) {
+  return measured && at < (measured->*parts).size() && (measured->*parts)[at] ? &*(measured->*parts)[at] : nullptr;
+}
 
-/// Adds "films" (one a result) to the page's document: maps, grains in pixels, contacts and, where there are any, the
-/// statistics of grain stresses and what relates them to the companion simulation's.
-void add_films(Numbers& document, std::span<const FilmResult> films, NumberBlock& block);
+/// Adds "maps" (every phase map once) and "fields" (one a result) to the page's document. Densities of stresses that are not known are measured as those
+/// in the result's numbers were; all components are shown, whichever these name.
+void add_fields(Numbers& document, const PageData& data, NumberBlock& block);
+
+/// Adds a film to "films" of the page's document: maps, grains in pixels, contacts and, where there are any, the stresses of grains beside those of the
+/// companion simulation. `texture` is the film's (workflow::texture_of), if it has grains.
+void add_film(Numbers& document, const FilmResult& film, const texture::Texture* texture, NumberBlock& block);
 
 // What the page shows of a packing beside its grains and contacts.
 

@@ -65,6 +65,13 @@ std::vector<Crack> cracks_of(const std::vector<peridynamics::BrokenBond>& broken
   return cracks;
 }
 
+/// As a file holds it, in single precision, so that statistics are the same before and after.
+StressField as_stored(StressField field) {
+  for (auto* values : {&field.ux, &field.uy, &field.xx, &field.yy, &field.xy})
+    for (double& value : *values) value = static_cast<double>(static_cast<float>(value));
+  return field;
+}
+
 /// Stresses of the grains of the map from the contact forces of the packing, in the order of the labels; empty without.
 std::vector<Tensor2> contact_stresses(const FieldResult& result) {
   if (result.packing.contacts.size() == 0 || !(result.packing.domain.thickness > 0)) return {};
@@ -73,17 +80,20 @@ std::vector<Tensor2> contact_stresses(const FieldResult& result) {
   return sigma;
 }
 
-void measure_stress(const recipe::Load& load, FieldResult& result) {
+void measure_stress(const recipe::Load& load, FieldResult& result, std::optional<stress::Statistics>* measured) {
   if (result.field.size() == 0) return;
   stress::StressOptions options = load.statistics;
   if (load.loading == peridynamics::Loading::shear) options.components = {stress::Component::xy};
+  const auto own = options.components;
+  if (measured) options.components.assign(std::begin(stress::all_components), std::end(stress::all_components));
   try {
-    const auto statistics = stress::measure(result.map, result.field, options);
-    result.numbers["stress"] = stress::numbers(statistics);
+    auto statistics = stress::measure(result.map, result.field, options);
+    result.numbers["stress"] = stress::numbers(statistics, false, own);
     const auto contacts = contact_stresses(result);
     if (contacts.size() == result.map.grain_class.size() && load.loading != peridynamics::Loading::shear)
       if (Numbers agreement = stress::compare(result.map, statistics.grains, contacts); !agreement.empty())
         result.numbers["grain_stress_against_contacts"] = std::move(agreement);
+    if (measured) *measured = std::move(statistics);
   } catch (const InputError& error) { result.numbers["notes"].push_back(fmt::format("no statistics of stress: {}", error.what())); }
 }
 
@@ -104,19 +114,19 @@ std::optional<FieldResult> load_until_failure(const recipe::Load& load, FieldRes
   result.curve = curve_of(tested.curve);
   result.cracks = cracks_of(tested.broken, result.map.dx);
   add_failure(result.numbers, load, tested);
-  result.field = std::move(tested.at_strength);
+  result.field = as_stored(std::move(tested.at_strength));
   return result;
 }
 
 }  // namespace
 
 std::optional<FieldResult> apply_load(const recipe::Load& load, const FieldResult& sample, const peridynamics::Watch& watch,
-                                      const FailureCheckpoint& checkpoint) {
+                                      const FailureCheckpoint& checkpoint, std::optional<stress::Statistics>* measured) {
   FieldResult result = upright(sample, load.axis);
   result.name = load.name;
   if (load.failure) {
     auto tested = load_until_failure(load, std::move(result), watch, checkpoint);
-    if (tested) measure_stress(load, *tested);
+    if (tested) measure_stress(load, *tested, measured);
     return tested;
   }
   auto options = common_options<peridynamics::LoadOptions>(load, watch);
@@ -138,8 +148,8 @@ std::optional<FieldResult> apply_load(const recipe::Load& load, const FieldResul
     }
   }
   add_load(result.numbers, load, loaded.report, moduli);
-  result.field = std::move(loaded.field);
-  measure_stress(load, result);
+  result.field = as_stored(std::move(loaded.field));
+  measure_stress(load, result, measured);
   return result;
 }
 
@@ -194,14 +204,15 @@ MapOutcome load_map(const MapSource& source, const recipe::Load& load, const Run
   const bool is_stored = !options.out.empty();
   const PlannedStage stage = planned_stage(1, load.name, load_key(load, map_key(source)), true);
   Progress progress{1, 1, load.name, 0, 0, 0, false, true};
+  MapOutcome outcome;
+  auto* measured = options.page_follows ? &outcome.measured.fields.emplace_back() : nullptr;
   const auto make = [&](const fs::path& checkpoint) {
     const FieldResult sample = read_sample(source, options);
     auto result = apply_load(load, sample, watch_of(progress, options),
-                             load.failure && is_stored ? failure_checkpoint(checkpoint, stage.hash, options) : FailureCheckpoint{});
+                             load.failure && is_stored ? failure_checkpoint(checkpoint, stage.hash, options) : FailureCheckpoint{}, measured);
     if (result) result->provenance = {version, load.name, stage.hash, "", 0, "", {{"map", source.file.filename().string()}, {"options", source.asked}}};
     return result;
   };
-  MapOutcome outcome;
   if (is_stored) {
     outcome.file = options.out / stage.file;
     outcome.field = carry_out<FieldResult>({stage, outcome.file, make, io::write_field, io::read_field}, options, progress.reused);

@@ -59,9 +59,10 @@ struct FailureCheckpoint {
   std::optional<peridynamics::FailureState> resume{};
 };
 
-/// Loads a cemented sample. An unfinished field has `converged` false and says why; nothing if the watch stopped it.
+/// Loads a cemented sample. An unfinished field has `converged` false and says why; nothing if the watch stopped it. The numbers have the statistics of
+/// the load's own component of stress; those of all are in `measured`, if that is given.
 std::optional<FieldResult> apply_load(const recipe::Load& load, const FieldResult& sample, const peridynamics::Watch& watch,
-                                      const FailureCheckpoint& checkpoint = {});
+                                      const FailureCheckpoint& checkpoint = {}, std::optional<stress::Statistics>* measured = nullptr);
 
 /// A sample for apply_load from anybody's phase map: its phases, pores and voids as numbers, their volumes over the mean
 /// area of a grain. Throws InputError unless the map is sound.
@@ -79,6 +80,7 @@ struct MapSource {
 struct MapOutcome {
   std::optional<FieldResult> field;  ///< nothing if it was stopped
   std::filesystem::path file;        ///< empty where nothing is stored
+  KnownStatistics measured;
 };
 
 /// Loads such a map as apply_load does a cemented sample. The field is one file in `options.out`, taken from there if it was computed before; without

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/error.hpp"
 #include "core/median.hpp"
 
 namespace arenite::workflow {
@@ -16,17 +15,16 @@ using statistics::put;
 
 /// Adds the contact orientations of one source under its name, where it has contacts.
 void add_orientations(Numbers& out, const char* source, const texture::Texture& texture) {
-  const Numbers measured = texture::numbers(texture, true);
-  if (!measured.contains("fabric") || measured["fabric"].value("contacts", 0) == 0) return;
+  const Numbers fabric = texture.numbers.value("fabric", Numbers::tree());
+  if (fabric.value("contacts", 0) == 0) return;
   for (const char* key : {"contacts", "a_c", "theta_c_deg", "a_c_noise", "sectors"})
-    if (measured["fabric"].contains(key)) out[source][key] = measured["fabric"][key];
+    if (fabric.contains(key)) out[source][key] = fabric[key];
 }
 
-Numbers orientations_of(const FilmResult& film, const texture::Texture& texture, const Packing* simulation) {
+Numbers orientations_of(const texture::Texture& film, const texture::Texture* simulation) {
   Numbers out = Numbers::tree();
-  if (film.packing.contacts.size() == 0) return out;
-  add_orientations(out, "film", texture);
-  if (simulation) add_orientations(out, "simulation", texture::measure(*simulation, {.rev_sizes = 0}));
+  add_orientations(out, "film", film);
+  if (simulation && !out.empty()) add_orientations(out, "simulation", *simulation);
   return out;
 }
 
@@ -55,7 +53,7 @@ Numbers lockin_of(const FilmResult& r) {
 Numbers grains_of(const FilmResult& r) {
   Numbers j{{"all", described(r.packing.grains.size(), "", "Grains that were found")}};
   for (std::size_t m = 0; m < r.packing.materials.size(); ++m)
-    j[r.packing.materials[m].name] = std::count(r.packing.grains.material.begin(), r.packing.grains.material.end(), static_cast<std::int32_t>(m));
+    j[r.packing.materials[m].name] = described(std::ranges::count(r.packing.grains.material, static_cast<std::int32_t>(m)), "", "Grains of this material");
   if (!r.grains.position_error.empty())
     put(j, "position_error_pixels", median(r.grains.position_error, statistics::unknown), "pixels", "Median standard error of a grain's position");
   return j;
@@ -119,141 +117,39 @@ Numbers checks_of(const FilmResult& r) {
   return j;
 }
 
-Numbers agreement_of(const FilmResult& r, const std::vector<double>& simulation, const std::vector<std::uint8_t>& considered) {
-  Numbers j = Numbers::tree();
-  const auto add = [&](const std::string& name, const std::vector<std::uint8_t>& counts) {
-    const Agreement a = agreement(r.peak_to_peak.sigma_hyd, simulation, counts);
-    if (a.grains < 3) return;
-    j[name] = {{"grains", described(a.grains, "", "Grains that are compared")},
-               {"correlation", described(a.correlation, "", "Pearson's correlation of the grains' stresses, film and simulation")},
-               {"rms_sigma_norm", described(a.rms_sigma_norm, "", "Root mean square difference of the stresses, each over its mean")},
-               {"slope", described(a.slope, "", "Slope of film on simulation, through the origin")}};
-  };
-  add("all", considered);
-  for (std::size_t m = 0; m < r.packing.materials.size(); ++m) {
-    auto counts = considered;
-    for (std::size_t i = 0; i < counts.size(); ++i) counts[i] = counts[i] && r.packing.grains.material[i] == static_cast<std::int32_t>(m);
-    add(r.packing.materials[m].name, counts);
-  }
-  return j;
+bool knows_as_many(const std::vector<double>& a, const std::vector<double>& b) {
+  const auto known = [](double stress) { return std::isfinite(stress); };
+  return std::ranges::count_if(a, known) == std::ranges::count_if(b, known);
 }
 
-/// Grains with a finite stress in every source.
-std::vector<std::int32_t> known_in_all(const std::vector<GrainStresses>& sources, std::size_t grains) {
-  std::vector<std::int32_t> known;
-  for (std::size_t g = 0; g < grains; ++g)
-    if (std::all_of(sources.begin(), sources.end(), [&](const GrainStresses& s) { return std::isfinite(s.sigma_hyd[g]); }))
-      known.push_back(static_cast<std::int32_t>(g));
-  return known;
+/// Of the film itself they are in its texture already, where no other source knows fewer grains.
+Numbers statistics_of(const GrainStresses& source, const FilmResult& r, const texture::Texture& texture) {
+  if (source.source == "film" && knows_as_many(source.sigma_hyd, r.peak_to_peak.sigma_hyd)) return texture.numbers.value("sigma_norm", Numbers::tree());
+  return texture::stress_distribution(r.packing, source.sigma_hyd);
 }
 
-texture::Texture measured(const Packing& packing, texture::Options options) {
-  options.rev_sizes = options.rev_places = 1;  // the packing's own tab shows these
-  auto texture = texture::measure(packing, options);
-  if (texture.considered_grains > 0 || options.border == 0) return texture;
-  options.border = 0;
-  return texture::measure(packing, options);
-}
-
-/// Fills in what follows from sigma_hyd of the known grains, and which of them count.
-void normalise(GrainStresses& source, const Packing& packing, const std::vector<std::int32_t>& known, texture::Options options,
-               std::vector<std::uint8_t>& considered) {
-  options.grain_sigma_hyd.clear();
-  for (const std::int32_t g : known) options.grain_sigma_hyd.push_back(source.sigma_hyd[g]);
-  source.sigma_hyd.assign(source.sigma_hyd.size(), statistics::unknown);
-  source.sigma_norm = source.sigma_hyd;
-  source.statistics = Numbers::tree();
-  if (known.empty()) return;
-  const texture::Texture texture = measured(packing, options);
-  double sum = 0;
-  std::size_t count = 0;
-  for (std::size_t k = 0; k < known.size(); ++k) {
-    const auto g = static_cast<std::size_t>(known[k]);
-    source.sigma_hyd[g] = options.grain_sigma_hyd[k];
-    source.sigma_norm[g] = texture.per_grain.sigma_norm[k];
-    considered[g] = texture.per_grain.considered[k];
-    if (considered[g]) sum += source.sigma_hyd[g], ++count;
-  }
-  if (count > 0) source.mean = sum / static_cast<double>(count);
-  const Numbers numbers = texture::numbers(texture, true);
-  if (numbers.contains("sigma_norm")) source.statistics = numbers["sigma_norm"];
+/// "stresses" by their source, and how the film's agree with those of the companion simulation.
+void add_stresses(Numbers& j, const FilmResult& r, const texture::Texture& texture) {
+  const FilmStresses stresses = film_stresses(r, texture.per_grain.considered);
+  for (const GrainStresses& s : stresses.sources) j["stresses"][s.source] = statistics_of(s, r, texture);
+  if (stresses.sources.empty() || stresses.sources[0].source != "film") return;
+  for (std::size_t k = 1; k < stresses.sources.size(); ++k)
+    if (Numbers agreement = agreement_of(r.packing, stresses, stresses.sources[k]); !agreement.empty())
+      j["agreement"][stresses.sources[k].source] = std::move(agreement);
 }
 
 }  // namespace
 
-texture::Texture texture_of(const FilmResult& film) { return texture::measure(film.packing, {.rev_sizes = 0, .grain_sigma_hyd = film.peak_to_peak.sigma_hyd}); }
+texture::Texture texture_of(const FilmResult& film) { return texture::measure(film.packing, {.grain_sigma_hyd = film.peak_to_peak.sigma_hyd}); }
 
-Numbers film_orientations(const FilmResult& film, const Packing* simulation) { return orientations_of(film, texture_of(film), simulation); }
-
-Agreement agreement(const std::vector<double>& one, const std::vector<double>& other, const std::vector<std::uint8_t>& counts) {
-  std::vector<double> a, b;
-  for (std::size_t i = 0; i < one.size(); ++i) {
-    if (!counts[i] || !std::isfinite(one[i]) || !std::isfinite(other[i])) continue;
-    a.push_back(one[i]);
-    b.push_back(other[i]);
-  }
-  if (a.size() < 2) return {a.size()};
-  double mean_a = 0, mean_b = 0, ab = 0, bb = 0, square = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    mean_a += a[i] / static_cast<double>(a.size());
-    mean_b += b[i] / static_cast<double>(a.size());
-    ab += a[i] * b[i];
-    bb += b[i] * b[i];
-  }
-  for (std::size_t i = 0; i < a.size(); ++i) square += std::pow(a[i] / mean_a - b[i] / mean_b, 2);
-  return {a.size(), statistics::pearson(a, b), std::sqrt(square / static_cast<double>(a.size())), ab / bb};
-}
-
-Numbers film_numbers(const FilmResult& r, const Packing* simulation) {
+Numbers film_numbers(const FilmResult& r, const texture::Texture& texture, const texture::Texture* simulation) {
   Numbers j{{"film", film_of(r)}, {"lockin", lockin_of(r)}, {"grains", grains_of(r)}, {"motion", motion_of(r)}, {"forces", forces_of(r)}};
   if (r.fit.proposed > 0) j["checks"] = checks_of(r);
-  if (r.packing.contacts.size() == 0 && r.peak_to_peak.size() == 0) return j;
-  const texture::Texture texture = texture_of(r);
-  if (auto orientations = orientations_of(r, texture, simulation); !orientations.empty()) j["contact_orientations"] = std::move(orientations);
+  if (auto orientations = orientations_of(texture, simulation); !orientations.empty()) j["contact_orientations"] = std::move(orientations);
   if (r.peak_to_peak.size() == 0) return j;
   j["texture"] = texture::numbers(texture);
-  if (!r.simulation.empty())
-    j["simulation"] = {{"peak_to_peak", agreement_of(r, r.simulation.peak_to_peak, texture.per_grain.considered)},
-                       {"state", agreement_of(r, r.simulation.state, texture.per_grain.considered)}};
+  add_stresses(j, r, texture);
   return j;
-}
-
-FilmStresses film_stresses(const FilmResult& result, const texture::Options& options) {
-  FilmStresses out;
-  const std::size_t grains = result.packing.grains.size();
-  const auto add = [&](const char* name, const std::vector<double>& values) {
-    if (grains > 0 && values.size() == grains) out.sources.push_back({name, values, {}, statistics::unknown, {}});
-  };
-  add("film", result.peak_to_peak.sigma_hyd);
-  add("simulation_peak_to_peak", result.simulation.peak_to_peak);
-  add("simulation_state", result.simulation.state);
-  if (out.sources.empty()) return out;
-  const auto known = known_in_all(out.sources, grains);
-  const Packing packing{result.packing.materials, result.packing.domain, picked(result.packing.grains, known), {}, {}, {}};  // without contacts and bonds
-  out.considered.assign(grains, 0);
-  for (GrainStresses& source : out.sources) normalise(source, packing, known, options, out.considered);
-  return out;
-}
-
-std::vector<StressRelation> stress_relations(const Packing& packing, const GrainStresses& film, const GrainStresses& simulation) {
-  std::vector<StressRelation> all;
-  const auto add = [&](const std::string& name, int material) {
-    std::vector<double> x, y;
-    double squares = 0, squares_norm = 0;
-    for (std::size_t g = 0; g < film.sigma_hyd.size(); ++g) {
-      if ((material >= 0 && packing.grains.material[g] != material) || !std::isfinite(film.sigma_hyd[g]) || !std::isfinite(simulation.sigma_hyd[g])) continue;
-      x.push_back(simulation.sigma_hyd[g]);
-      y.push_back(film.sigma_hyd[g]);
-      squares += std::pow(film.sigma_hyd[g] - simulation.sigma_hyd[g], 2);
-      squares_norm += std::pow(film.sigma_norm[g] - simulation.sigma_norm[g], 2);
-    }
-    const auto count = static_cast<double>(x.size());
-    if (x.size() >= 3) all.push_back({name, statistics::relate(x, y), std::sqrt(squares / count), std::sqrt(squares_norm / count)});
-  };
-  add("all", -1);
-  if (packing.materials.size() > 1)
-    for (std::size_t m = 0; m < packing.materials.size(); ++m) add(packing.materials[m].name, static_cast<int>(m));
-  return all;
 }
 
 }  // namespace arenite::workflow

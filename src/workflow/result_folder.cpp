@@ -113,14 +113,6 @@ const recipe::Load& load_of(const recipe::Recipe& recipe, const fs::path& run, c
   return *at;
 }
 
-/// What a file would hold: single precision.
-FieldResult as_stored(FieldResult result) {
-  StressField& f = result.field;
-  for (auto* values : {&f.ux, &f.uy, &f.xx, &f.yy, &f.xy})
-    for (double& value : *values) value = static_cast<double>(static_cast<float>(value));
-  return result;
-}
-
 }  // namespace
 
 std::optional<Packing> last_state(const fs::path& result, const std::string& stage) {
@@ -185,7 +177,7 @@ FieldResult field_of(const fs::path& run, const std::string& load) {
   if (auto field = load_named(run, wanted ? wanted->name : "cement")) return std::move(*field);
   FieldResult sample = make_cemented_sample(recipe, final_state(run).packing);
   if (!wanted) return sample;
-  return as_stored(apply_load(*wanted, sample, [](const auto&) { return true; }).value());
+  return apply_load(*wanted, sample, [](const auto&) { return true; }).value();
 }
 
 }  // namespace arenite::workflow

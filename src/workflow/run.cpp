@@ -137,12 +137,13 @@ class Run {
     auto result = carry_out_stage<StageResult>(s, measured, kernel);
     if (!result) return false;
     outcome_.stages.push_back(std::move(*result));
-    outcome_.measured.push_back(std::move(texture));
+    outcome_.measured.stages.push_back(std::move(texture));
     return true;
   }
 
   bool add_field(std::size_t s, const Make<FieldResult>& make) {
     begin(s);
+    outcome_.measured.fields.emplace_back();
     const auto shown = [&](const fs::path& checkpoint) {
       options_.progress(progress_);
       return make(checkpoint);
@@ -211,7 +212,7 @@ class Run {
       ++s;
       const auto make = [&](const fs::path& kept) {
         const auto checkpoint = load.failure ? failure_checkpoint(kept, plan_[s].hash, options_) : FailureCheckpoint{};
-        return apply_load(load, outcome_.fields.front(), watch, checkpoint);
+        return apply_load(load, outcome_.fields.front(), watch, checkpoint, options_.page_follows ? &outcome_.measured.fields.back() : nullptr);
       };
       if (!add_field(s, make)) return;
     }

@@ -11,6 +11,7 @@
 #include "model/packing.hpp"
 #include "model/result.hpp"
 #include "recipe/recipe.hpp"
+#include "solid/stress/stress.hpp"
 
 namespace arenite::workflow {
 
@@ -38,6 +39,14 @@ struct RunOptions {
   std::function<bool()> asked_to_stop = [] { return false; };                  ///< true: checkpoint and leave
   double checkpoint_seconds = 30;                                              ///< between two checkpoints
   const Store* store = nullptr;                                                ///< stages that are there are taken from it, and what is computed is put there
+  bool page_follows = false;                                                   ///< of stresses, what a page alone shows is measured with the rest
+};
+
+/// What a run measured of its results, in their order, for the page to take over; nothing where a result was there already.
+struct KnownStatistics {
+  std::vector<std::optional<texture::Texture>> stages{};    ///< of the last state of each, as texture_options of the recipe asks
+  std::vector<std::optional<stress::Statistics>> fields{};  ///< of all components; only where a page follows
+  std::vector<std::optional<texture::Texture>> films{};     ///< texture_of
 };
 
 struct RunOutcome {
@@ -46,8 +55,7 @@ struct RunOutcome {
   std::vector<std::filesystem::path> files;  ///< one a stage, in order
   std::vector<StageResult> stages;
   std::vector<FieldResult> fields;  ///< the cemented sample and its loads, after the stages
-  /// Texture of the last state of each of `stages`, as texture_options of the recipe asks; nothing where the stage was there already.
-  std::vector<std::optional<texture::Texture>> measured;
+  KnownStatistics measured;
 };
 
 /// Runs a recipe: packing, then its stages one after the other; every stage ends as one file in `options.out`, named by the hash of all that it

@@ -56,23 +56,25 @@ recipe::Recipe companion_recipe(const recipe::FilmRecipe& recipe, const fs::path
   return companion;
 }
 
-/// Stresses of the grains from the ends of the two stages that [simulation] names, and the sample at the largest load; nothing if one is missing.
-FilmSimulation stresses_of(const std::vector<StageResult>& stages, const recipe::SimulationSection& simulation, Packing& loaded) {
-  const StageResult *low = nullptr, *high = nullptr;
-  for (const StageResult& stage : stages) {
-    if (stage.name == simulation.low) low = &stage;
-    if (stage.name == simulation.high) high = &stage;
-  }
-  if (!low || !high) return {};
-  loaded = high->frames.back().packing;
-  FilmSimulation stresses{stress_of_disks(low->frames.back().packing), stress_of_disks(loaded)};
+/// The two stages that [simulation] names, at the smallest and at the largest load, by their places; nothing if one is missing.
+std::optional<std::pair<std::size_t, std::size_t>> compared_stages(const RunOutcome& outcome, const recipe::SimulationSection& simulation) {
+  const auto place = [&](const std::string& name) {
+    return static_cast<std::size_t>(std::ranges::find(outcome.stages, name, &StageResult::name) - outcome.stages.begin());
+  };
+  const std::pair found{place(simulation.low), place(simulation.high)};
+  return std::max(found.first, found.second) < outcome.stages.size() ? std::optional(found) : std::nullopt;
+}
+
+/// What the ends of these two stages give.
+FilmSimulation stresses_of(const Packing& low, const Packing& high) {
+  FilmSimulation stresses{stress_of_disks(low), stress_of_disks(high)};
   std::transform(stresses.state.begin(), stresses.state.end(), stresses.peak_to_peak.begin(), stresses.peak_to_peak.begin(), std::minus());
   return stresses;
 }
 
 /// Simulates the grains that were found in a film, from their places at the smallest load, by the recipe that [simulation] names: its packing is
-/// replaced, its container, laws and stages are kept. False if it was stopped; otherwise `loaded` is the simulated sample at the largest load.
-bool add_companion(const recipe::FilmRecipe& recipe, const FilmRunOptions& options, FilmResult& film, RunOutcome& outcome, Packing& loaded) {
+/// replaced, its container, laws and stages are kept. False if it was stopped.
+bool add_companion(const recipe::FilmRecipe& recipe, const FilmRunOptions& options, FilmResult& film, RunOutcome& outcome) {
   RunOptions companion = options;
   companion.out = options.out / "simulation";
   companion.progress = [&](const Progress& p) {
@@ -88,9 +90,22 @@ bool add_companion(const recipe::FilmRecipe& recipe, const FilmRunOptions& optio
   outcome = run(companion_recipe(recipe, grains), companion);
   if (outcome.interrupted) return false;
   const auto& stages = outcome.stages;
-  film.simulation = stresses_of(stages, *recipe.simulation, loaded);
+  if (const auto ends = compared_stages(outcome, *recipe.simulation))
+    film.simulation = stresses_of(stages[ends->first].frames.back().packing, stages[ends->second].frames.back().packing);
   if (!outcome.converged) options.notice("the companion simulation found no equilibrium: " + (stages.empty() ? std::string() : stages.back().outcome));
   return true;
+}
+
+/// Fills in the film's texture and numbers. That of the companion simulation at the largest load is the run's own, unless its stage was there already.
+void measure_grains(const recipe::FilmRecipe& recipe, FilmOutcome& outcome, FilmResult& film) {
+  const auto& texture = outcome.simulation.measured.films.emplace_back(film.packing.grains.size() > 0 ? texture_of(film) : texture::Texture{});
+  std::optional<texture::Texture> simulation;
+  if (recipe.simulation)
+    if (const auto ends = compared_stages(outcome.simulation, *recipe.simulation)) {
+      simulation = outcome.simulation.measured.stages[ends->second];
+      if (!simulation) simulation = texture::measure(outcome.simulation.stages[ends->second].frames.back().packing, {.rev_sizes = 0});
+    }
+  film.numbers = film_numbers(film, *texture, simulation ? &*simulation : nullptr);
 }
 
 /// What was doubted of a stored film.
@@ -151,9 +166,8 @@ FilmOutcome run_film(const fs::path& film, const recipe::FilmRecipe& recipe, con
   const auto make = [&](const fs::path&) -> std::optional<FilmResult> {
     auto result = measured(film, *source, recipe, options);
     if (!result) return std::nullopt;
-    Packing loaded;
-    if (recipe.simulation && !add_companion(recipe, options, *result, outcome.simulation, loaded)) return std::nullopt;
-    result->numbers = film_numbers(*result, loaded.grains.size() > 0 ? &loaded : nullptr);
+    if (recipe.simulation && !add_companion(recipe, options, *result, outcome.simulation)) return std::nullopt;
+    measure_grains(recipe, outcome, *result);
     result->outcome =
         fmt::format("{} grains and {} contacts at {:.6g} Hz", result->packing.grains.size(), result->packing.contacts.size(), result->maps.frequency);
     result->provenance = {version, "film", stage.hash, to_toml(recipe), recipe.seed, "", {{"film", film.filename().string()}}};
@@ -166,8 +180,7 @@ FilmOutcome run_film(const fs::path& film, const recipe::FilmRecipe& recipe, con
   outcome.result = std::move(*result);
   if (!reused) return outcome;
   for (const auto& doubt : doubts_of(outcome.result)) options.notice(doubt);
-  Packing loaded;
-  outcome.interrupted = recipe.simulation && !add_companion(recipe, options, outcome.result, outcome.simulation, loaded);
+  outcome.interrupted = recipe.simulation && !add_companion(recipe, options, outcome.result, outcome.simulation);
   return outcome;
 }
 

@@ -22,7 +22,7 @@ struct FilmOutcome {
   bool interrupted = false;
   std::filesystem::path file;
   FilmResult result;
-  RunOutcome simulation;  ///< the companion simulation
+  RunOutcome simulation;  ///< the companion simulation; what was measured of the film is with what was of its stages
 };
 
 /// A film's grains and the forces that were inferred, as a stage of one state, which pages and files take like simulated ones.
@@ -37,55 +37,42 @@ FilmOutcome run_film(const std::filesystem::path& film, const recipe::FilmRecipe
 /// rim carries them, which is what pixels show. (A stress by branch vectors has arms shortened by the overlaps.)
 std::vector<double> stress_of_disks(const Packing& packing);
 
-/// Texture of a film's grains and contacts, with the stresses that the film gives; without the REV study.
+/// Texture of a film's grains and contacts, with the stresses that the film gives.
 texture::Texture texture_of(const FilmResult& film);
 
-/// Statistics of what a film gave, as `arenite film --json` prints them: frequency, noise, grains by material, motion,
-/// sigma_norm (by the code that measures simulated packings), contact forces, contact orientations, and the comparison
-/// with the companion simulation, of whose state at the largest load the contacts count.
-Numbers film_numbers(const FilmResult& result, const Packing* simulation = nullptr);
+/// Statistics of what a film gave, as `arenite film --json` prints them: frequency, noise, grains by material, motion, sigma_norm (by the code that
+/// measures simulated packings), contact forces, contact orientations, stresses of grains by source, and how they agree. `texture` is the film's
+/// (texture_of), `simulation` that of the companion simulation at the largest load.
+Numbers film_numbers(const FilmResult& result, const texture::Texture& texture, const texture::Texture* simulation = nullptr);
 
-/// How two stresses of the same grains agree: correlation, root mean square difference of sigma_norm (each over the mean of
-/// its own), slope through the origin.
-struct Agreement {
-  std::size_t grains = 0;
-  double correlation = 0, rms_sigma_norm = 0, slope = 0;
-};
-/// Grains where `counts` is 0 are left out.
-Agreement agreement(const std::vector<double>& one, const std::vector<double>& other, const std::vector<std::uint8_t>& counts);
-
-/// Directions of the contacts that a film shows and, where it is given, of those of its companion simulation: "film" and "simulation", each with "contacts",
-/// "a_c", "theta_c_deg", "a_c_noise" and the numbers in "sectors" of 10 degrees, over the same window (without the border). Empty without contacts.
-Numbers film_orientations(const FilmResult& film, const Packing* simulation = nullptr);
-
-/// Stress of the grains from one source, Pa, tension positive, over the mean of the grains that count.
+/// Stress of the grains from one source, Pa, tension positive.
 struct GrainStresses {
   std::string source;                 ///< "film", "simulation_peak_to_peak", "simulation_state"
   std::vector<double> sigma_hyd;      ///< one a grain; NaN where it is not known in every source
-  std::vector<double> sigma_norm;     ///< likewise
-  double mean = statistics::unknown;  ///< that sigma_norm is over, Pa
-  Numbers statistics;                 ///< "sigma_norm" as texture::numbers has it; {} where nothing can be measured
+  std::vector<double> sigma_norm;     ///< over `mean`
+  double mean = statistics::unknown;  ///< of the grains that count, Pa
 };
 
-/// The stresses of a film and, where there is one, of its companion simulation, peak to peak and as the state at the largest load. All three are taken over the same grains: those whose stress is
-/// known in each. Grains count as texture has them (without a border where that would leave none).
+/// The stresses of a film and, where there is one, of its companion simulation, peak to peak and as the state at the largest load, over the same
+/// grains: those whose stress is known in each.
 struct FilmStresses {
   std::vector<GrainStresses> sources;
   std::vector<std::uint8_t> considered;  ///< 1 for grains that count; empty without sources
 };
+/// Of these grains those count that `considered` has, as the film's texture says; all of them where it has none.
+FilmStresses film_stresses(const FilmResult& result, const std::vector<std::uint8_t>& considered);
 
-FilmStresses film_stresses(const FilmResult& result, const texture::Options& options);
-
-/// How the film (y) follows its companion simulation (x) over the grains that are known in both.
-struct StressRelation {
-  std::string set;  ///< "all", or a material
-  statistics::Relation relation;
-  double rms = statistics::unknown;       ///< root mean square of the difference, Pa
-  double rms_norm = statistics::unknown;  ///< likewise of sigma_norm
+/// How two stresses of the same grains agree.
+struct Agreement {
+  statistics::Relation relation;                ///< of the film (y) to the simulation (x)
+  double rms = statistics::unknown;             ///< root mean square difference, Pa
+  double rms_sigma_norm = statistics::unknown;  ///< likewise of each over its mean
 };
-
-/// "all" first, then by material where there are several; sets of less than three grains are left out.
-std::vector<StressRelation> stress_relations(const Packing& packing, const GrainStresses& film, const GrainStresses& simulation);
+/// Over grains that are known in both and where `counts` is 1; unknown for fewer than two.
+Agreement agreement(const std::vector<double>& film, const std::vector<double>& simulation, const std::vector<std::uint8_t>& counts);
+/// How the film agrees with one source of the simulation: "all" first, then by material where there are several; sets of fewer than three grains are
+/// left out.
+Numbers agreement_of(const Packing& packing, const FilmStresses& stresses, const GrainStresses& simulation);
 
 struct RenderOptions {
   std::filesystem::path out;

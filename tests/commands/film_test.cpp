@@ -56,10 +56,10 @@ TEST(FilmCommand, GivesBackTheStressesOfTheSimulationThatWasFilmed) {
   EXPECT_GT(away, 20);
   EXPECT_LT(std::sqrt(off_at_high / away), 0.1);
   const auto agreement = workflow::agreement(film.peak_to_peak.sigma_hyd, change, std::vector<std::uint8_t>(42, 1));
-  EXPECT_EQ(agreement.grains, 42u);
-  EXPECT_GT(agreement.correlation, 0.98);
+  EXPECT_EQ(agreement.relation.count, 42u);
+  EXPECT_GT(agreement.relation.pearson.value, 0.98);
   EXPECT_LT(agreement.rms_sigma_norm, 0.05);
-  EXPECT_NEAR(agreement.slope, 1, 0.03);
+  EXPECT_NEAR(agreement.relation.line.slope, 1, 0.03);
 }
 
 /// Stress of the grains of one material from the film over that of the simulation, and how far off each is in its errors.
@@ -156,7 +156,7 @@ TEST(FilmCommand, PutsASimulationOfTheSameGrainsBesideTheFilm) {
       for (std::size_t i = 0; i < loaded.size(); ++i) EXPECT_NEAR(film.simulation.state[i], loaded[i], 1e-9 * std::abs(loaded[i])) << i;
     }
   ASSERT_EQ(film.simulation.state.size(), 42u);
-  EXPECT_GT(workflow::agreement(film.peak_to_peak.sigma_hyd, film.simulation.peak_to_peak, std::vector<std::uint8_t>(42, 1)).correlation, 0.2);
+  EXPECT_GT(workflow::agreement(film.peak_to_peak.sigma_hyd, film.simulation.peak_to_peak, std::vector<std::uint8_t>(42, 1)).relation.pearson.value, 0.2);
   for (const char* what : {"film", "simulation"}) {
     const Json& orientations = j.at("contact_orientations").at(what);  // of the few contacts away from the border
     EXPECT_GT(orientations.at("contacts"), 0) << what;

@@ -32,7 +32,8 @@ struct FilmPageSample {
     draw_maps();
     find_grains();
     infer_forces();
-    film.numbers = workflow::film_numbers(film, &truth_);
+    const texture::Texture truth = texture::measure(truth_);
+    film.numbers = workflow::film_numbers(film, workflow::texture_of(film), &truth);
     data.title = "A film of <two> materials in a frame";
     maps_only.name = "maps";
     maps_only.outcome = "Locked in at the load frequency.";
@@ -47,7 +48,7 @@ struct FilmPageSample {
     stresses_only.packing = film.packing;
     stresses_only.packing.contacts = {};
     stresses_only.peak_to_peak = film.peak_to_peak;
-    for (FilmResult* part : {&maps_only, &stresses_only}) part->numbers = workflow::film_numbers(*part);
+    for (FilmResult* part : {&maps_only, &stresses_only}) part->numbers = workflow::film_numbers(*part, workflow::texture_of(*part));
     data.films = results;
   }
 

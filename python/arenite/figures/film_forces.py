@@ -35,9 +35,9 @@ def draw_against_simulation(axes, film, which="peak_to_peak"):
         axes.errorbar(x[of], y[of], yerr=error[of], fmt=".", color=colour, markersize=2, elinewidth=0.3, alpha=0.7, label=name)
     ends = [min(0, np.nanmin(x), np.nanmin(y)), max(np.nanmax(x), np.nanmax(y))]
     axes.plot(ends, ends, "--", color=soft)
-    agreement = film.numbers.get("simulation", {}).get(which, {}).get("all", {})
+    agreement = film.numbers.get("agreement", {}).get(f"simulation_{which}", {}).get("all", {})
     if "correlation" in agreement:
-        axes.text(0.04, 0.96, f"$r$ = {agreement['correlation']:.3f}", transform=axes.transAxes, va="top")
+        axes.text(0.04, 0.96, f"$r$ = {agreement['correlation']['value']:.3f}", transform=axes.transAxes, va="top")
     axes.set(xlabel=f"{simulation_names[which]}, {sigma_norm}", ylabel=f"film, {sigma_norm}")
     axes.legend(loc="lower right")
 

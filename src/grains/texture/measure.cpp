@@ -80,6 +80,15 @@ Texture measure(const Packing& packing, const Options& options) {
   return texture;
 }
 
+Numbers stress_distribution(const Packing& packing, const std::vector<double>& sigma_hyd) {
+  const Options options{.grain_sigma_hyd = sigma_hyd};
+  const View view(packing, options);
+  Texture texture;
+  grain_stress(view, texture);
+  sigma_norm(view, texture);
+  return texture.numbers.value("sigma_norm", Numbers::tree());
+}
+
 Numbers numbers(const Texture& t, bool curves) {
   Numbers j = t.numbers;
   if (!curves) statistics::erase_curves(j, "sectors sector_force_N threshold pdf pdf_over_all cumulative");

@@ -71,6 +71,9 @@ struct Texture {
 /// is not; what needs them is left out and a note says so. Throws InputError where measured stresses are not one a grain.
 Texture measure(const Packing& packing, const Options& options = {});
 
+/// The statistics of sigma_norm alone, with their curves, of stresses that a laboratory gave, Pa, one a grain, NaN where not known.
+Numbers stress_distribution(const Packing& packing, const std::vector<double>& sigma_hyd);
+
 /// Solid fraction of windows of the box's shape with `area_share` of its area, one for each of so many random places in the whole box (T Fig. 3.6b);
 /// over the box's sides the places are the same for every packing. Empty where the box is not known.
 std::vector<double> window_fractions(const Packing& packing, double area_share, int places, std::uint64_t seed = 1);

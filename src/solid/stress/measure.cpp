@@ -139,8 +139,8 @@ struct BlockSums {
   double n = 0, sum = 0, square = 0, area = 0;
 };
 
-/// Puts the means of the sample; returns what divides its stresses, all and without each block.
-Normaliser normalise(const Selection& selection, const BlockedSample& all, const StressOptions& options, Component component, Numbers& to) {
+/// Puts the means of the sample; returns what divides its stresses, all and without each block. One of them is not zero.
+Normaliser normalise(const Selection& selection, const BlockedSample& all, const StressOptions& options, Numbers& to) {
   std::vector<BlockSums> blocks(static_cast<std::size_t>(selection.blocks));
   for (std::size_t i = 0; i < all.x.size(); ++i) {
     BlockSums& b = blocks[all.block[i]];
@@ -153,7 +153,6 @@ Normaliser normalise(const Selection& selection, const BlockedSample& all, const
     blocks[b].area = selection.block_area[b];
     total = {total.n + blocks[b].n, total.sum + blocks[b].sum, total.square + blocks[b].square, total.area + blocks[b].area};
   }
-  if (!(total.square > 0)) throw InputError(fmt::format("{} is zero in every node, so there is nothing to normalise by; load the sample", name_of(component)));
   Normaliser normaliser;
   normaliser.over_mean = !near_zero(total.sum / total.n, total.square / total.n);
   const auto values = [&](const BlockSums& s) {
@@ -177,12 +176,17 @@ Normaliser normalise(const Selection& selection, const BlockedSample& all, const
   return normaliser;
 }
 
+/// Not known where the component is zero in every node.
 Numbers measure_component(const Selection& selection, const StressField& field, Component component, const StressOptions& options,
                           std::vector<std::string>& notes) {
-  Numbers j = Numbers::tree();
   const std::string stress = name_of(component);
   BlockedSample all = gather(selection, field, component, named_sets[0]);
-  const Normaliser normaliser = normalise(selection, all, options, component, j);
+  if (std::ranges::all_of(all.x, [](double sigma) { return sigma == 0; })) {
+    notes.push_back(fmt::format("{} is zero in every node, so there is nothing to normalise by; load the sample", stress));
+    return {};
+  }
+  Numbers j = Numbers::tree();
+  const Normaliser normaliser = normalise(selection, all, options, j);
   if (!normaliser.over_mean)
     notes.push_back(fmt::format("the sample's mean of {} is near zero, below a tenth of its root mean square: stresses are given over the latter", stress));
   for (const NamedSet& set : named_sets) {
@@ -211,16 +215,30 @@ Statistics measure(const PhaseMap& map, const StressField& field, const StressOp
               {"leave_out_unloaded", options.leave_out_unloaded},
               {"sample_mean_over", options.mean_over_area ? "area" : "particles and matrix"},
               {"blocks", options.blocks}}}};
-  std::vector<std::string> notes;  // what could not be computed, and why
-  for (const Component component : options.components) j[name_of(component)] = measure_component(selection, field, component, options, notes);
+  std::vector<std::pair<Component, std::string>> notes;
+  bool any = false;
+  for (const Component component : options.components) {
+    std::vector<std::string> said;
+    if (Numbers measured = measure_component(selection, field, component, options, said); measured.is_known()) {
+      j[name_of(component)] = std::move(measured);
+      any = true;
+    }
+    for (std::string& note : said) notes.emplace_back(component, std::move(note));
+  }
+  if (!any) throw InputError(notes.front().second);
   GrainStresses grains = measure_grains(map, field, options.clamp_rows, options.blocks);
   if (!grains.nodes.empty()) j["grains"] = numbers(grains);
-  j["notes"] = notes;
-  return {std::move(j), std::move(grains)};
+  return {std::move(j), std::move(grains), std::move(notes)};
 }
 
-Numbers numbers(const Statistics& s, bool curves) {
-  Numbers j = s.numbers;
+Numbers numbers(const Statistics& s, bool curves, std::span<const Component> components) {
+  const auto wanted = [&](Component component) { return std::ranges::count(components, component) > 0; };
+  Numbers j = s.numbers, notes = Numbers::list();
+  for (const Component component : all_components)
+    if (!wanted(component)) j.erase(name_of(component));
+  for (const auto& [component, note] : s.notes)
+    if (wanted(component)) notes.push_back(note);
+  j["notes"] = std::move(notes);
   if (!curves) statistics::erase_curves(j, "pdf own_pdf by_grain");
   return j;
 }

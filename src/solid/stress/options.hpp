@@ -5,6 +5,7 @@ namespace arenite::stress {
 
 /// What of a node's stress is looked at; hydrostatic is (xx + yy)/2.
 enum class Component { yy, xx, xy, hydrostatic };
+inline constexpr Component all_components[] = {Component::yy, Component::xx, Component::xy, Component::hydrostatic};
 
 /// "sigma_yy", "sigma_xx", "sigma_xy", "sigma_hyd".
 const char* name_of(Component component);

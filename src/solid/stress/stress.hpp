@@ -1,7 +1,9 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/vec.hpp"
@@ -44,14 +46,16 @@ Numbers compare(const PhaseMap& map, const GrainStresses& grains, const std::vec
 struct Statistics {
   Numbers numbers;  ///< of nodes, components and grains, curves among them
   GrainStresses grains;
+  std::vector<std::pair<Component, std::string>> notes;  ///< what could not be computed, and why
 };
 
-/// Measures everything. Throws InputError where map and field have other sizes, no node is left, a stress is not a
-/// number, a component is zero everywhere, or an option makes no sense.
+/// Measures everything. Throws InputError where map and field have other sizes, no node is left, a stress is not a number, all components are zero
+/// everywhere, or an option makes no sense.
 Statistics measure(const PhaseMap& map, const StressField& field, const StressOptions& options = {});
 
-/// The statistics, each as {"value", "error"}; unknown ones are left out. `curves` adds pdfs and the rows by grain.
-Numbers numbers(const Statistics& statistics, bool curves = false);
+/// The statistics, each as {"value", "error"}; unknown ones are left out. `curves` adds pdfs and the rows by grain. Of the components that were measured
+/// these alone are there.
+Numbers numbers(const Statistics& statistics, bool curves = false, std::span<const Component> components = all_components);
 
 /// The main statistics as a table: name, value +- error, unit, meaning.
 std::string to_text(const Statistics& statistics);

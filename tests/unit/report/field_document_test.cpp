@@ -120,3 +120,21 @@ TEST(FieldDocument, StandsBesideAPackingOrWithoutOne) {
   EXPECT_TRUE(document["frames"].empty());
   EXPECT_FALSE(Json::parse(report::page_document({.title = "nothing"}).json).contains("fields"));
 }
+
+TEST(FieldDocument, TakesOverWhatTheRunMeasured) {
+  recipe::Load load;
+  load.name = "tension";
+  workflow::KnownStatistics known;
+  auto result = workflow::apply_load(load, field_sample().cement, {}, {}, &known.fields.emplace_back());
+  ASSERT_TRUE(result && known.fields[0]);
+  const auto statistics = [&](const workflow::KnownStatistics* measured) {
+    return Json::parse(report::page_document({.title = "one", .fields = {&*result, 1}, .measured = measured}).json)["fields"][0]["statistics"];
+  };
+  EXPECT_EQ(statistics(&known), statistics(nullptr));
+  for (const char* component : {"sigma_xx", "sigma_xy", "sigma_hyd"}) {
+    EXPECT_TRUE(statistics(&known).contains(component));
+    EXPECT_FALSE(result->numbers["stress"].contains(component));
+  }
+  known.fields[0]->numbers["nodes"] = 1;  // which nobody would measure
+  EXPECT_EQ(statistics(&known)["nodes"], 1);
+}

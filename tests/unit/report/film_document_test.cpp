@@ -67,7 +67,7 @@ TEST(FilmDocument, OfMapsAloneHasNeitherGrainsNorStresses) {
   EXPECT_EQ(film["grains"]["count"], 0);
   EXPECT_EQ(film["contacts"]["count"], 0);
   EXPECT_TRUE(film["stresses"].empty());
-  EXPECT_TRUE(film["numbers"]["agreement"].empty());
+  EXPECT_FALSE(film["numbers"].contains("agreement"));
   EXPECT_TRUE(film["frame"].is_null());
 }
 
@@ -109,4 +109,15 @@ TEST(FilmDocument, StaysSmallForALargeCamera) {
        {&large.maps.amplitude, &large.maps.phase, &large.maps.in_phase, &large.maps.second_harmonic, &large.maps.standard_error, &large.maps.residual})
     *map = noise(0);
   EXPECT_LT(report::page_document({.title = "film", .films = {&large, 1}}).numbers.size(), 4'000'000u);
+}
+
+TEST(FilmDocument, TakesOverWhatTheRunMeasured) {
+  const FilmResult& film = film_sample().film;
+  workflow::KnownStatistics known{.films = {workflow::texture_of(film)}};
+  const auto texture = [&](const workflow::KnownStatistics* measured) {
+    return Json::parse(report::page_document({.title = "film", .films = {&film, 1}, .measured = measured}).json)["frames"][0]["texture"];
+  };
+  EXPECT_EQ(texture(&known), texture(nullptr));
+  known.films[0]->numbers["contacts"] = 1;  // which nobody would count
+  EXPECT_EQ(texture(&known)["contacts"], 1);
 }

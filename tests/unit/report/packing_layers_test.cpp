@@ -26,11 +26,11 @@ TEST(PackingLayers, APageHasFieldsOfItsStatesAndMotionWhereGrainsMove) {
 
 TEST(PackingLayers, ALongLoadingHasFieldsOfSomeStatesAndOfTheLast) {
   test::PageSample sample(60);
-  const std::optional known = texture::measure(sample.stage.frames.back().packing);
+  const workflow::KnownStatistics known{.stages = {texture::measure(sample.stage.frames.back().packing)}};
   Frame one = sample.stage.frames.back();
   one.packing.grains.resize(10'001);  // of so many only the last state's texture is measured, which is known here
   sample.stage.frames.assign(60, one);
-  sample.data.measured = {&known, 1};
+  sample.data.measured = &known;
   const Json frames = Json::parse(report::page_document(sample.data).json)["frames"];
   std::size_t with = 0;
   for (const Json& frame : frames) with += frame.contains("fields") ? 1 : 0;

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <rapidcheck/gtest.h>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -13,51 +12,10 @@
 namespace arenite::workflow {
 namespace {
 
-const std::vector<std::uint8_t> all{1, 1, 1, 1};
-
-TEST(FilmNumbers, AgreementOfAStressWithItself) {
-  const std::vector<double> stress{-1e6, -2e6, -4e6, -5e6};
-  const Agreement a = agreement(stress, stress, all);
-  EXPECT_EQ(a.grains, 4u);
-  EXPECT_NEAR(a.correlation, 1, 1e-15);
-  EXPECT_EQ(a.rms_sigma_norm, 0);
-  EXPECT_NEAR(a.slope, 1, 1e-15);
-}
-
-TEST(FilmNumbers, AgreementByHand) {
-  // Over their means 3 and 2: {1/3, 5/3} and {1/2, 3/2}, off by 1/6 each; slope (1 + 15)/(1 + 9).
-  const Agreement a = agreement({-1, -5}, {-1, -3}, {1, 1});
-  EXPECT_NEAR(a.rms_sigma_norm, 1.0 / 6, 1e-15);
-  EXPECT_NEAR(a.slope, 1.6, 1e-15);
-  EXPECT_NEAR(a.correlation, 1, 1e-15);
-  EXPECT_NEAR(agreement({1, 2, 3, 2}, {3, 2, 1, 2}, all).correlation, -1, 1e-15);
-}
-
-TEST(FilmNumbers, AgreementLeavesOutWhatDoesNotCountOrIsUnknown) {
-  const Agreement a = agreement({-1, -5, -100, NAN}, {-1, -3, 7, -2}, {1, 1, 0, 1});
-  EXPECT_EQ(a.grains, 2u);
-  EXPECT_NEAR(a.slope, 1.6, 1e-15);
-  EXPECT_EQ(agreement({-1}, {-1}, {1}).correlation, 0);
-}
-
-RC_GTEST_PROP(FilmNumbers, AgreementInSigmaNormKnowsNoScale, (int seed)) {
-  RandomStream random(static_cast<std::uint64_t>(seed), Purpose::test, 3);
-  std::vector<double> one, other, scaled;
-  for (int i = 0; i < 4; ++i) {
-    one.push_back(-1 - random.uniform());
-    other.push_back(-1 - random.uniform());
-    scaled.push_back(7 * other.back());
-  }
-  const Agreement a = agreement(one, other, all), b = agreement(one, scaled, all);
-  RC_ASSERT(std::abs(a.rms_sigma_norm - b.rms_sigma_norm) < 1e-12);
-  RC_ASSERT(std::abs(a.correlation - b.correlation) < 1e-9);
-  RC_ASSERT(std::abs(a.slope - 7 * b.slope) < 1e-12);
-}
-
 TEST(FilmNumbers, TellWhatTheResultHolds) {
   const test::FilmPageSample sample(60, 4e-3);
   const FilmResult& film = sample.film;
-  const auto j = nlohmann::json::parse(to_json(film_numbers(film)));
+  const auto j = nlohmann::json::parse(to_json(film_numbers(film, texture_of(film))));
   EXPECT_EQ(j["film"]["bad_pixels"], 2);
   EXPECT_EQ(j["lockin"]["convention"], "amplitude");
   EXPECT_EQ(j["grains"]["all"], 60);
@@ -75,7 +33,7 @@ TEST(FilmNumbers, TellWhatTheResultHolds) {
   EXPECT_EQ(j["texture"]["contacts"].get<std::size_t>() + j["texture"]["wall_contacts"].get<std::size_t>(), contacts.size());
   FilmResult maps = film;
   maps.peak_to_peak = {};
-  EXPECT_FALSE(nlohmann::json::parse(to_json(film_numbers(maps))).contains("texture"));
+  EXPECT_FALSE(nlohmann::json::parse(to_json(film_numbers(maps, texture_of(maps)))).contains("texture"));
 }
 
 /// Contacts along x between grains of a row, and one along y.
@@ -97,16 +55,17 @@ TEST(FilmOrientations, AreOfTheFilmsContactsAndTheSimulations) {
   film.packing.contacts = {};
   for (std::size_t c = 0; c < 3; ++c)
     film.packing.contacts.add(simulation.contacts.i[c], simulation.contacts.j[c], simulation.contacts.normal[c], 100, 0, 0.00475, 0.00475);
-  const auto orientations = film_orientations(film, &simulation);
-  EXPECT_EQ(orientations["film"]["contacts"], 3);
+  const texture::Texture own = texture_of(film), simulated = texture::measure(simulation);
+  const Numbers orientations = film_numbers(film, own, &simulated)["contact_orientations"];
+  EXPECT_EQ(orientations["film"]["contacts"].get<int>(), 3);
   EXPECT_NEAR(orientations["film"]["a_c"]["value"].get<double>(), 2, 1e-12);
   EXPECT_NEAR(std::fmod(orientations["film"]["theta_c_deg"]["value"].get<double>(), 180), 0, 1e-9);
   EXPECT_EQ(orientations["film"]["sectors"].size(), 18u);
-  EXPECT_EQ(orientations["simulation"]["contacts"], 4);
+  EXPECT_EQ(orientations["simulation"]["contacts"].get<int>(), 4);
   EXPECT_NEAR(orientations["simulation"]["a_c"]["value"].get<double>(), 1, 1e-12);
-  EXPECT_FALSE(film_orientations(film).contains("simulation"));
+  EXPECT_FALSE(film_numbers(film, own)["contact_orientations"].contains("simulation"));
   film.packing.contacts = {};
-  EXPECT_TRUE(film_orientations(film).empty());
+  EXPECT_FALSE(film_numbers(film, texture_of(film)).contains("contact_orientations"));
 }
 
 TEST(FilmSimulation, StressOfDisksCountsFullRadii) {

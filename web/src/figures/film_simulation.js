@@ -55,7 +55,7 @@ export const againstSimulation = {
         Plot.dot(rows, { x: "x", y: "y", fill: "colour", fillOpacity: 0.8, r: rows.length > 300 ? 1.6 : 2.2 }),
       ],
     });
-    return all?.correlation ? withCorner(svg, theme, [`r = ${inOrder(all.correlation)}`, `r.m.s. difference ${norm ? text.number(all.rms_norm, 2) : text.number(all.rms_Pa / factor, 2)}${unit && `\u202f${unit}`}`]) : svg;
+    return all?.correlation ? withCorner(svg, theme, [`r = ${inOrder(all.correlation)}`, `r.m.s. difference ${norm ? text.number(all.rms_sigma_norm, 2) : text.number(all.rms_Pa / factor, 2)}${unit && `\u202f${unit}`}`]) : svg;
   },
 };
 

@@ -17,7 +17,7 @@ export class FilmResult {
     this.width = about.film.width;
     this.height = about.film.height;
     for (const name of ["grains", "contacts", "bad", "stresses"]) this[name] = unpacked(block, about[name]);
-    for (const [name, source] of Object.entries(this.stresses)) source.statistics = about.numbers.stresses[name];
+    for (const [name, source] of Object.entries(this.stresses)) source.statistics = about.numbers.stresses?.[name] ?? {};
     this.meanForce = valueOf(this.declared.at("forces.mean_N")) ?? meanOf(this.contacts.fn ?? [], (force, c) => force > 0 && !this.isUncertain(c));
     this.meanRadius = meanOf(this.grains.radius ?? [], () => true) || 1;
   }

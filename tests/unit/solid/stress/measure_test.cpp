@@ -115,7 +115,7 @@ TEST(NodeStress, UniformFieldHasAMeanAndNoDistribution) {
   EXPECT_EQ(value_of(set(s, "all"), "fraction_above_own_mean"), 0);
   EXPECT_FALSE(set(s, "all").contains("pdf"));
   EXPECT_NEAR(value_of(set(s, "large"), "quantiles/99.99 %"), 1, 1e-12);
-  EXPECT_FALSE(s.numbers["notes"].empty());
+  EXPECT_FALSE(s.notes.empty());
 }
 
 TEST(NodeStress, ScalingOrTurningTheStressChangesItsMeanOnly) {

@@ -1,0 +1,89 @@
+#include <algorithm>
+#include <cmath>
+
+#include "workflow/run_film.hpp"
+
+namespace arenite::workflow {
+namespace {
+
+using statistics::put;
+
+/// Where every source has a finite stress.
+std::vector<std::uint8_t> known_in_all(const std::vector<GrainStresses>& sources, std::size_t grains) {
+  std::vector<std::uint8_t> known(grains, 1);
+  for (const GrainStresses& s : sources)
+    for (std::size_t g = 0; g < grains; ++g) known[g] = known[g] && std::isfinite(s.sigma_hyd[g]);
+  return known;
+}
+
+/// Forgets the stress of grains that are not known, and fills in what follows from the others.
+void normalise(GrainStresses& source, const std::vector<std::uint8_t>& known, const std::vector<std::uint8_t>& considered) {
+  double sum = 0, count = 0;
+  for (std::size_t g = 0; g < known.size(); ++g) {
+    if (!known[g]) source.sigma_hyd[g] = statistics::unknown;
+    if (considered[g]) sum += source.sigma_hyd[g], ++count;
+  }
+  source.mean = count > 0 ? sum / count : statistics::unknown;
+  for (const double stress : source.sigma_hyd) source.sigma_norm.push_back(stress / source.mean);
+}
+
+double root_mean_square(const std::vector<double>& a, const std::vector<double>& b, double over_a, double over_b) {
+  double sum = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) sum += std::pow(a[k] / over_a - b[k] / over_b, 2);
+  return std::sqrt(sum / static_cast<double>(a.size()));
+}
+
+}  // namespace
+
+FilmStresses film_stresses(const FilmResult& result, const std::vector<std::uint8_t>& considered) {
+  FilmStresses out;
+  const std::size_t grains = result.packing.grains.size();
+  const auto add = [&](const char* name, const std::vector<double>& values) {
+    if (grains > 0 && values.size() == grains) out.sources.push_back({name, values, {}, statistics::unknown});
+  };
+  add("film", result.peak_to_peak.sigma_hyd);
+  add("simulation_peak_to_peak", result.simulation.peak_to_peak);
+  add("simulation_state", result.simulation.state);
+  if (out.sources.empty()) return out;
+  const auto known = known_in_all(out.sources, grains);
+  out.considered = known;
+  for (std::size_t g = 0; g < grains; ++g) out.considered[g] = known[g] && considered[g];
+  if (std::ranges::count(out.considered, 1) == 0) out.considered = known;
+  for (GrainStresses& source : out.sources) normalise(source, known, out.considered);
+  return out;
+}
+
+Agreement agreement(const std::vector<double>& film, const std::vector<double>& simulation, const std::vector<std::uint8_t>& counts) {
+  std::vector<double> a, b;
+  double sum_a = 0, sum_b = 0;
+  for (std::size_t g = 0; g < film.size(); ++g) {
+    if (!counts[g] || !std::isfinite(film[g]) || !std::isfinite(simulation[g])) continue;
+    a.push_back(film[g]), sum_a += film[g];
+    b.push_back(simulation[g]), sum_b += simulation[g];
+  }
+  if (a.size() < 2) return {};
+  const auto n = static_cast<double>(a.size());
+  return {statistics::relate(b, a), root_mean_square(a, b, 1, 1), root_mean_square(a, b, sum_a / n, sum_b / n)};
+}
+
+Numbers agreement_of(const Packing& packing, const FilmStresses& stresses, const GrainStresses& simulation) {
+  Numbers all = Numbers::tree();
+  const auto add = [&](const std::string& set, int material) {
+    auto counts = stresses.considered;
+    for (std::size_t g = 0; g < counts.size(); ++g) counts[g] = counts[g] && (material < 0 || packing.grains.material[g] == material);
+    const Agreement a = agreement(stresses.sources[0].sigma_hyd, simulation.sigma_hyd, counts);
+    if (a.relation.count < 3) return;
+    Numbers& to = all[set];
+    put(to, "count", a.relation.count, "", "Grains that are compared");
+    put(to, "correlation", a.relation.pearson, "", "Pearson's correlation of the grains' stresses, film and simulation");
+    put(to, "slope", statistics::Estimate{a.relation.line.slope, a.relation.line.slope_error}, "", "Slope of the film's stresses on the simulation's");
+    put(to, "rms_Pa", a.rms, "Pa", "Root mean square difference of the stresses");
+    put(to, "rms_sigma_norm", a.rms_sigma_norm, "", "Root mean square difference of the stresses, each over its mean");
+  };
+  add("all", -1);
+  if (packing.materials.size() > 1)
+    for (std::size_t m = 0; m < packing.materials.size(); ++m) add(packing.materials[m].name, static_cast<int>(m));
+  return all;
+}
+
+}  // namespace arenite::workflow
