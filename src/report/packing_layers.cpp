@@ -57,9 +57,9 @@ Numbers shapes_of(Grains grains, NumberBlock& block) {
   return {{"first", block.add_indices(first)}, {"x", block.add_reals(mapped(rim, &Vec2::x), "m")}, {"y", block.add_reals(mapped(rim, &Vec2::y), "m")}};
 }
 
-void add_grain_values(Numbers& out, const Packing& packing, NumberBlock& block) {
+void add_grain_values(Numbers& out, const Packing& packing, const std::vector<Tensor2>& stresses, NumberBlock& block) {
   std::vector<double> pressure, deviator;
-  for (const Tensor2& stress : texture::grain_stresses(packing)) {
+  for (const Tensor2& stress : stresses) {
     pressure.push_back(-0.5 * trace(stress));
     deviator.push_back(texture::deviator(stress));
   }

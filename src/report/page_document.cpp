@@ -81,14 +81,15 @@ Numbers texture_of(const texture::Texture& texture, const Numbers& known, Number
   return out;
 }
 
-Numbers frame_of(const Frame& frame, std::size_t stage, NumberBlock& block) {
+Numbers frame_of(const Frame& frame, std::size_t stage, const texture::Texture* texture, NumberBlock& block) {
   Numbers out{{"stage", stage},
               {"label", frame.label},
               {"time", frame.time},
               {"step", frame.step},
               {"domain", domain_of(frame.packing.domain, block)},
               {"contacts", contacts_of(frame.packing, block)}};
-  add_grain_values(out, frame.packing, block);
+  const bool known = texture && !texture->per_grain.sigma.empty();
+  add_grain_values(out, frame.packing, known ? texture->per_grain.sigma : texture::grain_stresses(frame.packing), block);
   if (!frame.packing.bonds.empty()) out["bonds"] = bonds_of(frame.packing, block);
   if (!frame.packing.cohesive.empty()) out["cohesive"] = cohesive_of(frame.packing, block);
   return out;
@@ -176,7 +177,7 @@ void add_states(Numbers& frames, Numbers& meanings, const ShownStage& stage, std
     std::optional<texture::Texture> now;
     const texture::Texture* texture = is_last ? stage.last : nullptr;
     if (!texture && (is_last || grains <= small)) texture = &now.emplace(texture::measure(packing, stage.options));
-    frames.push_back(frame_of(states[f], s, block));
+    frames.push_back(frame_of(states[f], s, texture, block));
     if (texture) frames.back()["texture"] = texture_of(*texture, is_last ? stage.result->texture : Numbers::tree(), block);
     if (is_last) meanings.update(meanings_of(frames.back()["texture"]));
     if (!is_last && f % every != 0) continue;

@@ -86,7 +86,7 @@ Numbers shapes_of(Grains grains, NumberBlock& block);
 
 /// What the page knows of every grain in a state: place and angle, pressure p = -sigma_hyd and deviator q of its stress (half the sum and half the
 /// difference of the principal ones), velocity and spin. Of a state at rest the last two are left out.
-void add_grain_values(Numbers& out, const Packing& packing, NumberBlock& block);
+void add_grain_values(Numbers& out, const Packing& packing, const std::vector<Tensor2>& stresses, NumberBlock& block);
 
 /// Bonds that hold, and how the others broke.
 Numbers bonds_of(const Packing& packing, NumberBlock& block);

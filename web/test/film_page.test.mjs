@@ -236,8 +236,8 @@ test("film and simulation are compared grain by grain, with the correlation in t
   assert.equal(whiskers, 260);
   const said = Number(words.match(/r = (0\.\d+)/)[1]);
   const own = await page.evaluate(() => {
-    const { film, simulation_peak_to_peak: simulation } = window.arenite.film.film.stresses, mean = (v) => v.reduce((a, b) => a + b, 0) / v.length;
-    const [a, b] = [film.sigma_hyd, simulation.sigma_hyd].map((v) => Array.from(v)), [ma, mb] = [mean(a), mean(b)];
+    const { stresses: { film, simulation_peak_to_peak: simulation }, grains: { considered } } = window.arenite.film.film, mean = (v) => v.reduce((a, b) => a + b, 0) / v.length;
+    const [a, b] = [film.sigma_hyd, simulation.sigma_hyd].map((v) => Array.from(v).filter((_, g) => considered[g])), [ma, mb] = [mean(a), mean(b)];
     const sum = (f) => a.reduce((total, _, g) => total + f(a[g] - ma, b[g] - mb), 0);
     return sum((p, q) => p * q) / Math.sqrt(sum((p) => p * p) * sum((_, q) => q * q));
   });

@@ -1,4 +1,4 @@
-#include <Eigen/QR>
+#include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <cmath>
@@ -46,10 +46,11 @@ const std::vector<double> periods = [] {
 void fit_forces(const std::vector<double>& s, std::vector<double>& r) {
   Eigen::Matrix3d normal;
   normal << s[count], s[c2], s[s2], s[c2], s[cc], s[cs], s[s2], s[cs], s[ss];
-  const Eigen::ColPivHouseholderQR<Eigen::Matrix3d> qr(normal);
-  if (qr.rank() < 3) return;
-  const Eigen::Vector3d n = qr.solve(Eigen::Vector3d(s[fn], s[fn_c], s[fn_s]));
-  const Eigen::Vector3d t = qr.solve(Eigen::Vector3d(s[ft], s[ft_c], s[ft_s]));
+  const Eigen::LDLT<Eigen::Matrix3d> factors(normal);
+  const Eigen::Vector3d pivots = factors.vectorD();
+  if (!(pivots.minCoeff() > 1e-15 * pivots.maxCoeff())) return;  // fewer directions than unknowns
+  const Eigen::Vector3d n = factors.solve(Eigen::Vector3d(s[fn], s[fn_c], s[fn_s]));
+  const Eigen::Vector3d t = factors.solve(Eigen::Vector3d(s[ft], s[ft_c], s[ft_s]));
   r[a_n] = std::hypot(n[1], n[2]) / n[0];
   r[theta_n] = phase({n[1], n[2]}, 2);
   r[a_t] = std::hypot(t[1], t[2]) / n[0];

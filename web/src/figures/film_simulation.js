@@ -17,7 +17,7 @@ function pairs(film, state, theme) {
   const value = (source, g) => (norm ? source.sigma_norm[g] : -source.sigma_hyd[g] / factor);
   const unit = norm ? Math.abs(own.mean) : factor, rows = [];
   for (let g = 0; g < film.count; ++g) {
-    const row = { x: value(simulation, g), y: value(own, g), error: (film.grains.error?.[g] || 0) / unit, colour: materialLine(theme, film.grains.material[g]), name: grainName(film, g) };
+    const row = { x: value(simulation, g), y: value(own, g), error: (film.grains.error?.[g] || 0) / unit, colour: materialLine(theme, film.grains.material[g]), counts: film.grains.considered?.[g] !== 0, name: grainName(film, g) };
     if (Number.isFinite(row.x) && Number.isFinite(row.y)) rows.push(row);
   }
   return { rows, factor, shown, norm, about: agreement(film, state) };
@@ -30,7 +30,7 @@ const inOrder = ({ value, error }) => {
 
 export const againstSimulation = {
   id: "film-simulation", title: "Film against simulation", follows: ["companion", "over"],
-  caption: "Every grain with the film\u2019s standard error; line: both the same. Largest load: with what grains carry at the smallest, which no film shows. " +
+  caption: "Every grain with the film\u2019s standard error, pale near the border; line: both the same; r and the difference are of the others. Largest load: with what grains carry at the smallest, which no film shows. " +
     "On virtual films a simulation from places alone comes to a correlation of about 0.4 to 0.5: individual contact forces depend on the friction history of filling and " +
     "loading left in the sample, and that history is lost.",
   choices: { companion: ["", [["peak_to_peak", "Peak to peak"], ["state", "Largest load"]]], over: ["", [["mean", "\u03c3_{norm}"], ["unit", "Pa"]]] },
@@ -52,7 +52,8 @@ export const againstSimulation = {
       marks: [
         Plot.line([[least, least], [most, most]], { stroke: theme.fit, strokeWidth: 1.2, strokeDasharray: "6 3" }),
         Plot.ruleX(rows, { x: "x", y1: (r) => r.y - r.error, y2: (r) => r.y + r.error, stroke: "colour", strokeOpacity: 0.35, clip: true }),
-        Plot.dot(rows, { x: "x", y: "y", fill: "colour", fillOpacity: 0.8, r: rows.length > 300 ? 1.6 : 2.2 }),
+        ...[true, false].map((counts) =>
+          Plot.dot(rows.filter((r) => r.counts === counts), { x: "x", y: "y", fill: "colour", fillOpacity: counts ? 0.8 : 0.3, r: rows.length > 300 ? 1.6 : 2.2 })),
       ],
     });
     return all?.correlation ? withCorner(svg, theme, [`r = ${inOrder(all.correlation)}`, `r.m.s. difference ${norm ? text.number(all.rms_sigma_norm, 2) : text.number(all.rms_Pa / factor, 2)}${unit && `\u202f${unit}`}`]) : svg;
