@@ -66,17 +66,17 @@ def test_folders_and_files_stay_small():
 
 
 def test_unit_tests_mirror_sources():
-    """x_test.cpp is of src/.../x, and x_theme_test.cpp is of a theme of it."""
+    """In the same folder x_test.cpp is of src/.../x, and x_theme_test.cpp is of a theme of it."""
     stems = {}
     for file in files() + sorted((ROOT / "validation").rglob("*.?pp")):
         home = SOURCES if SOURCES in file.parents else ROOT
-        stems.setdefault(place_of(file.relative_to(home)), set()).add(file.stem)
+        stems.setdefault(file.relative_to(home).parent, set()).add(file.stem)
     tests = ROOT / "tests" / "unit"
     stray = []
     for test in tests.rglob("*_test.cpp"):
         words = test.stem.split("_")[:-1]
         own = {"_".join(words[:n]) for n in range(1, len(words) + 1)}
-        if not own & stems.get(place_of(test.relative_to(tests)), set()):
+        if not own & stems.get(test.relative_to(tests).parent, set()):
             stray.append(str(test.relative_to(ROOT)))
     assert not stray, "\n".join(sorted(stray))
 
