@@ -1,8 +1,10 @@
 #pragma once
 #include <algorithm>
 #include <charconv>
+#include <concepts>
 #include <cstdint>
 #include <optional>
+#include <ranges>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,6 +27,16 @@ inline std::vector<std::string_view> split_blanks(std::string_view line) {
     at = end;
   }
   return cells;
+}
+
+/// Words one after the other, with this between two of them.
+template <std::ranges::range Words>
+requires std::convertible_to<std::ranges::range_reference_t<const Words>, std::string_view> std::string list_of(const Words& words,
+                                                                                                                std::string_view between = ", ") {
+  std::string list;
+  std::string_view gap;
+  for (const std::string_view word : words) list.append(gap).append(word), gap = between;
+  return list;
 }
 
 /// With the letters of ASCII in lower case; others stay, whatever the locale.
