@@ -1,6 +1,6 @@
 #include "validation/borders.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <map>
 

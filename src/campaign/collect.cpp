@@ -1,7 +1,6 @@
 #include "campaign/collect.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
@@ -156,7 +155,7 @@ CollectedTable averaged(const CollectedTable& table, const std::vector<std::stri
   const auto known = mapped(table.keys, &CollectedTable::Key::name);
   for (const auto& key : keys) {
     const auto at = std::find(known.begin(), known.end(), key);
-    if (at == known.end()) throw InputError(fmt::format("--by {}: is not swept; the swept keys are: {}", key, recipe::list_of(known)));
+    if (at == known.end()) throw InputError(fmt::format("--by {}: is not swept; the swept keys are: {}", key, list_of(known)));
     places.push_back(static_cast<std::size_t>(at - known.begin()));
     result.keys.push_back(table.keys[places.back()]);
   }
@@ -186,7 +185,7 @@ std::string CollectedTable::csv() const {
       if (std::isfinite(row.numbers[c].error)) has_error[c] = true;
   std::vector<std::string> cells;
   const auto line = [&cells] {
-    const std::string text = fmt::format("{}\n", fmt::join(cells, ","));
+    const std::string text = fmt::format("{}\n", list_of(cells, ","));
     cells.clear();
     return text;
   };

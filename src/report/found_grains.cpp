@@ -1,7 +1,6 @@
 #include "report/found_grains.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
@@ -9,6 +8,7 @@
 #include <numbers>
 
 #include "core/median.hpp"
+#include "core/text.hpp"
 #include "io/results/groups.hpp"
 #include "statistics/numbers.hpp"
 
@@ -129,7 +129,7 @@ std::string grains_csv(const FoundGrains& g) {
     names += ",material", units += ",-";
     for (std::size_t k = 0; k < grains.size(); ++k) rows[k] += "," + material_name(g, grains.material[k]);
   }
-  return fmt::format("{}\n{}\n{}\n", names, units, fmt::join(rows, "\n"));
+  return fmt::format("{}\n{}\n{}\n", names, units, list_of(rows, "\n"));
 }
 
 std::string grains_text(const FoundGrains& g) {

@@ -1,6 +1,6 @@
 #include "report/summary.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "io/disk/store_file.hpp"
 #include "io/results/results.hpp"

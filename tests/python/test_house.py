@@ -54,6 +54,19 @@ def test_arrows_of_inclusion_point_down():
     assert not wrong, "\n".join(wrong)
 
 
+# Headers that take long to compile, and how many sources of the library and the program include each at most.
+HEAVY = {"CLI/": 2, "Eigen/": 5, "boost/": 2, "httplib.h": 1, "nlohmann/": 1, "toml++/": 1, "fmt/format.h": 0, "fmt/ranges.h": 0}
+
+
+def test_heavy_headers_are_in_few_sources():
+    counts = dict.fromkeys(HEAVY, 0)
+    for file in [*files(), *(p for room in ("app", "validation") for p in (ROOT / room).rglob("*.?pp"))]:
+        included = re.findall(r"^#include <([^>]+)>", file.read_text(), flags=re.M)
+        for header in HEAVY:
+            counts[header] += any(name.startswith(header) for name in included)
+    assert all(counts[header] <= most for header, most in HEAVY.items()), counts
+
+
 def test_folders_and_files_stay_small():
     """At most twelve rooms, forty files in a folder, three folders deep."""
     assert len(list(SOURCES.iterdir())) <= 12

@@ -1,6 +1,6 @@
 #include "io/hdf5/group.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

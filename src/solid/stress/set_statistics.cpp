@@ -1,6 +1,6 @@
 #include "solid/stress/set_statistics.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
