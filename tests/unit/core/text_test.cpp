@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "core/random.hpp"
 #include "statistics/numbers.hpp"
 
@@ -34,6 +36,13 @@ TEST(Utf8, IsTheSameToAReaderOfJson) {
     for (int n = 0; n < 3; ++n) text += static_cast<char>(random.uniform(0x7c, 0xc4));
     ASSERT_EQ(is_utf8(text), is_utf8_in_json(text)) << k;
   }
+}
+
+TEST(ListOf, PutsWordsOneAfterTheOther) {
+  EXPECT_EQ(list_of(std::vector<std::string>{}), "");
+  EXPECT_EQ(list_of(std::vector<std::string>{"one"}), "one");
+  EXPECT_EQ(list_of(std::vector<std::string>{"", "two", ""}), ", two, ");
+  EXPECT_EQ(list_of(std::array{"one", "two", "three"}, " "), "one two three");
 }
 
 }  // namespace
