@@ -1,4 +1,4 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cstdio>
 #include <memory>
@@ -39,7 +39,7 @@ void check_simulation(const recipe::Recipe& recipe, bool json) {
   std::string why_not;
   const auto prediction = predicted(recipe, why_not);
   if (json) {
-    Numbers numbers = prediction ? prediction_numbers(*prediction) : Numbers::tree({{"warnings", std::vector<std::string>{why_not}}});
+    Numbers numbers = prediction ? workflow::numbers(*prediction) : Numbers::tree({{"warnings", std::vector<std::string>{why_not}}});
     numbers["recipe"] = text;
     std::fputs((to_json(numbers, 2) + "\n").c_str(), stdout);
     return;

@@ -1,14 +1,12 @@
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <memory>
 
 #include "commands.hpp"
+#include "core/text.hpp"
 
 namespace arenite::app {
 namespace {
-
-std::string joined(const std::vector<std::string>& words) { return fmt::format("{}", fmt::join(words, " ")); }
 
 std::vector<std::string> option_names(const CommandText& command) {
   std::vector<std::string> names;
@@ -35,17 +33,18 @@ std::string bash(const std::vector<CommandText>& tree) {
       "    return\n"
       "  fi\n"
       "  case \"${{COMP_WORDS[1]}} $before\" in\n",
-      joined(names));
+      list_of(names, " "));
   for (const auto& command : tree) {
     for (const auto& argument : command.arguments) {
       for (const auto& name : argument.names) {
-        if (!argument.choices.empty()) { script += fmt::format("    '{} {}') words='{}' ;;\n", command.name, name, joined(argument.choices)); }
+        if (!argument.choices.empty()) { script += fmt::format("    '{} {}') words='{}' ;;\n", command.name, name, list_of(argument.choices, " ")); }
       }
     }
   }
   for (const auto& command : tree) {
     std::vector<std::string> words = positional_choices(command);
-    script += fmt::format("    '{} '*) words='{}'; [[ $word == -* ]] && words='{}' ;;\n", command.name, joined(words), joined(option_names(command)));
+    script +=
+        fmt::format("    '{} '*) words='{}'; [[ $word == -* ]] && words='{}' ;;\n", command.name, list_of(words, " "), list_of(option_names(command), " "));
   }
   return script +
          "  esac\n"
@@ -74,7 +73,7 @@ std::string zsh(const std::vector<CommandText>& tree) {
   for (const auto& command : tree) {
     script += fmt::format("    {}) _arguments", command.name);
     for (const auto& argument : command.arguments) {
-      const std::string action = argument.choices.empty() ? "_files" : "(" + joined(argument.choices) + ")";
+      const std::string action = argument.choices.empty() ? "_files" : "(" + list_of(argument.choices, " ") + ")";
       const std::string value = argument.value.empty() ? "" : fmt::format(":{}:{}", zsh_safe(argument.value), action);
       for (const auto& name : argument.names) {
         script += " \\\n      " + quoted(fmt::format("{}{}[{}]{}", argument.repeats ? "*" : "", name, zsh_safe(argument.sentence), value));
@@ -92,7 +91,7 @@ std::string fish(const std::vector<CommandText>& tree) {
     script += fmt::format("complete -c arenite -n __fish_use_subcommand -a {} -d {}\n", command.name, quoted(command.sentence));
     const std::string here = fmt::format("complete -c arenite -n '__fish_seen_subcommand_from {}'", command.name);
     for (const auto& argument : command.arguments) {
-      const std::string values = argument.choices.empty() ? "" : " -xa " + quoted(joined(argument.choices));
+      const std::string values = argument.choices.empty() ? "" : " -xa " + quoted(list_of(argument.choices, " "));
       if (argument.names.empty() && !values.empty()) script += here + values + "\n";
       for (const auto& name : argument.names) {
         const std::string option = name.starts_with("--") ? "-l " + name.substr(2) : "-s " + name.substr(1);

@@ -1,4 +1,4 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <hdf5.h>
 #include <zlib.h>
 #include <CLI/Version.hpp>

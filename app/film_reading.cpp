@@ -1,6 +1,6 @@
 #include "film_reading.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <filesystem>
 

@@ -1,6 +1,6 @@
 #include "thermal/thermography/lockin.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 #include <memory>

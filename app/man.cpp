@@ -1,9 +1,9 @@
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <memory>
 
 #include "commands.hpp"
+#include "core/text.hpp"
 #include "core/version.hpp"
 #include "recipe/film_recipe.hpp"
 #include "recipe/recipe.hpp"
@@ -39,10 +39,10 @@ std::string usage(const CommandText& command) {
 std::string section(const CommandText& command) {
   std::string text = fmt::format(".SS {}\n{}.\n", roff(usage(command)), roff(command.sentence));
   for (const auto& argument : command.arguments) {
-    std::string label = fmt::format("{}", fmt::join(argument.names, ", "));
+    std::string label = list_of(argument.names);
     if (!argument.value.empty()) label += (label.empty() ? "" : " ") + argument.value;
     text += fmt::format(".TP\n.B {}\n{}", roff(label), roff(argument.sentence));
-    if (!argument.choices.empty()) text += fmt::format(" (one of: {})", roff(fmt::format("{}", fmt::join(argument.choices, ", "))));
+    if (!argument.choices.empty()) text += fmt::format(" (one of: {})", roff(list_of(argument.choices)));
     text += "\n";
   }
   return text;

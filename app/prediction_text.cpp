@@ -1,6 +1,6 @@
 #include "prediction_text.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 
@@ -27,16 +27,6 @@ std::string limit_text(const Prediction& p) {
     case StepLimit::given: return "given, " + share;
   }
   return share;
-}
-
-const char* word_of(StepLimit limit) {
-  switch (limit) {
-    case StepLimit::collision: return "collision";
-    case StepLimit::stiffness: return "stiffness";
-    case StepLimit::damping: return "damping";
-    case StepLimit::given: return "given";
-  }
-  return "";
 }
 
 /// Two digits of an estimate, behind a mark that says so.
@@ -78,36 +68,6 @@ std::string prediction_text(const Prediction& p) {
     text += "~ marks an estimate: a stage that ends at equilibrium lasts until the sample stops oscillating, which may take half or twice as long\n";
   for (const std::string& warning : p.warnings) text += "warning: " + warning + "\n";
   return text;
-}
-
-Numbers prediction_numbers(const Prediction& p) {
-  Numbers stages = Numbers::list();
-  for (const StagePrediction& s : p.stages) {
-    Numbers stage = Numbers::tree(
-        {{"name", s.name}, {"steps", s.steps}, {"exact", s.exact}, {"duration_s", s.duration}, {"time_step_s", s.time_step}, {"computing_s", s.seconds}});
-    if (s.pressure > 0) stage["pressure_Pa"] = s.pressure;
-    if (s.inertial_number) {
-      stage["inertial_number"] = *s.inertial_number;
-      stage["flow"] = std::string(workflow::flow_regime(*s.inertial_number));
-    }
-    if (s.stiffness_number) {
-      stage["stiffness_number"] = *s.stiffness_number;
-      stage["overlap_over_diameter"] = *s.overlap;
-    }
-    stages.push_back(std::move(stage));
-  }
-  return Numbers::tree(
-      {{"time_step_s", p.time_step},
-       {"time_step_limited_by", word_of(p.limit)},
-       {"largest_stable_step_s", p.largest_step},
-       {"shortest_collision",
-        Numbers::tree({{"time_s", p.collision.time}, {"material", p.material}, {"radius_m", p.collision.radius}, {"with_wall", p.collision.with_wall}})},
-       {"grains", p.grains},
-       {"grains_timed", p.sample},
-       {"seconds_per_step", p.seconds_per_step},
-       {"computing_s", p.seconds()},
-       {"stages", std::move(stages)},
-       {"warnings", p.warnings}});
 }
 
 }  // namespace arenite::app

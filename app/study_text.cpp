@@ -1,6 +1,6 @@
 #include "study_parts.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 #include <fstream>

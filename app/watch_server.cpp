@@ -5,7 +5,7 @@
 #define CPPHTTPLIB_ZLIB_SUPPORT
 #define CPPHTTPLIB_BROTLI_SUPPORT
 #include <fcntl.h>
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <httplib.h>
 #include <poll.h>
 #include <sys/socket.h>

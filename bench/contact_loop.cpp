@@ -1,7 +1,7 @@
 // Speed of the engine that `arenite run` uses, its list checked every step. Counters: Mps, million particle-steps per
 // second of user time and core; steps_per_build of the contact list. The label is the hash of the state reached.
 #include <benchmark/benchmark.h>
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/threads.hpp"
 #include "process_use.hpp"

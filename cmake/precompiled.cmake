@@ -1,7 +1,7 @@
 # Headers of other people's libraries that most sources read, compiled once for each set of flags. Nothing of src/ is among them, so that a
 # change of ours compiles what includes it and nothing else.
 set(arenite_common_headers <algorithm> <array> <cmath> <cstdint> <filesystem> <functional> <map> <memory> <numeric> <optional> <span>
-  <string> <string_view> <vector> <fmt/format.h>)
+  <string> <string_view> <vector> <fmt/core.h>)
 
 # For a target without loops over grains, nodes or pixels: -O1 compiles sooner by a quarter, and the loops' precompiled headers serve it, with
 # the loops' other flags. Inline functions that it shares with the loops may be linked from it; they are copies of strings, lists and nouns, and

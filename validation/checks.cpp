@@ -1,6 +1,6 @@
 #include "validation/checks.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 

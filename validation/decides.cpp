@@ -1,5 +1,5 @@
 // The sentence that names what decides a claim's verdict.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 

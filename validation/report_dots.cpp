@@ -1,6 +1,6 @@
 #include "validation/report_dots.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // The ledger for programs: JSON, and CSV of all checks or of the verdicts alone.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 #include <map>

@@ -1,5 +1,5 @@
 // The ledger as a page of Markdown.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // The ledger at a terminal.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 #include "validation/trends.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 

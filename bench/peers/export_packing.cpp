@@ -1,5 +1,5 @@
 // Writes the benchmark's packings for the peers: NAME.data (LAMMPS, SI), and of disks NAME.csv (x, y, radius).
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cstdio>
 #include <filesystem>

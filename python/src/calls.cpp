@@ -1,6 +1,6 @@
 #include "calls.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

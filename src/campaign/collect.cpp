@@ -1,7 +1,6 @@
 #include "campaign/collect.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +18,7 @@
 namespace arenite::campaign {
 namespace {
 
-using Flat = std::vector<std::pair<std::string, Estimate>>;
+using Flat = std::vector<FlatNumber>;
 
 constexpr std::size_t most_items = 4;
 
@@ -33,37 +32,26 @@ bool is_short(const Numbers& list) {
          std::all_of(list.begin(), list.end(), [](const Numbers& item) { return is_number(item) || (item.is_list() && is_short(item)); });
 }
 
-void flatten(const Numbers& j, const std::string& name, Flat& out);
-
-/// The error that stands beside item `i` of a list of values.
-void flatten_list(const Numbers& values, const Numbers* errors, const std::string& name, Flat& out) {
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const std::string item = name + "." + std::to_string(i);
-    const Numbers* error = errors && errors->is_list() && i < errors->size() ? &(*errors)[i] : nullptr;
-    if (values[i].is_list()) flatten_list(values[i], error, item, out);
-    else out.emplace_back(item, Estimate{values[i].get<double>(), number_in(error)});
-  }
+/// A value and the error beside it, or a list of them.
+void flatten_value(const Numbers& value, const Numbers* error, const std::string& name, const Meaning* meaning, Flat& out) {
+  if (!value.is_list()) return out.push_back({name, {number_in(&value), number_in(error)}, meaning});
+  for (std::size_t i = 0; i < value.size(); ++i)
+    flatten_value(value[i], error && error->is_list() && i < error->size() ? &(*error)[i] : nullptr, name + "." + std::to_string(i), meaning, out);
 }
 
-void flatten_object(const Numbers& j, const std::string& name, Flat& out) {
-  const Numbers *value = j.at_path("/value"), *error = j.at_path("/error");
-  if (value && is_number(*value)) {
-    out.emplace_back(name, Estimate{number_in(value), number_in(error)});
-  } else if (value && value->is_list()) {
-    if (is_short(*value)) flatten_list(*value, error, name, out);
-  } else {
-    for (const auto& [key, inner] : j.items())
-      if (key != "provenance") flatten(inner, name.empty() ? key : name + "." + key, out);
+void flatten(const Numbers& j, const std::string& name, const Meaning* of_group, Flat& out) {
+  const auto is_value = [](const Numbers& node) { return is_number(node) || (node.is_list() && is_short(node)); };
+  const Meaning* meaning = j.meaning() ? j.meaning() : of_group;
+  if (is_value(j)) return flatten_value(j, nullptr, name, meaning, out);
+  if (const Numbers* value = j.at_path("/value"); j.is_tree() && value && (is_number(*value) || value->is_list())) {
+    if (is_value(*value)) flatten_value(*value, j.at_path("/error"), name, meaning, out);
+    return;
   }
-}
-
-void flatten(const Numbers& j, const std::string& name, Flat& out) {
-  if (is_number(j)) out.emplace_back(name, Estimate{j.get<double>()});
-  else if (j.is_tree()) flatten_object(j, name, out);
-  else if (j.is_list() && is_short(j)) flatten_list(j, nullptr, name, out);
-  else if (j.is_list())
-    for (const Numbers& item : j)
-      if (item.is_tree() && item.contains("name") && item["name"].is_text()) flatten(item, name + "." + item["name"].get<std::string>(), out);
+  for (const auto& [key, inner] : j.items())
+    if (key != "provenance") flatten(inner, name.empty() ? key : name + "." + key, meaning, out);
+  for (const Numbers& item : j)
+    if (j.is_list() && item.is_tree() && item.contains("name") && item["name"].is_text())
+      flatten(item, name + "." + item["name"].get<std::string>(), meaning, out);
 }
 
 using Row = CollectedTable::Row;
@@ -95,6 +83,18 @@ std::string cell_of(const std::string& literal) {
   return value.kind == recipe::Node::Kind::text ? value.text : literal;
 }
 
+/// Whether a step of the name ends with the unit: "modulus_Pa", "energies_J.elastic", "work_J_per_m", "rate_grains_s".
+bool says(const std::string& name, const std::string& unit) {
+  const auto ends_a_step = [&](const char* over) {
+    std::string text;
+    for (const char c : unit.substr(unit.starts_with("1/") ? 2 : 0)) text += c == '/' ? over : c == ' ' ? "_" : c == '^' ? "" : std::string(1, c);
+    return (name + ".").find("_" + text + ".") != std::string::npos;
+  };
+  return ends_a_step("_") || ends_a_step("_per_");
+}
+
+std::string head(const std::string& name, const std::string& unit) { return io::quoted_cell(unit.empty() ? name : fmt::format("{} [{}]", name, unit)); }
+
 std::string number(double value) { return std::isfinite(value) ? fmt::format("{}", value) : std::string(); }
 
 Row mean_of(const std::vector<const Row*>& group, std::vector<std::string> values, std::size_t columns) {
@@ -115,7 +115,7 @@ Row mean_of(const std::vector<const Row*>& group, std::vector<std::string> value
 
 Flat flat_numbers(const Numbers& numbers) {
   Flat flat;
-  flatten(numbers, "", flat);
+  flatten(numbers, "", nullptr, flat);
   return flat;
 }
 
@@ -132,14 +132,13 @@ CollectedTable collect(const Study& study, const StudyFolder& folder) {
       const auto at = std::find_if(run.values.begin(), run.values.end(), [&](const auto& value) { return value.first == key; });
       row.values.push_back(at == run.values.end() ? "" : cell_of(at->second));
     }
-    for (const auto& [name, estimate] : flat_numbers(result.numbers)) {
+    for (const auto& [name, estimate, meaning] : flat_numbers(result.numbers)) {
       const auto [at, is_new] = column.emplace(name, table.names.size());
       if (is_new) table.names.push_back(name);
       row.numbers.resize(std::max(row.numbers.size(), at->second + 1));
       row.numbers[at->second] = estimate;
-    }
-    for (const auto& [name, number, meaning] : named_numbers(result.numbers))
       if (meaning) table.meanings.emplace(name, *meaning);
+    }
     table.rows.push_back(std::move(row));
   }
   for (Row& row : table.rows) row.numbers.resize(table.names.size());
@@ -151,11 +150,12 @@ CollectedTable averaged(const CollectedTable& table, const std::vector<std::stri
   CollectedTable result;
   result.means = true;
   result.names = table.names;
+  result.meanings = table.meanings;
   std::vector<std::size_t> places;
   const auto known = mapped(table.keys, &CollectedTable::Key::name);
   for (const auto& key : keys) {
     const auto at = std::find(known.begin(), known.end(), key);
-    if (at == known.end()) throw InputError(fmt::format("--by {}: is not swept; the swept keys are: {}", key, recipe::list_of(known)));
+    if (at == known.end()) throw InputError(fmt::format("--by {}: is not swept; the swept keys are: {}", key, list_of(known)));
     places.push_back(static_cast<std::size_t>(at - known.begin()));
     result.keys.push_back(table.keys[places.back()]);
   }
@@ -172,6 +172,11 @@ CollectedTable averaged(const CollectedTable& table, const std::vector<std::stri
   return result;
 }
 
+std::string CollectedTable::unit_of_number(const std::string& name) const {
+  const auto at = meanings.find(name);
+  return at == meanings.end() ? std::string() : at->second.unit;
+}
+
 std::string CollectedTable::csv() const {
   // A column of errors only where there are any.
   std::vector<bool> has_error(names.size(), false);
@@ -180,16 +185,17 @@ std::string CollectedTable::csv() const {
       if (std::isfinite(row.numbers[c].error)) has_error[c] = true;
   std::vector<std::string> cells;
   const auto line = [&cells] {
-    const std::string text = fmt::format("{}\n", fmt::join(cells, ","));
+    const std::string text = fmt::format("{}\n", list_of(cells, ","));
     cells.clear();
     return text;
   };
   if (!means) cells = {"run", "status"};
-  for (const Key& key : keys) cells.push_back(io::quoted_cell(key.unit.empty() ? key.name : fmt::format("{} [{}]", key.name, key.unit)));
+  for (const Key& key : keys) cells.push_back(head(key.name, key.unit));
   if (means) cells.emplace_back("runs");
   for (std::size_t c = 0; c < names.size(); ++c) {
-    cells.push_back(io::quoted_cell(names[c]));
-    if (has_error[c]) cells.push_back(io::quoted_cell(names[c] + "_error"));
+    const std::string unit = unit_of_number(names[c]);
+    cells.push_back(head(names[c], says(names[c], unit) ? "" : unit));
+    if (has_error[c]) cells.push_back(head(names[c] + "_error", says(names[c], unit) ? "" : unit));
   }
   std::string text = line();
   for (const Row& row : rows) {
@@ -223,6 +229,7 @@ std::string CollectedTable::json() const {
       if (!std::isfinite(value)) continue;
       numbers[names[c]] = Numbers{{"value", value}};
       if (std::isfinite(error)) numbers[names[c]]["error"] = error;
+      if (const std::string unit = unit_of_number(names[c]); !unit.empty()) numbers[names[c]]["unit"] = unit;
     }
     one["values"] = std::move(swept);
     one["numbers"] = std::move(numbers);

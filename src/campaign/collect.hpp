@@ -1,7 +1,6 @@
 #pragma once
 #include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "campaign/study_folder.hpp"
@@ -11,9 +10,15 @@ namespace arenite::campaign {
 
 using statistics::Estimate;
 
-/// All single numbers of a run by dotted names ("texture.coordination"), in its order. {"value", "error"} is one
-/// number; of lists those of at most four numbers are taken (tensors, counted from 0), and those of things with a "name", by it.
-std::vector<std::pair<std::string, Estimate>> flat_numbers(const Numbers& numbers);
+/// A single number of a run by its dotted name ("texture.coordination"), with its meaning or that of the group it is in.
+struct FlatNumber {
+  std::string name;
+  Estimate estimate;
+  const Meaning* meaning = nullptr;
+};
+/// All of them, in the run's order; it must outlive them. {"value", "error"} is one number; of lists those of at most four numbers are taken (tensors,
+/// counted from 0), and those of things with a "name", by it.
+std::vector<FlatNumber> flat_numbers(const Numbers& numbers);
 
 /// Runs as rows: first the swept keys, then numbers. Empty cells are empty texts and numbers that are not known of a run.
 struct CollectedTable {
@@ -32,8 +37,10 @@ struct CollectedTable {
   std::vector<Row> rows;
   bool means = false;
 
+  /// Heads are names; a unit that the name does not end with stands behind it: "modulus_Pa", "stress.0.0 [Pa]".
   std::string csv() const;
   std::string json() const;
+  std::string unit_of_number(const std::string& name) const;  ///< empty where it has none, or none is declared
 };
 
 CollectedTable collect(const Study& study, const StudyFolder& folder);

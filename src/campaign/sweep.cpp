@@ -1,6 +1,6 @@
 #include "campaign/study.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -8,6 +8,7 @@
 
 #include "core/mapped.hpp"
 #include "core/problems.hpp"
+#include "core/text.hpp"
 #include "io/disk/file.hpp"
 #include "io/table/table.hpp"
 
@@ -154,7 +155,7 @@ Sweep read_sweep(const recipe::Node& section, recipe::Reading& reading, std::uin
     else {
       const std::string near = nearest(key, known);
       add_problem(reading, place, "sweep." + key,
-                  near.empty() ? fmt::format("unknown key; the keys here are: {}; keys of the recipe go into [sweep.grid]", recipe::list_of(known))
+                  near.empty() ? fmt::format("unknown key; the keys here are: {}; keys of the recipe go into [sweep.grid]", list_of(known))
                                : fmt::format("unknown key; did you mean {}?", near));
     }
   }

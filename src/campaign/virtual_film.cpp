@@ -107,8 +107,13 @@ bool make_film(const fs::path& run, const fs::path& camera_file, const std::stri
   film->packing.grains.zone.assign(simulated.size(), 0);  // who glues grains knows which
   for (std::size_t i = 0; i < simulated.size(); ++i) film->packing.grains.zone[i] = high.grains.zone[simulated[i]];
   const auto found = workflow::agreement(film->peak_to_peak.sigma_hyd, truth, std::vector<std::uint8_t>(truth.size(), 1));
-  const Numbers j{{"grains", found.relation.count},         {"correlation", found.relation.pearson.value}, {"slope", found.relation.line.slope},
-                  {"rms_sigma_norm", found.rms_sigma_norm}, {"found", found_grains(*film, truth)},         {"texture", curves_of(*film)}};
+  using statistics::described;
+  const Numbers j{{"grains", described(found.relation.count, "", "Grains that are compared")},
+                  {"correlation", described(found.relation.pearson.value, "", "Pearson's correlation of the grains' stresses, film and simulation")},
+                  {"rms_sigma_norm", described(found.rms_sigma_norm, "", "Root mean square difference of the stresses, each over its mean")},
+                  {"slope", described(found.relation.line.slope, "", "Slope of the film's stresses on the simulation's")},
+                  {"found", found_grains(*film, truth)},
+                  {"texture", curves_of(*film)}};
   io::write_numbers_file(run / "virtual-film.hdf5", j);
   fs::remove_all(folder);
   return true;

@@ -1,6 +1,6 @@
 #include "core/parameters.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 

@@ -1,7 +1,10 @@
 #pragma once
 #include <algorithm>
 #include <charconv>
+#include <concepts>
+#include <cstdint>
 #include <optional>
+#include <ranges>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,6 +29,16 @@ inline std::vector<std::string_view> split_blanks(std::string_view line) {
   return cells;
 }
 
+/// Words one after the other, with this between two of them.
+template <std::ranges::range Words>
+requires std::convertible_to<std::ranges::range_reference_t<const Words>, std::string_view> std::string list_of(const Words& words,
+                                                                                                                std::string_view between = ", ") {
+  std::string list;
+  std::string_view gap;
+  for (const std::string_view word : words) list.append(gap).append(word), gap = between;
+  return list;
+}
+
 /// With the letters of ASCII in lower case; others stay, whatever the locale.
 inline char lower_case(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 inline std::string lower_case(std::string_view text) {
@@ -37,6 +50,24 @@ inline std::string lower_case(std::string_view text) {
 /// What plain names are made of, which stand in files, keys and commands without quotes: letters, digits, _ and -.
 inline bool is_name_character(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-'; }
 inline bool is_plain_name(std::string_view name) { return !name.empty() && std::all_of(name.begin(), name.end(), is_name_character); }
+
+/// Whether all of it is well-formed (RFC 3629): no byte is missing or too many, no character is longer than it need be.
+inline bool is_utf8(std::string_view text) {
+  constexpr std::uint32_t least[] = {0, 0x80, 0x800, 0x10000};
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const auto lead = static_cast<unsigned char>(text[at]);
+    const unsigned more = lead < 0x80 ? 0 : lead >> 5 == 6 ? 1 : lead >> 4 == 14 ? 2 : lead >> 3 == 30 ? 3 : 4;
+    if (more > 3 || text.size() - at <= more) return false;
+    std::uint32_t code = more == 0 ? lead : lead & (0x3fu >> more);
+    for (unsigned k = 0; k < more; ++k) {
+      const auto next = static_cast<unsigned char>(text[++at]);
+      if (next >> 6 != 2) return false;
+      code = code << 6 | (next & 0x3fu);
+    }
+    if (code < least[more] || code > 0x10ffff || code >> 11 == 0x1b) return false;  // halves of UTF-16 are no characters
+  }
+  return true;
+}
 
 /// A text that is a number of this type and nothing else; empty otherwise.
 template <class T> std::optional<T> parse_number(std::string_view text) {

@@ -1,6 +1,6 @@
 #include "model/phase_map.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 

@@ -1,7 +1,6 @@
 #include "recipe/document.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
@@ -182,10 +181,10 @@ std::string toml_literal(const Node& value) {
     case Node::Kind::real: return real_literal(value.real);
     case Node::Kind::text: return toml_text(value.text);
     case Node::Kind::date: return "\"\"";
-    case Node::Kind::array: return fmt::format("[{}]", fmt::join(mapped(value.items, toml_literal), ", "));
+    case Node::Kind::array: return fmt::format("[{}]", list_of(mapped(value.items, toml_literal)));
     case Node::Kind::table: {
       const auto literal = [](const Entry& entry) { return fmt::format("{} = {}", toml_key(entry.key), toml_literal(entry.value)); };
-      return fmt::format("{{ {} }}", fmt::join(mapped(value.entries, literal), ", "));
+      return fmt::format("{{ {} }}", list_of(mapped(value.entries, literal)));
     }
   }
   return {};

@@ -1,10 +1,10 @@
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 
 #include "core/mapped.hpp"
 #include "core/problems.hpp"
+#include "core/text.hpp"
 #include "grains/dem/integrators/integrators.hpp"
 #include "recipe/keys.hpp"
 
@@ -41,7 +41,7 @@ void declare(Visitor& v, dem::BoundaryMotion& motion, const Stage& stage, const 
   const auto names = mapped(recipe.boundaries, &Boundary::name);
   v.require(std::ranges::count(names, motion.name) > 0, {"name"},
             names.empty() ? std::string("there are no [[boundaries]] that could move; add them")
-                          : fmt::format("there is no boundary \"{}\"; there are: {}", motion.name, fmt::join(names, ", ")));
+                          : fmt::format("there is no boundary \"{}\"; there are: {}", motion.name, list_of(names)));
   v.require(std::ranges::count(stage.boundaries, motion.name, &dem::BoundaryMotion::name) <= 1, {"name"},
             fmt::format("boundary \"{}\" is named twice in this stage", motion.name));
   std::optional<Vec2> velocity = motion.velocity == Vec2{} ? std::nullopt : std::optional(motion.velocity);

@@ -1,10 +1,10 @@
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 
 #include "core/error.hpp"
 #include "core/mapped.hpp"
+#include "core/text.hpp"
 #include "grains/dem/integrators/integrators.hpp"
 #include "model/packing.hpp"
 #include "recipe/keys.hpp"
@@ -53,7 +53,7 @@ void declare(Visitor& v, dem::IntegrationParameters& integration) {
   // A name from elsewhere (--kernel) comes here without having been read, so it may be none of these.
   static const std::vector<std::string> kernels{"auto", "portable", "avx2", "avx512"};
   const auto found = std::find(kernels.begin(), kernels.end(), integration.kernel);
-  if (found == kernels.end()) { throw InputError(fmt::format("there is no kernel \"{}\"; choose one of: {}", integration.kernel, fmt::join(kernels, ", "))); }
+  if (found == kernels.end()) { throw InputError(fmt::format("there is no kernel \"{}\"; choose one of: {}", integration.kernel, list_of(kernels))); }
   int kernel = static_cast<int>(found - kernels.begin());
   v.choice({"kernel", "Machine code of the contact loop."}, kernel,
            {{"auto", "the fastest on this processor"},

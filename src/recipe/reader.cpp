@@ -1,7 +1,6 @@
 #include "recipe/reader.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -48,8 +47,6 @@ std::string refusal(const Entry& base, const fs::path& path, const Reading& read
 }
 
 }  // namespace
-
-std::string list_of(const std::vector<std::string>& words) { return fmt::format("{}", fmt::join(words, ", ")); }
 
 RecipeReader::RecipeReader(const Node& table, std::string path, Reading& reading) : table_(table), path_(std::move(path)), reading_(reading) {}
 

@@ -12,9 +12,6 @@
 
 namespace arenite::recipe {
 
-/// "a, b, c".
-std::string list_of(const std::vector<std::string>& words);
-
 /// What all readers of one recipe share.
 struct Reading {
   std::string file_name;

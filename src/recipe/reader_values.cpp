@@ -1,4 +1,4 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
@@ -8,6 +8,7 @@
 #include "core/error.hpp"
 #include "core/mapped.hpp"
 #include "core/problems.hpp"
+#include "core/text.hpp"
 #include "core/units.hpp"
 #include "io/table/table.hpp"
 #include "recipe/reader.hpp"

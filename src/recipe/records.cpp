@@ -1,5 +1,4 @@
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 
@@ -21,7 +20,7 @@ std::string number_form(std::string_view unit) { return unit.empty() ? "..." : f
 /// In brackets; nothing without items.
 template <class Items, class Literal> std::optional<std::string> list_literal(const Items& items, Literal literal) {
   if (items.empty()) return std::nullopt;
-  return fmt::format("[{}]", fmt::join(mapped(items, literal), ", "));
+  return fmt::format("[{}]", list_of(mapped(items, literal)));
 }
 
 class Recorder : public ParameterVisitor {

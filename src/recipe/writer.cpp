@@ -1,9 +1,9 @@
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 
 #include "core/mapped.hpp"
+#include "core/text.hpp"
 #include "recipe/document.hpp"
 
 namespace arenite::recipe {
@@ -19,7 +19,7 @@ std::vector<std::string> assignments(const RecordTable& table) {
   return items;
 }
 
-std::string inline_table(const RecordTable& table) { return fmt::format("{{ {} }}", fmt::join(assignments(table), ", ")); }
+std::string inline_table(const RecordTable& table) { return fmt::format("{{ {} }}", list_of(assignments(table))); }
 
 /// { a = 1, b = "... mm" } with a form to fill in for each required key, and for every key where none has a value of its own.
 std::string inline_form(const RecordTable& table) {
@@ -28,11 +28,11 @@ std::string inline_form(const RecordTable& table) {
   for (const auto& record : table)
     if (bare || record.key.required || record.literal)
       items.push_back(fmt::format("{} = {}", record.key.name, bare || record.key.required ? record.form : *record.literal));
-  return fmt::format("{{ {} }}", fmt::join(items, ", "));
+  return fmt::format("{{ {} }}", list_of(items));
 }
 
 /// [{ a = 1 }, { a = 2 }]
-std::string inline_list(const std::vector<RecordTable>& tables) { return fmt::format("[{}]", fmt::join(mapped(tables, inline_table), ", ")); }
+std::string inline_list(const std::vector<RecordTable>& tables) { return fmt::format("[{}]", list_of(mapped(tables, inline_table))); }
 
 /// On one line; nothing if it is not set.
 std::optional<std::string> value_of(const Record& record) {
@@ -71,7 +71,7 @@ RecordTable changed(const RecordTable& table, const RecordTable& defaults) {
 
 std::string explanation(const Record& record) {
   if (record.choices.empty()) return std::string(record.key.sentence);
-  return fmt::format("{} One of: {}", record.key.sentence, fmt::join(mapped(record.choices, &Record::Choice::literal), ", "));
+  return fmt::format("{} One of: {}", record.key.sentence, list_of(mapped(record.choices, &Record::Choice::literal)));
 }
 
 void write_line(std::string& text, bool active, const std::string& assignment, const std::string& comment) {

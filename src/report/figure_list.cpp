@@ -1,7 +1,6 @@
 #include "report/figure_list.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
@@ -11,6 +10,7 @@
 
 #include "core/error.hpp"
 #include "core/mapped.hpp"
+#include "core/text.hpp"
 #include "recipe/document.hpp"
 
 namespace arenite::report {
@@ -87,7 +87,7 @@ template <class Choice> void read_choice(Table& table, const Node& node, const c
   std::string word = among[static_cast<std::size_t>(choice)];
   table.read(key, word);
   const auto at = std::find(among.begin(), among.end(), word);
-  if (at == among.end()) return table.refuse(node, key, fmt::format("is one of {}", fmt::join(among, ", ")));
+  if (at == among.end()) return table.refuse(node, key, fmt::format("is one of {}", list_of(among)));
   choice = static_cast<Choice>(at - among.begin());
 }
 

@@ -1,7 +1,6 @@
 #include "report/found_grains.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
@@ -9,6 +8,7 @@
 #include <numbers>
 
 #include "core/median.hpp"
+#include "core/text.hpp"
 #include "io/results/groups.hpp"
 #include "statistics/numbers.hpp"
 
@@ -58,21 +58,23 @@ Numbers numbers_of(const FoundGrains& g) {
   const PictureGrains& p = g.found.grains;
   Numbers sizes = Numbers::list(), materials = Numbers::list();
   for (std::size_t c = 0; c < r.sizes.size(); ++c)
-    sizes.push_back({{"radius_px", r.sizes.mean[c]}, {"spread_px", r.sizes.spread[c]}, {"grains", r.sizes.members[c]}});
+    sizes.push_back({{"radius_px", described(r.sizes.mean[c], "px", "Mean radius of the class")},
+                     {"spread_px", described(r.sizes.spread[c], "px", "Standard deviation of the radii")},
+                     {"grains", described(r.sizes.members[c], "", "Grains of the class")}});
   for (std::size_t m = 0; m < r.materials.size(); ++m)
     materials.push_back({{"name", material_name(g, static_cast<std::int32_t>(m))},
-                         {"brightness", r.materials.mean[m]},
-                         {"spread", r.materials.spread[m]},
-                         {"grains", r.materials.members[m]}});
+                         {"brightness", described(r.materials.mean[m], "", "Mean brightness of the material's grains")},
+                         {"spread", described(r.materials.spread[m], "", "Standard deviation of their brightness")},
+                         {"grains", described(r.materials.members[m], "", "Grains of the material")}});
   return {{"file", g.file},
-          {"width", g.picture.image.width},
-          {"height", g.picture.image.height},
+          {"width", described(g.picture.image.width, "", "Pixels along x")},
+          {"height", described(g.picture.image.height, "", "Pixels along y")},
           {"frames", described(g.picture.frames, "", "Frames that the picture is the mean of")},
           {"bad_pixels_replaced", described(g.picture.replaced, "", "Bad pixels, replaced by good neighbours")},
           {"pixel_m", described(g.pixel > 0 ? Numbers(g.pixel) : Numbers(), "m", "Width of a pixel on the sample")},
           {"corner_px", described({g.corner.x, g.corner.y}, "px", "Column and row that x and y of the table count from")},
-          {"grains", p.size()},
-          {"bright", r.bright},
+          {"grains", described(p.size(), "", "Grains that were found")},
+          {"bright", described(r.bright, "", "Whether grains are brighter than their surroundings")},
           {"between", described(r.between ? Numbers(*r.between) : Numbers(), "", "Grey level between grains")},
           {"blur_px", described(r.blur, "px", "Standard deviation of lens and pixel")},
           {"noise", described(r.noise, "", "Noise of the picture near rims")},
@@ -127,7 +129,7 @@ std::string grains_csv(const FoundGrains& g) {
     names += ",material", units += ",-";
     for (std::size_t k = 0; k < grains.size(); ++k) rows[k] += "," + material_name(g, grains.material[k]);
   }
-  return fmt::format("{}\n{}\n{}\n", names, units, fmt::join(rows, "\n"));
+  return fmt::format("{}\n{}\n{}\n", names, units, list_of(rows, "\n"));
 }
 
 std::string grains_text(const FoundGrains& g) {

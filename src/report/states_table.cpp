@@ -1,5 +1,6 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "io/disk/store_file.hpp"
@@ -11,11 +12,13 @@
 namespace arenite::report {
 namespace {
 
-constexpr const char* path_heads = "time [s],strain_x,strain_y,volume_strain,p [Pa],q [Pa],q_over_p";
-
-/// Heads of columns, and the numbers of the texture that stand below them. Anisotropies have a sign against the axis of loading, or of greatest
-/// compression where there are several; `show` without --states prints how large they are.
-constexpr std::pair<const char*, const char*> columns[] = {{"solid_fraction", "solid_fraction"},
+/// Names of columns, and the numbers of the texture that stand below them, whose units are those of the heads; q/p, the sine of the mobilised angle of
+/// friction, is of the two before it. Anisotropies have a sign against the axis of loading, or of greatest compression where there are several; `show`
+/// without --states prints how large they are.
+constexpr std::pair<const char*, const char*> columns[] = {{"p", "stress_details.pressure_Pa"},
+                                                           {"q", "stress_details.deviator_Pa"},
+                                                           {"q_over_p", ""},
+                                                           {"solid_fraction", "solid_fraction"},
                                                            {"z", "coordination.all"},
                                                            {"z_without_rattlers", "coordination.without_rattlers"},
                                                            {"rattlers", "coordination.rattlers"},
@@ -25,13 +28,22 @@ constexpr std::pair<const char*, const char*> columns[] = {{"solid_fraction", "s
                                                            {"strong_share", "force.strong_share"},
                                                            {"q_on_strong", "stress_details.strong_share_of_deviator"}};
 
-/// Strains are compression positive since the state before the stage; those of the volume are negative where the sample dilates. q/p is the sine of
-/// the mobilised angle of friction.
+std::string heads_of(const Numbers& texture) {
+  const auto numbers = named_numbers(texture);
+  std::string heads = "stage,label,time [s],strain_x,strain_y,volume_strain";
+  for (const auto& [head, name] : columns) {
+    const auto at = std::ranges::find(numbers, name, &NamedNumber::name);
+    const std::string unit = at == numbers.end() || !at->meaning ? "" : at->meaning->unit;
+    heads += fmt::format(",{}{}", head, unit.empty() ? "" : " [" + unit + "]");
+  }
+  return heads + ",mobilisation\n";
+}
+
+/// Strains are compression positive since the state before the stage; those of the volume are negative where the sample dilates.
 std::vector<double> row_of(const Frame& frame, const Domain& start, const Numbers& texture) {
   const Domain& now = frame.packing.domain;
-  const double p = number_at(texture, "stress_details.pressure_Pa"), q = number_at(texture, "stress_details.deviator_Pa");
-  std::vector<double> row{frame.time, 1 - now.width() / start.width(), 1 - now.height() / start.height(), 1 - now.area() / start.area(), p, q, q / p};
-  for (const auto& [head, name] : columns) row.push_back(number_at(texture, name));
+  std::vector<double> row{frame.time, 1 - now.width() / start.width(), 1 - now.height() / start.height(), 1 - now.area() / start.area()};
+  for (const auto& [head, name] : columns) row.push_back(*name ? number_at(texture, name) : row.back() / row[row.size() - 2]);
   row.push_back(frame.equilibrium.mobilisation);
   return row;
 }
@@ -49,9 +61,8 @@ std::vector<StageResult> stages_of(const std::filesystem::path& result) {
 }  // namespace
 
 std::string states_table(const std::filesystem::path& result) {
-  std::string text = fmt::format("stage,label,{}", path_heads);
-  for (const auto& [head, name] : columns) text += fmt::format(",{}", head);
-  text += ",mobilisation\n";
+  Numbers last;
+  std::string rows;
   const auto stages = stages_of(result);
   const Domain* before = nullptr;  // of the first stage the reference is its own first state
   for (const StageResult& stage : stages) {
@@ -60,14 +71,14 @@ std::string states_table(const std::filesystem::path& result) {
     options.rev_sizes = options.rev_places = 1;
     const Domain& start = before ? *before : stage.frames.front().packing.domain;
     for (const Frame& frame : stage.frames) {
-      text += fmt::format("{},{}", stage.name, frame.label);
-      for (const double value : row_of(frame, start, texture::numbers(texture::measure(frame.packing, options))))
-        text += std::isfinite(value) ? fmt::format(",{:.6g}", value + 0.0) : ",";
-      text += "\n";
+      last = texture::numbers(texture::measure(frame.packing, options));
+      rows += fmt::format("{},{}", stage.name, frame.label);
+      for (const double value : row_of(frame, start, last)) rows += std::isfinite(value) ? fmt::format(",{:.6g}", value + 0.0) : ",";
+      rows += "\n";
     }
     before = &stage.frames.back().packing.domain;
   }
-  return text;
+  return heads_of(last) + rows;
 }
 
 }  // namespace arenite::report

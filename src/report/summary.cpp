@@ -1,6 +1,6 @@
 #include "report/summary.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "io/disk/store_file.hpp"
 #include "io/results/results.hpp"
@@ -50,7 +50,7 @@ Numbers walls(const Domain& domain) {
 Numbers boundaries(const Domain& domain) {
   Numbers j = Numbers::tree();
   for (const Boundary& b : domain.boundaries)
-    j[b.name] = {{"present", b.present},
+    j[b.name] = {{"present", described(b.present, "", "Whether grains meet it")},
                  {"centre_m", described({b.centre.x, b.centre.y}, "m", "Centre, which moves with the boundary")},
                  {"velocity_m_s", described({b.velocity.x, b.velocity.y}, "m/s", "Velocity of the centre")},
                  {"spin_rad_s", described(b.spin, "rad/s", "Counter-clockwise")},
@@ -72,9 +72,11 @@ Numbers state(const Frame& frame) {
   return j;
 }
 
+Numbers converged(const ResultHead& head) { return described(head.converged, "", "Whether it came to equilibrium, or to a solution"); }
+
 /// What the list of stages says of every kind of result.
 Numbers entry(const ResultHead& head, const std::string& file) {
-  return {{"name", head.name}, {"file", file}, {"input_hash", head.provenance.input_hash}, {"converged", head.converged}, {"outcome", head.outcome}};
+  return {{"name", head.name}, {"file", file}, {"input_hash", head.provenance.input_hash}, {"converged", converged(head)}, {"outcome", head.outcome}};
 }
 
 /// As stored, or measured now.
@@ -119,7 +121,7 @@ Numbers Summary::numbers() const {
   j["provenance"] = provenance(last().provenance);
   for (const Stage& stage : stages_) {
     Numbers one = entry(stage.result, stage.file);
-    one["states"] = stage.states;
+    one["states"] = described(stage.states, "", "States that are stored");
     if (!stage.result.frames.empty()) one["last_state"] = state(stage.result.frames.back());
     if (const auto curves = test_curves(stage.result))
       if (const auto critical = critical_state(*curves)) one["critical_state"] = j["critical_state"] = numbers_of(*curves, *critical);
@@ -166,7 +168,7 @@ std::string field_summary(const FieldResult& result) {
 Numbers field_numbers(const FieldResult& result) {
   Numbers j = result.numbers;
   j["provenance"] = provenance(result.provenance);
-  j["converged"] = result.converged;
+  j["converged"] = converged(result);
   j["outcome"] = result.outcome;
   return j;
 }

@@ -1,6 +1,6 @@
 #include "statistics/correlation.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

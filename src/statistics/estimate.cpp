@@ -1,6 +1,6 @@
 #include "statistics/estimate.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

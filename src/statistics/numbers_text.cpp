@@ -1,5 +1,4 @@
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
@@ -32,7 +31,7 @@ std::string number_text(const Numbers& value, const Numbers* error, double scale
     items.push_back(number_text(value[i], error && error->is_list() && i < error->size() ? &(*error)[i] : nullptr, scale));
     if (items.back().empty()) return {};
   }
-  return fmt::format("{}", fmt::join(items, value.front().is_list() ? "; " : ", "));
+  return fmt::format("{}", list_of(items, value.front().is_list() ? "; " : ", "));
 }
 
 /// "0.842 +- 0.003 N"; stresses in the unit that suits them. Empty for groups, curves and what is not known.

@@ -1,6 +1,6 @@
 #include "workflow/export_result.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <deque>

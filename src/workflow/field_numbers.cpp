@@ -47,22 +47,25 @@ bool has_classes(const PhaseMap& map) {
 
 Numbers phases(const PhaseMap& map) {
   const auto f = grid::phase_fractions(map);
-  const char* sentence = "Fraction of the nodes";
-  Numbers j{{"particle", described(f.particle, "", sentence)}, {"matrix", described(f.matrix, "", sentence)}, {"void", described(f.empty, "", sentence)}};
-  if (has_classes(map)) j.update({{"large", described(f.large, "", sentence)}, {"small", described(f.small, "", sentence)}});
-  return j;
+  Numbers j{{"particle", f.particle}, {"matrix", f.matrix}, {"void", f.empty}};
+  if (has_classes(map)) j.update({{"large", f.large}, {"small", f.small}});
+  return described(std::move(j), "", "Fraction of the nodes");
 }
 
 Numbers grains(const PhaseMap& map) {
   const auto of = [&](GrainClass one) { return static_cast<std::size_t>(std::count(map.grain_class.begin(), map.grain_class.end(), one)); };
   Numbers j{{"all", map.grain_class.size()}};
   if (has_classes(map)) j.update({{"large", of(GrainClass::large)}, {"small", of(GrainClass::small)}});
-  return j;
+  return described(std::move(j), "", "Grains of the map");
 }
 
 Numbers support(const peridynamics::Support& s) {
-  return {{"solid", s.solid},           {"carrying", s.carrying}, {"held_below", s.held_below},
-          {"held_above", s.held_above}, {"floating", s.floating}, {"islands", s.islands}};
+  return {{"solid", described(s.solid, "", "Nodes that are not void")},
+          {"carrying", described(s.carrying, "", "Of these, nodes that are tied to both clamps")},
+          {"held_below", described(s.held_below, "", "Nodes tied to the lower clamp alone, without stress")},
+          {"held_above", described(s.held_above, "", "Nodes tied to the upper clamp alone, without stress")},
+          {"floating", described(s.floating, "", "Nodes tied to neither clamp, without stress")},
+          {"islands", described(s.islands, "", "Separate parts of these")}};
 }
 
 Numbers as_asked(const recipe::Load& load) {
@@ -97,10 +100,11 @@ Numbers map_numbers(const PhaseMap& map, const grid::CavityRules& rules, double 
   j["S_m"] = described(fractions.saturation, "", "Saturation S_m: fraction of the space between grains filled by matrix, by nodes");
   if (fractions.small > 0) j["volume_ratio"] = described(fractions.large / fractions.small, "", "Area of large over area of small grains");
   const auto through = grid::find_percolation(map, rules.eight_connected);
-  j["percolates"] = {{"solid_bottom_top", through.solid_bottom_top},
-                     {"solid_left_right", through.solid_left_right},
-                     {"void_bottom_top", through.void_bottom_top},
-                     {"void_left_right", through.void_left_right}};
+  j["percolates"] = described({{"solid_bottom_top", through.solid_bottom_top},
+                               {"solid_left_right", through.solid_left_right},
+                               {"void_bottom_top", through.void_bottom_top},
+                               {"void_left_right", through.void_left_right}},
+                              "", "Whether solid or void joins these two sides");
   j["cavity_rules"] = {{"neighbours", rules.eight_connected ? 8 : 4},
                        {"fewest_nodes", rules.fewest_nodes},
                        {"leave_out_border", rules.leave_out_border},
@@ -115,15 +119,17 @@ void add_reports(Numbers& j, const SampleReports& reports) {
   const auto& r = reports.grid;
   const auto kind = static_cast<std::size_t>(reports.law.kind);
   const char* off = "Area of the nodes over the exact area, minus 1";
-  j["area_error"] = {{"particle", described(r.particle_area_error, "", off)}, {"matrix", described(r.matrix_area_error, "", off)}};
+  j["area_error"] = described({{"particle", r.particle_area_error}, {"matrix", r.matrix_area_error}}, "", off);
   j["exact"] = {{"solid_fraction", described(c.areas.particle / c.areas.window, "", "Fraction of the area in grains, by exact areas")},
                 {"S_m", described(c.saturation, "", "Fraction of the space between grains filled by matrix, by exact areas")}};
   Numbers cement{{"kind", recipe::word_of(reports.law.kind)},
                  {"gap_m", described(*reports.law.gap, "m", "Largest gap that a neck bridges")},
                  {"necks", described(c.necks, "", "Pairs of grains with a neck")}};
   if (const auto& [name, unit, sentence] = parameters[kind]; *name != '\0') cement[name] = described(c.parameter, unit, sentence);
-  if (reports.law.saturation) cement["saturation_error"] = c.saturation_error;
-  if (reports.law.kind == cement::CementParameters::Kind::menisci) cement.update({{"ruptured", c.ruptured}, {"capped", c.capped}});
+  if (reports.law.saturation) cement["saturation_error"] = described(c.saturation_error, "", "S_m less the one asked for");
+  if (reports.law.kind == cement::CementParameters::Kind::menisci)
+    cement.update({{"ruptured", described(c.ruptured, "", "Menisci too small to span their gap, so not there")},
+                   {"capped", described(c.capped, "", "Menisci that hold less than asked, with straight arcs")}});
   j["cement"] = cement;
   j["grid"] = {{"corner_m", described({r.window.x_min, r.window.y_min}, "m", "Lower left corner of the window in the sample")},
                {"side_m", described(r.window.width(), "m", "Side of the window")},
@@ -168,14 +174,15 @@ void add_failure(Numbers& j, const recipe::Load& load, const peridynamics::Damag
   const peridynamics::Toughness k = load.toughness.resolved();
   l["toughness_Pa_m0.5"] =
       described({{"matrix", k.matrix}, {"interface", k.interface}, {"particle", k.particle}}, "Pa m^0.5", "Fracture toughness given to these bonds");
-  l.update(
-      {{"ending", peridynamics::damage_endings[static_cast<std::size_t>(result.ending)].word}, {"solves", result.solves}, {"iterations", result.iterations}});
+  l.update({{"ending", peridynamics::damage_endings[static_cast<std::size_t>(result.ending)].word},
+            {"solves", described(result.solves, "", "Static solutions")},
+            {"iterations", described(result.iterations, "", "Iterations of the solver")}});
   j["load"] = l;
   j["modulus_Pa"] = described(result.modulus, "Pa", "Apparent modulus before the first bond breaks");
   j["strength_Pa"] = described(result.strength, "Pa", "Strength, greatest mean stress");
   std::array<std::size_t, 4> by_type{};
   for (const auto& bond : result.broken) ++by_type[bond.type & 3u];
-  Numbers failure{{"broken", {{"matrix", by_type[1]}, {"interface", by_type[2]}, {"particle", by_type[3]}}},
+  Numbers failure{{"broken", described({{"matrix", by_type[1]}, {"interface", by_type[2]}, {"particle", by_type[3]}}, "", "Bonds broken")},
                   {"energy_balance_error", described(result.energy_defect, "", "Largest |work - elastic - released energy| over the work")}};
   for (const auto& state : result.curve)
     if (state.stress == result.strength) failure["strain_at_strength"] = described(state.strain, "", "Strain at the greatest mean stress");

@@ -1,6 +1,6 @@
 #include "workflow/measure_film.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "workflow/predict.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
@@ -42,6 +42,8 @@ double settling_time(double period, double drag, double unbalanced, bool pressed
 }
 
 namespace {
+
+using statistics::described;
 
 /// As the engine bounds it: Hertz contacts count as stiff as at an overlap of 2 %.
 double tangent(const dem::ContactParameters& contact, double stiffness) {
@@ -122,6 +124,28 @@ void warn(Prediction& p, const recipe::Recipe& recipe) {
   }
 }
 
+/// In the order of StepLimit.
+constexpr const char* limits[] = {"collision", "stiffness", "damping", "given"};
+
+Numbers numbers_of(const StagePrediction& s) {
+  Numbers j{{"name", s.name},
+            {"steps", described(s.steps, "", "Steps of the stage")},
+            {"exact", described(s.exact, "", "Whether their number follows from a duration; else it is an estimate")},
+            {"duration_s", described(s.duration, "s", "Time that is simulated")},
+            {"time_step_s", described(s.time_step, "s", "Time step of the stage")},
+            {"computing_s", described(s.seconds, "s", "Time of one free processor")}};
+  if (s.pressure > 0) j["pressure_Pa"] = described(s.pressure, "Pa", "Largest pressure of sides or weight");
+  if (s.inertial_number) {
+    j["inertial_number"] = described(*s.inertial_number, "", "Inertial number rate d sqrt(rho/P)");
+    j["flow"] = flow_regime(*s.inertial_number);
+  }
+  if (s.stiffness_number) {
+    j["stiffness_number"] = described(*s.stiffness_number, "", "Diameter over overlap under the pressure, k/(P L) of a linear law");
+    j["overlap_over_diameter"] = described(*s.overlap, "", "Overlap under the pressure over the diameter");
+  }
+  return j;
+}
+
 }  // namespace
 
 ShortestCollision shortest_collision(const Packing& packing, const dem::ContactParameters& contact) {
@@ -141,6 +165,25 @@ double Prediction::seconds() const {
   double sum = 0;
   for (const StagePrediction& stage : stages) sum += stage.seconds;
   return sum;
+}
+
+Numbers numbers(const Prediction& p) {
+  Numbers stages = Numbers::list();
+  for (const StagePrediction& stage : p.stages) stages.push_back(numbers_of(stage));
+  return {{"time_step_s", described(p.time_step, "s", "Time step")},
+          {"time_step_limited_by", limits[static_cast<std::size_t>(p.limit)]},
+          {"largest_stable_step_s", described(p.largest_step, "s", "Largest stable time step")},
+          {"shortest_collision",
+           {{"time_s", described(p.collision.time, "s", "How long the collision lasts without damping")},
+            {"material", p.material},
+            {"radius_m", described(p.collision.radius, "m", "Radius of its grain")},
+            {"with_wall", described(p.collision.with_wall, "", "Whether it is with a wall; else with a grain alike")}}},
+          {"grains", described(p.grains, "", "Grains of the recipe")},
+          {"grains_timed", described(p.sample, "", "Grains of the sample that was timed")},
+          {"seconds_per_step", described(p.seconds_per_step, "s", "Time of one free processor for a step")},
+          {"computing_s", described(p.seconds(), "s", "Time of one free processor for all stages")},
+          {"stages", std::move(stages)},
+          {"warnings", p.warnings}};
 }
 
 Prediction predict(const recipe::Recipe& recipe) {

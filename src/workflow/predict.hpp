@@ -9,6 +9,7 @@
 #include "grains/dem/laws/laws.hpp"
 #include "model/packing.hpp"
 #include "recipe/recipe.hpp"
+#include "statistics/numbers.hpp"
 
 // What a simulation will cost and what it will be like, before it is run. SI units.
 namespace arenite::dem {
@@ -96,5 +97,7 @@ struct Prediction {
 /// Looks at the recipe's sample before its loading, or at a small one of the same kind where that is large, and times some hundred steps of it.
 /// Cement, grid and loads are left out. Throws InputError where the sample cannot be made.
 Prediction predict(const recipe::Recipe& recipe);
+
+Numbers numbers(const Prediction& prediction);
 
 }  // namespace arenite::workflow

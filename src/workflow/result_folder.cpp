@@ -1,7 +1,6 @@
 #include "workflow/result_folder.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <numbers>
@@ -10,6 +9,7 @@
 
 #include "core/mapped.hpp"
 #include "core/problems.hpp"
+#include "core/text.hpp"
 #include "io/disk/store_file.hpp"
 #include "io/export/export.hpp"
 #include "io/results/results.hpp"
@@ -64,7 +64,7 @@ std::string ResultFolder::what_was_put_aside() const {
     if (std::error_code error; fs::is_directory(out_ / name, error)) stale += (stale.empty() ? "" : ", ") + (out_ / name).string();
   const bool is_old = is_of_version_0_1(out_ / "earlier" / put_aside_.front());
   return fmt::format("{} of {} moved to {} and kept there: {}{}", put_aside_.size() == 1 ? "a result" : "results",
-                     is_old ? "version 0.1, with which no run goes on," : "other settings", (out_ / "earlier").string(), fmt::join(put_aside_, ", "),
+                     is_old ? "version 0.1, with which no run goes on," : "other settings", (out_ / "earlier").string(), list_of(put_aside_),
                      stale.empty() ? "" : fmt::format("; still of those settings, so write anew: {}", stale));
 }
 
@@ -131,7 +131,7 @@ void refuse_stage(const fs::path& result, const std::string& name) {
   for (const auto& file : files_of(result, "result"))
     if (const auto stage = io::read_stage(file); !stage.frames.empty()) names.insert(stage.name);
   if (names.empty()) refuse(result.string(), "holds no simulated states; give the folder of an `arenite run`");
-  refuse(result.string(), "has no stage \"{}\"; those there are: {}", name, fmt::join(names, ", "));
+  refuse(result.string(), "has no stage \"{}\"; those there are: {}", name, list_of(names));
 }
 
 texture::Options texture_options(const recipe::Recipe& recipe, std::size_t stage) {

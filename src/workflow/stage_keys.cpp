@@ -1,6 +1,6 @@
 #include "workflow/stage_keys.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <fstream>

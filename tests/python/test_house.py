@@ -54,6 +54,19 @@ def test_arrows_of_inclusion_point_down():
     assert not wrong, "\n".join(wrong)
 
 
+# Headers that take long to compile, and how many sources of the library and the program include each at most.
+HEAVY = {"CLI/": 2, "Eigen/": 5, "boost/": 2, "httplib.h": 1, "nlohmann/": 1, "toml++/": 1, "fmt/format.h": 0, "fmt/ranges.h": 0}
+
+
+def test_heavy_headers_are_in_few_sources():
+    counts = dict.fromkeys(HEAVY, 0)
+    for file in [*files(), *(p for room in ("app", "validation") for p in (ROOT / room).rglob("*.?pp"))]:
+        included = re.findall(r"^#include <([^>]+)>", file.read_text(), flags=re.M)
+        for header in HEAVY:
+            counts[header] += any(name.startswith(header) for name in included)
+    assert all(counts[header] <= most for header, most in HEAVY.items()), counts
+
+
 def test_folders_and_files_stay_small():
     """At most twelve rooms, forty files in a folder, three folders deep."""
     assert len(list(SOURCES.iterdir())) <= 12
@@ -66,17 +79,17 @@ def test_folders_and_files_stay_small():
 
 
 def test_unit_tests_mirror_sources():
-    """x_test.cpp is of src/.../x, and x_theme_test.cpp is of a theme of it."""
+    """In the same folder x_test.cpp is of src/.../x, and x_theme_test.cpp is of a theme of it."""
     stems = {}
     for file in files() + sorted((ROOT / "validation").rglob("*.?pp")):
         home = SOURCES if SOURCES in file.parents else ROOT
-        stems.setdefault(place_of(file.relative_to(home)), set()).add(file.stem)
+        stems.setdefault(file.relative_to(home).parent, set()).add(file.stem)
     tests = ROOT / "tests" / "unit"
     stray = []
     for test in tests.rglob("*_test.cpp"):
         words = test.stem.split("_")[:-1]
         own = {"_".join(words[:n]) for n in range(1, len(words) + 1)}
-        if not own & stems.get(place_of(test.relative_to(tests)), set()):
+        if not own & stems.get(test.relative_to(tests).parent, set()):
             stray.append(str(test.relative_to(ROOT)))
     assert not stray, "\n".join(sorted(stray))
 

@@ -1,6 +1,6 @@
 #include "validation/claims/paper_loads.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 #include "validation/claims/paper_runs.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "validation/claims/chapter4.hpp"
 #include "validation/claims/claims.hpp"

@@ -1,6 +1,6 @@
 #include "grains/dem/forces.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <atomic>

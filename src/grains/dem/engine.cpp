@@ -1,6 +1,6 @@
 #include "grains/dem/engine.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <xxhash.h>
 
 #include <algorithm>

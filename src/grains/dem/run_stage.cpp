@@ -1,6 +1,6 @@
 #include "grains/dem/run_stage.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

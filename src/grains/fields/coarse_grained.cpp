@@ -1,6 +1,6 @@
 #include "grains/fields/coarse_grained.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

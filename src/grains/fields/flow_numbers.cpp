@@ -1,6 +1,6 @@
 #include "grains/fields/flow_numbers.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

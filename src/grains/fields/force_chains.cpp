@@ -1,6 +1,6 @@
 #include "grains/fields/force_chains.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>

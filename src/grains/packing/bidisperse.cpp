@@ -1,6 +1,6 @@
 #include "grains/packing/bidisperse.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 #include <numbers>

@@ -1,6 +1,6 @@
 #include "grains/packing/population.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

@@ -102,7 +102,7 @@ void put_by_material(Numbers& j, const View& view, const Partners& partners) {
 void coordination(const View& view, Texture& texture) {
   const Partners partners(view);
   Numbers& j = texture.numbers["coordination"] = Numbers::tree();
-  std::vector<double> histogram;  // share of grains with 0, 1, 2, ... contacts
+  std::vector<double> histogram;
   for (std::size_t g = 0; g < view.packing.grains.size(); ++g) texture.per_grain.contacts.push_back(static_cast<std::int32_t>(partners.all(g)));
   for (const std::size_t g : view.grains) {
     const auto k = static_cast<std::size_t>(texture.per_grain.contacts[g]);
@@ -119,7 +119,7 @@ void coordination(const View& view, Texture& texture) {
     if (!view.packing.grains.shapes.empty()) put(j, "all, neighbours", neighbours(view), "", mean_number);
     put_by_material(j, view, partners);
   }
-  j["histogram"] = histogram;
+  put(j, "histogram", histogram, "", "Fraction of grains with 0, 1, 2, .. contacts");
 }
 
 }  // namespace arenite::texture

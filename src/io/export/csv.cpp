@@ -1,6 +1,7 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <span>
 
@@ -11,36 +12,68 @@
 namespace arenite::io {
 namespace {
 
-using Text = std::back_insert_iterator<std::string>;
+/// Its head, and what writes the cell of a row.
+struct CsvColumn {
+  std::string head;
+  std::function<void(std::string& text, std::size_t row)> write;
+};
+using Columns = std::vector<CsvColumn>;
+
+std::string table_of(const Columns& columns, std::size_t rows) {
+  std::string text;
+  const auto add_line = [&](auto add_cell) {
+    for (const CsvColumn& column : columns) {
+      if (&column != columns.data()) text += ',';
+      add_cell(column);
+    }
+    text += '\n';
+  };
+  add_line([&](const CsvColumn& column) { text += column.head; });
+  for (std::size_t row = 0; row < rows; ++row) add_line([&](const CsvColumn& column) { column.write(text, row); });
+  return text;
+}
+
+/// `value(row)` as it is, a number as the shortest decimal that reads back as the same; an empty cell where it is not known.
+template <class Value> CsvColumn column(std::string head, Value value) {
+  return {std::move(head), [value = std::move(value)](std::string& text, std::size_t row) {
+            const auto of_row = value(row);
+            if constexpr (std::is_floating_point_v<std::remove_const_t<decltype(of_row)>>)
+              if (std::isnan(of_row)) return;
+            fmt::format_to(std::back_inserter(text), "{}", of_row);
+          }};
+}
 
 /// "name [unit]"; a number without unit is its name alone.
 std::string title(const std::string& name, const std::string& unit) { return unit == "1" ? name : name + " [" + unit + "]"; }
 
-/// What derived fields are called, each with a comma before it, and the end of the line.
-std::string titles(const std::vector<GrainField>& fields) {
-  std::string text;
-  for (const auto& field : fields) text += "," + title(field.name, field.unit);
-  return text + '\n';
+/// Columns of results by their declarations, in the precision in which they are stored.
+template <class Real = double, class Declared, class Owner> void add(Columns& to, const Declared& declared, const Owner& owner) {
+  for (const auto& c : declared) to.push_back(column(title(c.name, c.unit), [&](std::size_t row) { return static_cast<Real>(c.at(owner, row)); }));
 }
-
-/// Shortest decimal that reads back as the same double; an empty cell where nothing is known.
-void cell(std::string& text, double value) {
-  text += ',';
-  if (!std::isnan(value)) fmt::format_to(Text(text), "{}", value);
+void add(Columns& to, const std::vector<GrainField>& fields) {
+  for (const auto& field : fields) to.push_back(column(title(field.name, field.unit), [&](std::size_t row) { return field.values[row]; }));
 }
 
 std::string grain_table(const ExportFrame& from) {
   const Packing& packing = from.frame->packing;
   const Grains& g = packing.grains;
-  std::string text = "id,x [m],y [m],radius [m],material,zone,angle [rad],vx [m/s],vy [m/s],omega [rad/s]" + titles(from.fields);
-  for (std::size_t i = 0; i < g.size(); ++i) {
-    fmt::format_to(Text(text), "{},{},{},{},{},{}", g.id[i], g.position[i].x, g.position[i].y, g.radius[i],
-                   quoted_cell(packing.materials[static_cast<std::size_t>(g.material[i])].name), int{g.zone[i]});
-    for (const double v : {g.angle[i], g.velocity[i].x, g.velocity[i].y, g.omega[i]}) cell(text, v);
-    for (const auto& field : from.fields) cell(text, field.values[i]);
-    text += '\n';
-  }
-  return text;
+  const std::span declared(grain_state_columns);
+  Columns columns{column("id", [&](std::size_t i) { return g.id[i]; })};
+  add(columns, declared.first(2), g);  // the place
+  columns.push_back(column(title("radius", "m"), [&](std::size_t i) { return g.radius[i]; }));
+  columns.push_back(column("material", [&](std::size_t i) { return quoted_cell(packing.materials[static_cast<std::size_t>(g.material[i])].name); }));
+  columns.push_back(column("zone", [&](std::size_t i) { return int{g.zone[i]}; }));
+  add(columns, declared.subspan(2), g);
+  add(columns, from.fields);
+  return table_of(columns, g.size());
+}
+
+/// Of the grain, the boundary or the wall that a grain touches.
+std::string name_of_other(const Packing& packing, std::size_t k) {
+  const Contacts& c = packing.contacts;
+  if (c.is_boundary(k)) return packing.domain.boundaries[static_cast<std::size_t>(packing.domain.boundary_of(c.element(k)))].name;
+  if (c.is_wall(k)) return side_names[static_cast<std::size_t>(c.wall_side(k))];
+  return std::to_string(packing.grains.id[static_cast<std::size_t>(c.j[k])]);
 }
 
 /// The normal in these tables points from i to j, so it is the opposite of ours; fn and ft stay as they are.
@@ -48,59 +81,45 @@ std::string contact_table(const ExportFrame& from) {
   const Packing& packing = from.frame->packing;
   const Contacts& c = packing.contacts;
   const double mean = mean_compressive_force(c);
-  std::string text = "i,j,fn [N],ft [N],nx,ny,type,strong,glued,arm_i [m],arm_j [m],overlap [m],sliding_velocity [m/s]" + titles(from.of_contacts);
-  for (std::size_t k = 0; k < c.size(); ++k) {
-    const auto name = [&](std::int32_t grain) { return packing.grains.id[static_cast<std::size_t>(grain)]; };
-    fmt::format_to(Text(text), "{},", name(c.i[k]));
-    if (c.is_boundary(k)) text += packing.domain.boundaries[static_cast<std::size_t>(packing.domain.boundary_of(c.element(k)))].name;
-    else if (c.is_wall(k)) text += side_names[static_cast<std::size_t>(c.wall_side(k))];
-    else fmt::format_to(Text(text), "{}", name(c.j[k]));
-    for (const double v : {c.fn[k], c.ft[k], 0 - c.normal[k].x, 0 - c.normal[k].y}) cell(text, v);
-    fmt::format_to(Text(text), ",{},{},{}", contact_type(packing, k), c.fn[k] > mean ? 1 : 0, int{c.glued[k]});
-    for (const double v : {c.arm_i[k], c.arm_j[k], c.overlap[k], c.sliding_velocity[k]}) cell(text, v);
-    for (const auto& field : from.of_contacts) cell(text, field.values[k]);
-    text += '\n';
-  }
-  return text;
+  Contacts opposite;
+  opposite.normal = mapped(c.normal, [](Vec2 n) { return Vec2{0 - n.x, 0 - n.y}; });
+  const std::span declared(contact_columns);
+  Columns columns{column("i", [&](std::size_t k) { return packing.grains.id[static_cast<std::size_t>(c.i[k])]; }),
+                  column("j", [&](std::size_t k) { return name_of_other(packing, k); })};
+  add(columns, declared.subspan(2, 2), c);  // forces
+  add(columns, declared.first(2), opposite);
+  columns.push_back(column("type", [&](std::size_t k) { return contact_type(packing, k); }));
+  columns.push_back(column("strong", [&](std::size_t k) { return c.fn[k] > mean ? 1 : 0; }));
+  columns.push_back(column("glued", [&](std::size_t k) { return int{c.glued[k]}; }));
+  add(columns, declared.subspan(4), c);
+  add(columns, from.of_contacts);
+  return table_of(columns, c.size());
 }
 
 std::string node_table(const FieldResult& r) {
   const PhaseMap& map = r.map;
-  std::string text = "x [m],y [m],phase,grain,class";
-  const std::span<const Column<StressField>> columns(field_columns, r.field.size() > 0 ? std::size(field_columns) : 0);
-  for (const auto& c : columns) text += "," + title(c.name, c.unit);
-  text += '\n';
+  const auto width = static_cast<std::size_t>(map.width);
+  const auto middle = [&](std::size_t k) { return fmt::format("{:.8g}", (static_cast<double>(k) + 0.5) * map.dx); };
   const auto classes = class_of_node(map);
-  for (int y = 0; y < map.height; ++y)
-    for (int x = 0; x < map.width; ++x) {
-      const auto i = map.index(x, y);
-      fmt::format_to(Text(text), "{:.8g},{:.8g},{},{},{}", (x + 0.5) * map.dx, (y + 0.5) * map.dx, static_cast<int>(map.phase[i]), map.grain[i], classes[i]);
-      for (const auto& c : columns) fmt::format_to(Text(text), ",{}", static_cast<float>((r.field.*c.numbers)[i]));
-      text += '\n';
-    }
-  return text;
+  Columns columns{column(title("x", "m"), [&](std::size_t i) { return middle(i % width); }),
+                  column(title("y", "m"), [&](std::size_t i) { return middle(i / width); }),
+                  column("phase", [&](std::size_t i) { return static_cast<int>(map.phase[i]); }), column("grain", [&](std::size_t i) { return map.grain[i]; }),
+                  column("class", [&](std::size_t i) { return int{classes[i]}; })};
+  if (r.field.size() > 0) add<float>(columns, field_columns, r.field);
+  return table_of(columns, map.size());
 }
 
 std::string field_grain_table(const ExportField& from) {
-  std::string text = "label,class" + titles(from.fields);
   const auto& classes = from.result->map.grain_class;
-  for (std::size_t g = 0; g < classes.size(); ++g) {
-    fmt::format_to(Text(text), "{},{}", g, static_cast<int>(classes[g]));
-    for (const auto& field : from.fields) cell(text, field.values[g]);
-    text += '\n';
-  }
-  return text;
+  Columns columns{column("label", [](std::size_t g) { return g; }), column("class", [&](std::size_t g) { return static_cast<int>(classes[g]); })};
+  add(columns, from.fields);
+  return table_of(columns, classes.size());
 }
 
 std::string curve_table(const History& curve) {
-  std::string text;
-  for (const auto& column : curve.columns) text += (text.empty() ? "" : ",") + title(column.name, column.unit);
-  text += '\n';
-  for (std::size_t row = 0; row < curve.columns.front().values.size(); ++row) {
-    for (std::size_t c = 0; c < curve.columns.size(); ++c) fmt::format_to(Text(text), "{}{}", c == 0 ? "" : ",", curve.columns[c].values[row]);
-    text += '\n';
-  }
-  return text;
+  Columns columns;
+  for (const auto& c : curve.columns) columns.push_back(column(title(c.name, c.unit), [&](std::size_t row) { return c.values[row]; }));
+  return table_of(columns, curve.columns.front().values.size());
 }
 
 }  // namespace

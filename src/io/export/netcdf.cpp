@@ -4,6 +4,7 @@
 #include <map>
 
 #include "core/mapped.hpp"
+#include "core/text.hpp"
 #include "io/export/export.hpp"
 #include "io/hdf5/handle.hpp"
 #include "io/results/groups.hpp"
@@ -156,8 +157,7 @@ void put_grains(NetcdfFile& file, const Frames& frames) {
   const bool same_radii = std::all_of(frames.begin(), frames.end(), [&](const auto& f) { return f.frame->packing.grains.radius == first.radius; });
   if (same_radii) file.variable("radius", {"grain"}, first.radius, {"m", ""});
   else file.variable("radius", over, joined(frames, &Grains::radius), {"m", ""});
-  std::string names;
-  for (const auto& m : frames.front().frame->packing.materials) names += (names.empty() ? "" : ", ") + m.name;
+  const std::string names = list_of(mapped(frames.front().frame->packing.materials, &Material::name));
   file.variable("material", {"grain"}, first.material, {"1", "place in the list of materials: " + names});
   file.variable("zone", over, joined(frames, &Grains::zone), {"1", "1 where grains may be glued"});
   for (const auto& column : grain_state_columns) file.variable(column.name, over, joined(frames, column), {column.unit, ""});

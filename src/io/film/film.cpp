@@ -1,7 +1,6 @@
 #include "io/film/film.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
@@ -163,7 +162,7 @@ std::unique_ptr<FilmWriter> create_film(const std::filesystem::path& path, const
   for (const FilmFormat* known : formats)
     if (known->create != nullptr && known->name == name) return known->create(path, info);
   refuse(path.string(), "asks for no format that films are written in; they are {} (name it so, or .tif, .npy, .h5, .sfmov, .ptw)",
-         fmt::join(film_formats_to_write(), ", "));
+         list_of(film_formats_to_write()));
 }
 
 bool write_film(const std::filesystem::path& path, FilmSource& film, const std::string& format, const std::function<bool(double share)>& progress) {

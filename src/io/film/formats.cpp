@@ -1,6 +1,6 @@
 #include "io/film/formats.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,3 @@
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <array>
 
@@ -41,15 +38,6 @@ std::vector<double> times_beside(hid_t file, const Bytes& bytes, const std::stri
   return {};
 }
 
-std::string chosen(hid_t file, const std::string& name, const FilmChoice& choice) {
-  if (!choice.dataset.empty()) return choice.dataset;
-  const auto found = datasets_in(file, can_be_film);
-  if (found.size() == 1) return found.front();
-  if (found.empty())
-    refuse(name, "is an HDF5 file of another program and holds no dataset of numbers with three dimensions (frames x height x width); give a film");
-  refuse(name, "holds {} datasets that can be films; choose one with --dataset: {}", found.size(), fmt::join(found, ", "));
-}
-
 /// A film may lie on a disk that only lets itself be read; the one that is written is locked already.
 Hdf5Handle without_lock() {
   memory_properties();  // silences HDF5's own messages
@@ -65,11 +53,8 @@ Hdf5Handle opened(const Bytes& bytes) {
   return id;
 }
 
-Hdf5Handle film_in(const Hdf5Handle& file, const Bytes& bytes, const std::string& name) {
-  auto set = own(H5Dopen2(*file, name.c_str(), H5P_DEFAULT), H5Dclose);
-  if (!set || !can_be_film(*set))
-    refuse(bytes->name(), "has no dataset \"{}\" of frames x height x width; it has: {}", name, fmt::join(datasets_in(*file, can_be_film), ", "));
-  return set;
+FoundDataset film_in(const Hdf5Handle& file, const Bytes& bytes, const std::string& name) {
+  return find_dataset(*file, bytes->name(), name, can_be_film, "numbers over frames x height x width");
 }
 
 /// What the file says of its film.
@@ -93,8 +78,8 @@ template <class Archive> void transfer(Archive& a, Facts& facts) {
 Facts look(const Bytes& bytes, const FilmChoice& choice) {
   Facts facts;
   const auto file = opened(bytes);
-  facts.name = chosen(*file, bytes->name(), choice);
-  const auto set = film_in(file, bytes, facts.name);
+  const auto [name, set] = film_in(file, bytes, choice.dataset);
+  facts.name = name;
   facts.shape = shape_of(*set);
   check_film_size(bytes->name(), facts.shape[2], facts.shape[1], facts.shape[0], choice);
   const Hdf5Numbers numbers(set, facts.name, bytes, most_in_chunk(choice));
@@ -172,7 +157,7 @@ class Hdf5Film : public KnownFilm {
   std::string frames(hsize_t first, hsize_t count) const {
     const auto file = opened(bytes_);
     std::string stored;
-    Hdf5Numbers(film_in(file, bytes_, name_), name_, bytes_, most_).read(first, count, stored);
+    Hdf5Numbers(film_in(file, bytes_, name_).set, name_, bytes_, most_).read(first, count, stored);
     return stored;
   }
 

@@ -1,10 +1,10 @@
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <map>
 
 #include "core/problems.hpp"
+#include "core/text.hpp"
 #include "io/film/formats.hpp"
 #include "io/table/table.hpp"
 
@@ -41,7 +41,7 @@ std::map<std::string, Value> values_of(std::string_view text, Problems& problems
     if (std::find(known.begin(), known.end(), key) == known.end()) {
       const std::string meant = nearest(key, known);
       problems.add(lines.number(), fmt::format("\"{}\" is no key of a raw film{}; the keys are {}", key.substr(0, 40),
-                                               meant.empty() ? "" : fmt::format(" (did you mean \"{}\"?)", meant), fmt::join(known, ", ")));
+                                               meant.empty() ? "" : fmt::format(" (did you mean \"{}\"?)", meant), list_of(known)));
       continue;
     }
     std::string_view value = trimmed(line.substr(equals + 1));

@@ -1,8 +1,9 @@
 #include "io/hdf5/foreign.hpp"
 
 #include "core/problems.hpp"
+#include "core/text.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <zlib.h>
 
 #include <algorithm>
@@ -61,6 +62,16 @@ bool take_checksum(std::string& bytes) {
 }
 
 }  // namespace
+
+FoundDataset find_dataset(hid_t file, const std::string& file_name, const std::string& wanted, bool (*fits)(hid_t set), const char* kind) {
+  const auto open = [&](const std::string& name) { return own(H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose); };
+  if (auto set = wanted.empty() ? nullptr : open(wanted); set && fits(*set)) return {wanted, std::move(set)};
+  const auto found = datasets_in(file, fits);
+  if (!wanted.empty()) refuse(file_name, "has no dataset \"{}\" of {}; it has: {}", wanted, kind, list_of(found));
+  if (found.empty()) refuse(file_name, "is an HDF5 file of another program and holds no dataset of {}; give a file with one", kind);
+  if (found.size() > 1) refuse(file_name, "holds {} datasets that can be meant; choose one with --dataset: {}", found.size(), list_of(found));
+  return {found.front(), open(found.front())};
+}
 
 std::optional<std::string> unpack_chunk(std::string stored, const std::vector<Hdf5Filter>& filters, unsigned skipped, std::size_t size) {
   for (std::size_t i = filters.size(); i-- > 0;) {

@@ -10,6 +10,14 @@
 // HDF5 trusts what it reads. Of files of other programs it is asked little, in a process of its own.
 namespace arenite::io {
 
+/// The dataset of the name that is wanted, or without one the only dataset of the file that `fits` takes. InputError with those that can be meant where
+/// there is none or are several; `kind` is what it must be.
+struct FoundDataset {
+  std::string name;
+  Hdf5Handle set;
+};
+FoundDataset find_dataset(hid_t file, const std::string& file_name, const std::string& wanted, bool (*fits)(hid_t set), const char* kind);
+
 /// What a chunk of an HDF5 table was passed through before it was stored, in this order.
 struct Hdf5Filter {
   enum class Kind { deflate, shuffle, checksum } kind = Kind::deflate;

@@ -1,13 +1,13 @@
 #include "io/hdf5/group.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 
 #include "core/problems.hpp"
+#include "core/text.hpp"
 #include "io/disk/store_file.hpp"
 #include "io/hdf5/handle.hpp"
-#include "statistics/numbers.hpp"
 
 namespace arenite::io {
 namespace {
@@ -16,15 +16,6 @@ constexpr std::size_t most_texts = std::size_t{1} << 28;  // bytes
 
 /// HDF5 knows no text of length 0, so an empty one is one NUL, which reading drops.
 std::string padded(std::string_view text) { return text.empty() ? std::string(1, '\0') : std::string(text); }
-
-/// A quoted text is JSON if it is UTF-8; what else a text may hold is written for the check as a blank.
-bool is_utf8(std::string_view text) {
-  if (std::ranges::all_of(text, [](char c) { return static_cast<unsigned char>(c) < 0x80; })) return true;
-  std::string quoted = fmt::format("\"{}\"", text);
-  for (std::size_t k = 1; k + 1 < quoted.size(); ++k)
-    if (char& c = quoted[k]; static_cast<unsigned char>(c) < 0x20 || c == '"' || c == '\\') c = ' ';
-  return from_json(quoted).has_value();
-}
 
 std::string checked(const Hdf5Group& at, std::string text, const std::string& name) {
   text.resize(text.find_last_not_of('\0') + 1);  // padding

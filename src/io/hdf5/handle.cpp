@@ -2,7 +2,7 @@
 #include "core/mapped.hpp"
 #include "core/problems.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <atomic>

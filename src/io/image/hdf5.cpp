@@ -1,9 +1,6 @@
 #include "core/problems.hpp"
 #include "io/image/image.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <cstring>
 #include <vector>
@@ -20,23 +17,9 @@ bool can_be_picture(hid_t set) {
   return whole && (rank == 2 || rank == 3);
 }
 
-std::vector<std::string> pictures(hid_t file) { return datasets_in(file, can_be_picture); }
-
-std::string chosen_dataset(hid_t id, const std::string& file, const ImageChoice& choice) {
-  if (!choice.dataset.empty()) return choice.dataset;
-  const auto found = pictures(id);
-  if (found.size() == 1) return found.front();
-  if (found.empty()) refuse(file, "holds no dataset of whole numbers with two or three dimensions; give a file with one");
-  refuse(file, "holds {} datasets that can be meant; choose one with --dataset: {}", found.size(), fmt::join(found, ", "));
-}
-
 Image decode(const std::string& bytes, const std::string& file, const ImageChoice& choice) {
   const auto id = open_in_memory(bytes, file);
-  const std::string name = chosen_dataset(*id, file, choice);
-  const auto set = own(H5Dopen2(*id, name.c_str(), H5P_DEFAULT), H5Dclose);
-  if (!set) refuse(file, "has no dataset \"{}\"; it has: {}", name, fmt::join(pictures(*id), ", "));
-  if (!can_be_picture(*set))
-    refuse(file, "holds \"{}\", which is not a table of whole numbers with two or three dimensions; choose another with --dataset", name);
+  const auto [name, set] = find_dataset(*id, file, choice.dataset, can_be_picture, "whole numbers with two or three dimensions");
   const auto shape = shape_of(*set);
   const bool stack = shape.size() == 3;
   const std::int64_t slice = chosen_slice(file, stack ? shape[0] : 1, choice);

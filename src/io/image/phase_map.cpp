@@ -1,6 +1,6 @@
 #include "io/image/phase_map.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "io/sample/sample.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

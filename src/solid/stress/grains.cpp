@@ -1,4 +1,4 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
@@ -100,7 +100,7 @@ GrainStresses measure_grains(const PhaseMap& map, const StressField& field, int 
 Numbers numbers(const GrainStresses& g) {
   std::size_t whole = 0;
   for (const auto w : g.whole) whole += w;
-  Numbers j{{"whole", whole}};
+  Numbers j{{"whole", statistics::described(whole, "", "Grains that lie whole in the map, clear of the clamps")}};
   for (const auto& [name, mean] : g.mean) put(j["mean_stress_Pa"], name, mean, "Pa", "Mean stress of whole grains, tension positive");
   Numbers centres = Numbers::list();
   for (const Vec2 c : g.centre) centres.push_back({c.x, c.y});

@@ -1,6 +1,6 @@
 #include "solid/stress/set_statistics.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
@@ -138,7 +138,9 @@ void put_ranks(Numbers& to, const Scaled& s, const BlockCounts& counts, const st
 Numbers rounded(const statistics::Histogram& pdf) {
   Numbers density = Numbers::list();
   for (const double y : pdf.density) density.push_back(std::round(y * 1e6) * 1e-6);
-  return {{"low", pdf.bins.low}, {"width", pdf.bins.width}, {"density", density}};
+  return {{"low", statistics::described(pdf.bins.low, "", "Lower edge of the first bin")},
+          {"width", statistics::described(pdf.bins.width, "", "Width of a bin")},
+          {"density", density}};
 }
 
 statistics::Curve rescaled(statistics::Curve curve, double r) {
@@ -152,7 +154,9 @@ statistics::Curve rescaled(statistics::Curve curve, double r) {
 void put_shape(Numbers& to, const Scaled& s, const BlockCounts& counts) {
   if (const auto tail = statistics::fit_tail(s.x, counts, s.unit_without); tail.count > 0) to["tail"] = numbers(tail);
   if (Numbers fit = numbers(statistics::fit_q_gaussian(counts, s.unit_without)); !fit.empty()) to["q_gaussian"] = std::move(fit);
-  if (const auto peak = statistics::peak_of(counts.bins, counts.all); std::isfinite(peak.at)) to["peak"] = {{"at", peak.at}, {"height", peak.height}};
+  if (const auto peak = statistics::peak_of(counts.bins, counts.all); std::isfinite(peak.at))
+    to["peak"] = {{"at", statistics::described(peak.at, "", "Stress over the set's own mean where its pdf is highest")},
+                  {"height", statistics::described(peak.height, "", "The pdf there")}};
 }
 
 }  // namespace

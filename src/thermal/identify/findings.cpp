@@ -1,6 +1,6 @@
 #include "thermal/identify/findings.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +26,7 @@ void put(Numbers& to, const std::vector<Finding>& findings) {
 }
 
 Numbers numbers(const Group& group) {
-  Numbers j{{"name", group.name}, {"count", group.count}};
+  Numbers j{{"name", group.name}, {"count", statistics::described(group.count, "", "Values or points that it rests on")}};
   put(j, group.findings);
   for (const auto& test : group.tests) {
     Numbers item{{"name", test.name}};

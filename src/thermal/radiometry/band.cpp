@@ -1,9 +1,10 @@
 #include "thermal/radiometry/band.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+
+#include "core/root.hpp"
 
 namespace arenite::radiometry {
 namespace {
@@ -57,18 +58,12 @@ double exitance_exponent(const Band& band, double temperature) {
 
 double temperature_of_exitance(const Band& band, double exitance) {
   if (!(exitance > 0)) return 0;
-  // ln N falls almost linearly with u = 1/T, and is bent upwards: Newton's steps go to the root from either side.
-  const double wanted = std::log(exitance);
-  double u = 1.0 / 300;
-  for (int k = 0; k < 60; ++k) {
-    const double t = 1 / u, n = photon_exitance(band, t);
-    const double slope = -t * exitance_exponent(band, t);
-    const double next = std::clamp(u - (std::log(n) - wanted) / slope, u / 4, 4 * u);
-    const bool settled = std::abs(next - u) <= 4e-16 * u;
-    u = next;
-    if (settled) break;
-  }
-  return 1 / u;
+  // ln N falls almost linearly with u = 1/T.
+  const auto excess = [&](double u) { return std::log(photon_exitance(band, 1 / u) / exitance); };
+  double low = 1.0 / 300, high = low;
+  while (excess(low) < 0) low /= 4;
+  while (excess(high) > 0) high *= 4;
+  return 1 / bracketed_root<double>(excess, low, excess(low), high, excess(high));
 }
 
 double seen_exitance(const Band& band, const Surface& surface, double temperature) {

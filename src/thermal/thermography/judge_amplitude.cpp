@@ -1,6 +1,6 @@
 #include "thermal/thermography/refine_frequency.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

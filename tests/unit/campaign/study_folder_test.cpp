@@ -132,13 +132,35 @@ TEST(Store, CountsWhatWasComputedAndWhatThatSavedOthers) {
 }
 
 TEST(FlatNumbers, HaveDottedNamesAndTheirErrors) {
-  const auto numbers = flat_numbers(test::numbers_of(R"({"a": {"value": 1.5, "error": 0.1}, "b": {"c": 2, "words": "x", "curve": [1, 2, 3, 4, 5]},
+  const Numbers tree = test::numbers_of(R"({"a": {"value": 1.5, "error": 0.1}, "b": {"c": 2, "words": "x", "curve": [1, 2, 3, 4, 5]},
     "sigma": {"value": [[1, 2], [3, 4]], "error": [[0.1, 0.2], [0.3, null]]}, "stages": [{"name": "load", "n": 7}], "none": null,
-    "provenance": {"seed": 1}})"));
+    "provenance": {"seed": 1}})");
   std::string text;
-  for (const auto& [name, e] : numbers)
+  for (const auto& [name, e, meaning] : flat_numbers(tree))
     text += name + "=" + std::to_string(e.value).substr(0, 3) + (std::isfinite(e.error) ? "+-" + std::to_string(e.error).substr(0, 3) : "") + " ";
   EXPECT_EQ(text, "a=1.5+-0.1 b.c=2.0 sigma.0.0=1.0+-0.1 sigma.0.1=2.0+-0.2 sigma.1.0=3.0+-0.3 sigma.1.1=4.0 stages.load.n=7.0 ");
+}
+
+TEST(Collect, HeadsHaveTheUnitsThatTheNamesDoNotSay) {
+  const test::TemporaryFolder folder;
+  const StudyFolder place(folder.path());
+  const Study study = synthetic(1, 1);
+  const std::filesystem::path run = place.run(study.runs[0].name);
+  std::filesystem::create_directories(run);
+  Numbers j;
+  statistics::put(j, "stress", {{"value", {1.0, 2.0}}, {"error", {0.5, nullptr}}}, "Pa", "Mean stress");
+  statistics::put(j, "modulus_Pa", 3.0, "Pa", "Apparent modulus");
+  statistics::put(j, "toughness_Pa_m0.5", Numbers{{"matrix", 4.0}}, "Pa m^0.5", "Fracture toughness");
+  statistics::put(j, "work_J_per_m", 5.0, "J/m", "Work of the load");
+  statistics::put(j, "rate_grains_s", 6.0, "1/s", "Rate of discharge");
+  statistics::put(j, "z", 7.0, "", "Coordination number");
+  keep_numbers(run, j);
+  write_status(place, study.runs[0].name, {Kind::done, 1, {}});
+  const auto table = collect(study, place);
+  const std::string csv = table.csv(), head = csv.substr(0, csv.find('\n'));
+  EXPECT_TRUE(head.ends_with(",stress.0 [Pa],stress.0_error [Pa],stress.1 [Pa],modulus_Pa,toughness_Pa_m0.5.matrix,work_J_per_m,rate_grains_s,z")) << head;
+  EXPECT_EQ(test::numbers_of(table.json())[0]["numbers"]["stress.0"], (Numbers{{"value", 1.0}, {"error", 0.5}, {"unit", "Pa"}}));
+  EXPECT_TRUE(averaged(table, {study.keys[0]}).csv().find(",stress.0 [Pa],") != std::string::npos);
 }
 
 TEST(Collect, MeansOverReplicatesCarryTheStandardErrorOfTheScatter) {

@@ -90,6 +90,9 @@ TEST(ExportFrame, UnknownNumbersAreEmptyCellsAndNamesWithCommasAreQuotedInTables
   const auto files = io::csv_frame({3, "load", &frame, {{"sigma_norm", "1", {0.5, std::nan("")}}}});
   ASSERT_EQ(files.size(), 2u);
   EXPECT_EQ(files[0].name, "grains_0003.csv");
+  EXPECT_TRUE(files[0].bytes.starts_with("id,x [m],y [m],radius [m],material,zone,angle [rad],vx [m/s],vy [m/s],omega [rad/s],sigma_norm\n")) << files[0].bytes;
+  EXPECT_TRUE(files[1].bytes.starts_with("i,j,fn [N],ft [N],nx,ny,type,strong,glued,arm_i [m],arm_j [m],overlap [m],sliding_velocity [m/s]\n"))
+      << files[1].bytes;
   EXPECT_NE(files[0].bytes.find("100,0,0.01,0.0101,\"POM, \"\"black\"\"\",1,0,0,-0,0,0.5\n"), std::string::npos) << files[0].bytes;
   EXPECT_NE(files[0].bytes.find(",0.003,\n"), std::string::npos) << files[0].bytes;
   EXPECT_NE(files[1].bytes.find("100,bottom,5,-0.25,0,-1,-1,"), std::string::npos) << files[1].bytes;

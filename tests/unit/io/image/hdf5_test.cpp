@@ -53,13 +53,14 @@ TEST_F(Hdf5Image, AsksWhichOfTwoAndWhichSlice) {
   EXPECT_EQ(decode({.slice = {}, .dataset = "labels"}).value, (Values{-1, 70000}));
   EXPECT_NE(refusal({.slice = {}, .dataset = "stack"}).find("stack of 2 slices"), std::string::npos);
   EXPECT_EQ(decode({.slice = 1, .dataset = "stack"}).value, (Values{3, 4}));
-  EXPECT_EQ(refusal({.slice = {}, .dataset = "lables"}), "a.h5: has no dataset \"lables\"; it has: labels, stack");
+  EXPECT_EQ(refusal({.slice = {}, .dataset = "lables"}),
+            "a.h5: has no dataset \"lables\" of whole numbers with two or three dimensions; it has: labels, stack");
 }
 
 TEST_F(Hdf5Image, RefusesWhatIsNoPicture) {
   write("fractions", {1, 2}, H5T_IEEE_F64LE, {1, 2});
   EXPECT_NE(refusal().find("no dataset of whole numbers"), std::string::npos);
-  EXPECT_NE(refusal({.slice = {}, .dataset = "fractions"}).find("not a table of whole numbers"), std::string::npos);
+  EXPECT_NE(refusal({.slice = {}, .dataset = "fractions"}).find("has no dataset \"fractions\" of whole numbers"), std::string::npos);
 }
 
 TEST_F(Hdf5Image, RefusesValuesAndSizesBeyondItsMeans) {
