@@ -40,15 +40,13 @@ struct PairTask {
 };
 
 /// What is known of a bond that holds, or where the arrays of these numbers are, which the loop over the bonds reads.
-template <class Number> struct BondRow {
-  Number length{}, arm_i{}, arm_j{};  ///< when it was made, m; the arms to its middle between the two surfaces
-  Vec<2, Number> normal{};            ///< from j to i when the list was built
-  Number angle_i{}, angle_j{};        ///< that the grains have where it is not bent and has this normal, rad
+template <class Number> struct BondRow : BeamArms<Number> {
+  Vec<2, Number> normal{};      ///< from j to i when the list was built
+  Number angle_i{}, angle_j{};  ///< that the grains have where it is not bent and has this normal, rad
   BeamOf<Number> beam{};
-  Number strength{};                                            ///< over that of the law
-  Number tensile{}, cohesion{};                                 ///< that of this bond, Pa; never within its strength once it has ended
-  Number normal_damping{}, shear_damping{}, bending_damping{};  ///< N s/m, N s/m, N m s
-  Vec<2, Number> image{}, image_velocity{};                     ///< of j beside j itself, m and m/s; only of the arrays
+  Number strength{};  ///< over that of the law; once it has ended none that it could hold with
+  BeamDashpots<Number> dashpots{};
+  Vec<2, Number> image{}, image_velocity{};  ///< of j beside j itself, m and m/s; only of the arrays
 };
 inline constexpr std::size_t bond_columns = sizeof(BondRow<double>) / sizeof(double);
 
@@ -112,7 +110,8 @@ template <class V> Vec<2, V> way_since_listed(const SweepTask& t, Vec<2, V> plac
 }
 
 inline constexpr std::size_t adhesions = std::variant_size_v<Adhesion::variant>, friction_laws = std::variant_size_v<FrictionLaw::variant>,
-                             law_triples = std::variant_size_v<NormalLaw::variant> * adhesions * friction_laws;
+                             law_triples = std::variant_size_v<NormalLaw::variant> * adhesions * friction_laws,
+                             bond_laws = std::variant_size_v<BondLaw::variant>;
 inline std::size_t loop_index(const ContactLaws& laws) {
   return (laws.normal.index() * adhesions + laws.adhesion.index()) * friction_laws + laws.friction.index();
 }
@@ -127,9 +126,9 @@ struct Kernel {
   /// A step of disks begin .. end-1. False if the list has become stale.
   using Sweep = bool (*)(const SweepTask&, std::size_t begin, std::size_t end);
   Sweep verlet, gear;
-  /// Forces of bonds begin .. end-1. True if some need a closer look.
-  using BondLoop = bool (*)(const BondTask&, std::size_t begin, std::size_t end);
-  BondLoop bonds;
+  /// Forces of bonds begin .. end-1; one loop for every bond law. True if some need a closer look.
+  using BondLoop = bool (*)(const BondTask&, const BondLaw&, std::size_t begin, std::size_t end);
+  std::array<BondLoop, bond_laws> bond_loops;
 };
 
 extern const Kernel portable_kernel, avx2_kernel, avx512_kernel;

@@ -47,6 +47,7 @@ template <int W> struct Pack {
   ARENITE_INLINE friend Bits operator<=(Pack a, Pack b) { return a.raw <= b.raw; }
   ARENITE_INLINE friend Pack min(Pack a, Pack b) { return b.raw < a.raw ? b.raw : a.raw; }
   ARENITE_INLINE friend Pack max(Pack a, Pack b) { return a.raw < b.raw ? b.raw : a.raw; }
+  ARENITE_INLINE friend Pack abs(Pack a) { return max(a, Pack(0.0) - a); }
   ARENITE_INLINE friend Pack dot(Pack a, Pack b) { return a.raw * b.raw; }
   ARENITE_INLINE friend Pack select(Bits condition, Pack yes, Pack no) { return condition ? yes.raw : no.raw; }
   ARENITE_INLINE friend Pack sqrt(Pack a) {
