@@ -3,7 +3,7 @@
 #include <atomic>
 #include <cmath>
 
-#include "grains/dem/integrators/integrators.hpp"
+#include "grains/dem/movers.hpp"
 #include "grains/dem/setup.hpp"
 
 namespace arenite::dem {
@@ -57,7 +57,7 @@ void move_images(Sample& s) {
 /// One bond, by the law itself. True if it breaks.
 template <class Law> bool look_at(Sample& s, const Law& law, std::size_t n) {
   BondSlot& b = s.bond_slots[n];
-  SlotForce& force = s.list.force[bond_force_place(s.list, n)];
+  SlotForce<2>& force = s.list.force[bond_force_place(s.list, n)];
   force = {};
   if (b.state != State::holds) return false;
   const BeamMotion m = beam_motion(s, b);
@@ -90,7 +90,7 @@ BeamMotion beam_motion(const Sample& s, const BondSlot& b) {
   return m;
 }
 
-SlotForce beam_slot_force(const BondSlot& b, const BeamMotion& m, const BeamForce<double>& f) {
+SlotForce<2> beam_slot_force(const BondSlot& b, const BeamMotion& m, const BeamForce<double>& f) {
   const auto [on_i, torque_i, torque_j] = b.pull(f, m.normal, f.shear * b.length / m.distance);
   return {on_i, torque_i, torque_j};
 }

@@ -26,7 +26,7 @@ struct BeamMotion {
 BeamMotion beam_motion(const Sample& sample, const BondSlot& slot);
 
 /// A bond's force on i and its torques, from what the beam answers with.
-SlotForce beam_slot_force(const BondSlot& slot, const BeamMotion& motion, const BeamForce<double>& force);
+SlotForce<2> beam_slot_force(const BondSlot& slot, const BeamMotion& motion, const BeamForce<double>& force);
 /// What its dashpots have in that.
 BeamForce<double> beam_dashpots(const Sample& sample, const BondSlot& slot, const BeamMotion& motion);
 

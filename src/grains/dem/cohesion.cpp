@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
-#include "grains/dem/integrators/integrators.hpp"
+#include "grains/dem/movers.hpp"
 
 namespace arenite::dem {
 namespace {

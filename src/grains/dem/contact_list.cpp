@@ -208,7 +208,7 @@ void list_contacts(Sample& s, const ThreadPool& pool) {
   list_point_feet(s);
   list_bonds(s);
   group_slots(s);
-  s.list.force.assign(bond_force_place(s.list, s.bond_slots.size()), SlotForce{});
+  s.list.force.assign(bond_force_place(s.list, s.bond_slots.size()), SlotForce<2>{});
   s.list.memory.assign(s.list.size(), 0.0);
   if (s.contact.normal.visit([](const auto& law) { return law.remembers; })) s.list.normal_memory.assign(s.list.size(), 0.0);
   s.list.rolling_memory.assign(s.contact.rolls_freely() ? 0 : s.list.size(), 0.0);

@@ -21,11 +21,14 @@ enum class Arms { contact_point, full_radius };
 enum class FrictionCap { raised_by_adhesion, as_printed };  ///< mu (F_n + |F_c|), or T (1.28) with F_c printed negative
 enum class MassScaling { none, uniform };                   ///< see dem/setup.hpp
 
-/// All integrators, the default first: each is the Integrator of this name in a file of its own (integrators/).
+/// All integrators, the default first: each is the Integrator of this name in a file of its own, which integrators/integrators.hpp includes.
 #define ARENITE_INTEGRATORS(each) each(velocity_verlet) each(leapfrog) each(gear5)
 #define ARENITE_ENUMERATOR(name) name,
 enum class IntegratorKind { ARENITE_INTEGRATORS(ARENITE_ENUMERATOR) };
 #undef ARENITE_ENUMERATOR
+#define ARENITE_ONE(name) +1
+inline constexpr std::size_t integrator_count = 0 ARENITE_INTEGRATORS(ARENITE_ONE);
+#undef ARENITE_ONE
 
 /// How fast a sample yields to a force on its sides, as a share of sqrt(F H/M): F the force, H the way to the other side, M the mass.
 inline constexpr double default_inertial_number = 0.01;

@@ -59,7 +59,7 @@ struct Body {
   double gyration = 0, mass = 0;      ///< m, kg
   Vec2 place;                         ///< of the centre of mass
   double angle = 0;
-  Motion own, seen;  ///< integrated velocities, less the affine motion of a periodic cell; those that the forces see
+  Motion<2> own, seen;  ///< integrated velocities, less the affine motion of a periodic cell; those that the forces see
   double inertia() const { return mass * gyration * gyration; }
 };
 

@@ -134,7 +134,7 @@ void recall_contacts(Sample& s) {
       if constexpr (F::remembers)
         if (c.ft[q] != 0 && std::isfinite(c.ft[q]) && kt > 0) s.list.memory[p] = friction.recall(c.ft[q], kt);
       if constexpr (N::remembers)
-        if (const Kinematics at = slot_kinematics(s, p); at.overlap > 0 && std::isfinite(c.fn[q]))
+        if (const Kinematics<2> at = slot_kinematics(s, p); at.overlap > 0 && std::isfinite(c.fn[q]))
           s.list.normal_memory[p] = normal.recall(c.fn[q] + adhesion.attraction(at.overlap, s.list.strength[p]) + pull_of(s, p), at.overlap, k, at.curvature);
     }
   });

@@ -140,7 +140,7 @@ void sum_boundary_forces(Sample& s) {
   if (s.element.empty()) return;
   const ContactList& list = s.list;
   for (std::size_t p = list.pairs; p < list.size(); ++p) {
-    const SlotForce& f = list.force[p];
+    const SlotForce<2>& f = list.force[p];
     if (!is_boundary(list.j[p]) || !acts(f)) continue;
     Boundary& boundary = s.domain.boundaries[boundary_index(s, list.j[p])];
     boundary.force -= f.on_i;

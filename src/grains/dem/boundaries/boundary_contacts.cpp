@@ -122,8 +122,8 @@ void find_near_elements(const Sample& s, const std::vector<geometry::Rectangle>&
   }
 }
 
-Kinematics element_kinematics(const Sample& s, const DiskRecord& d, std::int32_t number, bool as_point) {
-  Kinematics c;
+Kinematics<2> element_kinematics(const Sample& s, const DiskRecord& d, std::int32_t number, bool as_point) {
+  Kinematics<2> c;
   const Element& element = s.element[number];
   const Boundary& boundary = s.domain.boundaries[element.boundary];
   const Vec2 place = seen_from(s.domain, boundary, element, d.place);
@@ -146,7 +146,7 @@ Kinematics element_kinematics(const Sample& s, const DiskRecord& d, std::int32_t
   return c;
 }
 
-Vec2 touched_place(const Sample& s, std::size_t slot, const Kinematics& c) {
+Vec2 touched_place(const Sample& s, std::size_t slot, const Kinematics<2>& c) {
   return seen_from(s.domain, boundary_of(s, s.list.j[slot]), touched_element(s, s.list.j[slot]), touching_disk(s, slot).place) - c.branch;
 }
 
