@@ -134,7 +134,7 @@ void compute_forces(Sample& s, const ThreadPool& pool) {
 }
 
 void sum_edge_forces(Sample& s, const ThreadPool& pool) {
-  if (!s.domain.periodic[0] && !s.domain.periodic[1]) return;
+  if (!s.domain.is_cell()) return;
   const Tensor2 sum = sum_of_moments(s, pool);
   const auto give = [](Wall& low, Wall& high, double normal, double tangential) {
     low.force = high.force = normal;

@@ -30,17 +30,6 @@ void tune_dashpots(const Sample& s, BondSlot& b, double share) {
   b.dashpots.bending = m.bending > 0 ? 2 * share * std::sqrt(b.beam.bending / m.bending) : 0;
 }
 
-/// Cells to the image that is nearest, by the vector from the thing itself.
-Cells nearest_image(const Sample& s, Vec2 d) {
-  Cells shift;
-  if (s.domain.periodic[1]) {
-    shift.y = static_cast<std::int32_t>(std::nearbyint(d.y / s.domain.height()));
-    d.x -= shift.y * s.domain.tilt;
-  }
-  if (s.domain.periodic[0]) shift.x = static_cast<std::int32_t>(std::nearbyint(d.x / s.domain.width()));
-  return shift;
-}
-
 /// Strength of a bond over that of all; it depends on nothing but its grains and the seed.
 double strength_of(const Bond& bond, double scatter, std::int64_t seed) {
   if (!(scatter > 0)) return 1;
@@ -60,7 +49,7 @@ BondSlot slot_of(const Sample& s, std::size_t place, const std::vector<std::int3
   b.i = number[bond.i];
   b.j = number[bond.j];
   const DiskRecord &a = s.record[b.i], &c = s.record[b.j];
-  b.shift = nearest_image(s, a.place - c.place);
+  b.shift = s.domain.cells_between(a.place - c.place);
   b.length = bond.length;
   b.arm_i = bond.length * a.radius / (a.radius + c.radius);
   b.arm_j = bond.length - b.arm_i;

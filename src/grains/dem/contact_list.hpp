@@ -9,13 +9,9 @@
 
 #include "core/vec.hpp"
 #include "grains/dem/kernels/kernel.hpp"
+#include "model/packing.hpp"
 
 namespace arenite::dem {
-
-/// So many periodic cells along x and rows of them along y.
-struct Cells {
-  std::int32_t x = 0, y = 0;
-};
 
 /// Candidate contacts and what they carry. Slots 0 .. pairs-1 join two disks (i < j, sorted by i; j may be a ghost); the slots behind them join a
 /// disk i with wall `side` (j = wall_partner(side)) or with an element of a boundary (j = boundary_partner(element)), sorted by i. Those from
@@ -67,7 +63,7 @@ struct BondSlot : BondRow<double> {
   enum class State : std::int32_t { holds, breaking, broken };
   std::int32_t bond = 0;      ///< place in Sample::bonds
   std::int32_t i = 0, j = 0;  ///< inner numbers of its disks
-  Cells shift;                ///< by which the image of j that is meant is away from j
+  Cells<2> shift;             ///< by which the image of j that is meant is away from j
   State state = State::holds;
 };
 

@@ -48,7 +48,7 @@ void add_contacts(const Sample& s, Snapshot& shot) {
   const ContactList& list = s.list;
   shot.springs = rolling_energy(s);
   // What disks in a box have none of is not looked for at each of their contacts.
-  const bool has_levers = !s.part.empty(), in_cell = s.domain.periodic[0] || s.domain.periodic[1], coheres = !list.pull.empty(), shears = s.shear_rate != 0;
+  const bool has_levers = !s.part.empty(), in_cell = s.domain.is_cell(), coheres = !list.pull.empty(), shears = s.shear_rate != 0;
   s.laws.visit([&]<class N, class A, class F>(const N& normal, const A& adhesion, const F& friction) {
     for (std::size_t p = 0; p < list.size(); ++p) {
       const Kinematics<2> c = p < list.pairs ? pair_kinematics(s.record[list.i[p]], s.record[list.j[p]], s.contact.arms) : slot_kinematics(s, p);

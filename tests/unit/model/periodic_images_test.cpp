@@ -39,7 +39,7 @@ TEST(PeriodicImages, GivePairsByTheirNearestImageInShearedCells) {
 
 TEST(PeriodicImages, AWrappedPointLiesInTheCellAndIsAnImageOfItself) {
   const Domain domain = cell(7, 5, 1.3);
-  const Vec2 p{23.4, -17.2}, in = wrapped(domain, p);
+  const Vec2 p{23.4, -17.2}, in = domain.wrapped(p);
   EXPECT_TRUE(in.x >= -1 && in.x < 6 && in.y >= 0 && in.y < 5);
   EXPECT_NEAR(norm(domain.nearest_image(p - in)), 0, 1e-12);
 }

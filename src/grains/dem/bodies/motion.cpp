@@ -63,12 +63,7 @@ bool are_near(const Sample& s, const SweepTask<2>& t, const Body& b) {
 }
 
 /// Cells between a disk and its body's centre, so that both lie in the cell.
-void wrap_part(const Sample& s, const Body& b, Vec2 by, BodyDisk& part) {
-  const auto& w = s.domain.wall;
-  const Vec2 at = b.place + turned(part.place, by);
-  if (s.domain.periodic[1]) part.shift.y = -static_cast<std::int32_t>(std::floor((at.y - w[bottom].position) / s.domain.height()));
-  if (s.domain.periodic[0]) part.shift.x = -static_cast<std::int32_t>(std::floor((at.x + part.shift.y * s.domain.tilt - w[left].position) / s.domain.width()));
-}
+void wrap_part(const Sample& s, const Body& b, Vec2 by, BodyDisk& part) { part.shift = -s.domain.cell_of(b.place + turned(part.place, by)); }
 
 /// Torque about the disk of a foot's polygon that takes it, by the way from there to the foot, where the slot's force acts.
 double shifted_torque(const Sample& s, std::size_t slot, const Foot& foot) {

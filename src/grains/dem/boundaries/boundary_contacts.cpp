@@ -24,17 +24,15 @@ Vec2 nearest_of(const Boundary& boundary, const Element& element, Vec2 place) {
 
 /// A place as the image of an element that is nearest to it sees it; itself where nothing is periodic.
 Vec2 seen_from(const Domain& domain, const Boundary& boundary, const Element& element, Vec2 place) {
-  if (!domain.periodic[0] && !domain.periodic[1]) return place;
+  if (!domain.is_cell()) return place;
   const auto [a, b] = segment_at(boundary, element.point);
   const Vec2 middle = element.segment ? 0.5 * (a + b) : a, near = middle + domain.nearest_image(place - middle);
-  const int across = domain.periodic[0] ? 1 : 0, up = domain.periodic[1] ? 1 : 0;
   Vec2 best = near;
   double least = std::numeric_limits<double>::infinity();
-  for (int iy = -up; iy <= up; ++iy)
-    for (int ix = -across; ix <= across; ++ix) {
-      const Vec2 image = near + Vec2{ix * domain.width(), iy * domain.height()}, way = image - nearest_of(boundary, element, image);
-      if (dot(way, way) < least) least = dot(way, way), best = image;
-    }
+  domain.each_near_cell([&](Cells<2> cell) {
+    const Vec2 image = near + domain.way(cell), way = image - nearest_of(boundary, element, image);
+    if (dot(way, way) < least) least = dot(way, way), best = image;
+  });
   return best;
 }
 
@@ -84,7 +82,7 @@ bool has_crossed(const Sample& s, std::size_t slot) {
 }  // namespace
 
 bool goes_through_sides(const Domain& domain, const Boundary& boundary) {
-  if (boundary.closed || (!domain.periodic[0] && !domain.periodic[1])) return false;
+  if (boundary.closed || !domain.is_cell()) return false;
   const Vec2 way = boundary.points.back() - boundary.points.front();
   const double width = domain.width(), height = domain.height();
   const auto is_side = [](double part, double side) { return std::abs(std::abs(part) - side) <= 1e-9 * side; };
