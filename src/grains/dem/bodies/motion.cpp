@@ -30,9 +30,10 @@ void place_parts_of(Sample& s, const Body& b) {
 
 /// By its disks' contacts.
 Load<2> load_of(const Sample& s, const Body& b) {
+  const SlotForces<2> slots = slot_forces(s.list);
   Load<2> sum;
   for_parts(s, b, [&](std::size_t, std::size_t k) {
-    const Load<2> load = contact_load(slot_forces(s.list), k);
+    const Load<2> load = contact_load(slots, k);
     sum.force += load.force;
     sum.torque += load.torque + cross(s.lever[k], load.force);
   });
