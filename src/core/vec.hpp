@@ -23,6 +23,7 @@ using Vec3 = Vec<3>;
 
 /// What turns, and what turns it: a number in the plane, a vector in space.
 template <int D, class V = double> using Turning = std::conditional_t<D == 2, V, Vec<3, V>>;
+template <int D> inline constexpr int turnings = D*(D - 1) / 2;  ///< in so many ways
 
 /// The vector whose component along each axis is what `along` says of it.
 template <int D, class Along> constexpr auto by_axis(Along&& along) {

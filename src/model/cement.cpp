@@ -37,7 +37,7 @@ struct Placer {
   void add_grain(std::size_t g) {
     const double r = packing.grains.radius[g];
     for (const Vec2 shift : shifts) {
-      const Vec2 centre = wrapped(packing.domain, packing.grains.position[g]) + shift - middle;
+      const Vec2 centre = packing.domain.wrapped(packing.grains.position[g]) + shift - middle;
       if (reaches(centre, r + placed.coating, placed.window)) placed.grains.push_back({centre, r, static_cast<std::int32_t>(g)});
     }
   }
@@ -48,9 +48,9 @@ struct Placer {
     const Vec2 apart = domain.nearest_image(grains.position[j] - grains.position[i]);
     const double reach = 0.5 * norm(apart) + std::max({grains.radius[i], grains.radius[j], neck.half_a, neck.half_b});
     for (const Vec2 shift : shifts) {
-      neck.a = wrapped(domain, grains.position[i]) + shift - middle;
+      neck.a = domain.wrapped(grains.position[i]) + shift - middle;
       // Without images the second centre keeps its own digits, as the grain there does.
-      neck.b = domain.periodic[0] || domain.periodic[1] ? neck.a + apart : grains.position[j] - middle;
+      neck.b = domain.is_cell() ? neck.a + apart : grains.position[j] - middle;
       neck.radius_a = grains.radius[i];
       neck.radius_b = grains.radius[j];
       if (reaches(0.5 * (neck.a + neck.b), reach, placed.window)) necks.push_back(neck);

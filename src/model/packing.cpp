@@ -34,16 +34,6 @@ Grains picked(const Grains& from, const std::vector<std::int32_t>& which, Vec2 o
   return grains;
 }
 
-Vec2 Domain::nearest_image(Vec2 d) const {
-  if (periodic[1]) {
-    const double n = std::nearbyint(d.y / height());
-    d.y -= n * height();
-    d.x -= n * tilt;
-  }
-  if (periodic[0]) d.x -= std::nearbyint(d.x / width()) * width();
-  return d;
-}
-
 Vec2 mean_point(const std::vector<Vec2>& points) {
   Vec2 sum;
   for (const Vec2& p : points) sum += p;

@@ -1,8 +1,10 @@
 #pragma once
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -114,26 +116,90 @@ struct Boundary {
 /// The mean of points, m.
 Vec2 mean_point(const std::vector<Vec2>& points);
 
-/// What holds the sample: four walls, or periodic sides (then the walls of that direction are absent, and their positions are the edges of the cell).
-struct Domain {
-  BySide<Wall> wall;
-  std::array<bool, 2> periodic{};    ///< along x, along y
-  double tilt = 0;                   ///< x-shift of the upper image of a sheared periodic cell (Lees-Edwards), m
+/// So many periodic cells along each axis.
+template <int D> using Cells = Vec<D, std::int32_t>;
+
+/// What holds a sample along its axes: a wall at either end, or periodic sides (then the walls of that direction are absent, and their positions are the
+/// edges of the cell).
+template <int D> struct Container {
+  std::array<Wall, sides_in<D>> wall;
+  std::array<bool, D> periodic{};  ///< by axis
+  double tilt = 0;                 ///< x-shift of the upper image of a sheared periodic cell (Lees-Edwards), m
+
+  double extent(int axis) const { return wall[2 * axis + 1].position - wall[2 * axis].position; }
+  Vec<D> size() const {
+    return by_axis<D>([&](int axis) { return extent(axis); });
+  }
+  /// The lowest one, or (1) the one across from it.
+  Vec<D> corner(int end = 0) const {
+    return by_axis<D>([&](int axis) { return wall[2 * axis + end].position; });
+  }
+  bool is_periodic(int side) const { return periodic[axis_of(side)]; }
+  bool is_cell() const { return std::ranges::any_of(periodic, std::identity()); }  ///< along one axis at least
+  /// How far a place lies within the plane of a side, m.
+  double depth(int side, Vec<D> place) const { return side % 2 == 0 ? across(side, place) - wall[side].position : wall[side].position - across(side, place); }
+
+  /// From a place to its image so many cells on, m.
+  Vec<D> way(Cells<D> cells) const {
+    Vec<D> way = by_axis<D>([&](int axis) { return cells[axis] * extent(axis); });
+    way.x += cells.y * tilt;
+    return way;
+  }
+  /// In which cell a place lies, counted from the one of now; 0 along axes that are not periodic. The place moved from there into the one of now.
+  Cells<D> cell_of(Vec<D> place) const { return whole(floors(place)); }
+  Vec<D> wrapped(Vec<D> place) const { return moved_back(place, floors(place)); }
+  /// By how many cells a vector between two points is longer than the one to the nearest periodic image, and that one.
+  Cells<D> cells_between(Vec<D> d) const { return whole(nearest(d)); }
+  Vec<D> nearest_image(Vec<D> d) const { return moved_back(d, nearest(d)); }
+  /// Whether a place is in the periodic cell or nearer to it than a reach.
+  bool is_near(Vec<D> place, double reach) const {
+    bool near = true;
+    for (int axis = 0; axis < D; ++axis)
+      if (periodic[axis]) near = near && place[axis] > wall[2 * axis].position - reach && place[axis] < wall[2 * axis + 1].position + reach;
+    return near;
+  }
+  /// Calls `see` for the cell of now, 0, and those around it, along x first.
+  template <class See> void each_near_cell(const See& see) const { near_cells<D - 1>({}, see); }
+
+ private:
+  template <class Round> Vec<D> counted(Vec<D> v, Vec<D> from, const Round& round) const {
+    Vec<D> cells;
+    for (int axis = D - 1; axis >= 0; --axis) {
+      if (axis == 0) v.x -= cells.y * tilt;
+      if (periodic[axis]) cells[axis] = round((v[axis] - from[axis]) / extent(axis));
+    }
+    return cells;
+  }
+  Vec<D> floors(Vec<D> place) const {
+    return counted(place, corner(), [](double n) { return std::floor(n); });
+  }
+  Vec<D> nearest(Vec<D> d) const {
+    return counted(d, {}, [](double n) { return std::nearbyint(n); });
+  }
+  static Cells<D> whole(Vec<D> cells) {
+    return by_axis<D>([&](int axis) { return static_cast<std::int32_t>(cells[axis]); });
+  }
+  Vec<D> moved_back(Vec<D> v, Vec<D> cells) const {
+    v.x -= cells.y * tilt;
+    return by_axis<D>([&](int axis) { return v[axis] - cells[axis] * extent(axis); });
+  }
+  template <int axis, class See> void near_cells(Cells<D> cells, const See& see) const {
+    const std::int32_t most = periodic[axis] ? 1 : 0;
+    for (cells[axis] = -most; cells[axis] <= most; ++cells[axis])
+      if constexpr (axis == 0) see(cells);
+      else near_cells<axis - 1>(cells, see);
+  }
+};
+
+/// What holds the sample: a container, and boundaries within.
+struct Domain : Container<2> {
   double thickness = 1;              ///< out-of-plane length L of the cylinders, m
   std::vector<Boundary> boundaries;  ///< beside the walls
 
-  double extent(int axis) const { return wall[2 * axis + 1].position - wall[2 * axis].position; }
   double width() const { return extent(0); }
   double height() const { return extent(1); }
-  Vec2 size() const { return {width(), height()}; }
-  Vec2 corner() const { return {wall[left].position, wall[bottom].position}; }  ///< the lower left one
   double area() const { return width() * height(); }
-  bool is_periodic(int side) const { return periodic[axis_of(side)]; }
   double length(int side) const { return extent(1 - axis_of(side)); }  ///< along it
-  /// How far a place lies within the plane of a side, m.
-  double depth(int side, Vec2 place) const { return side % 2 == 0 ? across(side, place) - wall[side].position : wall[side].position - across(side, place); }
-  /// The nearest periodic image of a vector between two points; the vector itself where nothing is periodic.
-  Vec2 nearest_image(Vec2 d) const;
   /// How many elements the boundaries have: two a point, the point itself and the segment from it to the next, counted through all boundaries. The
   /// last segment of an open boundary counts, though nothing touches it.
   int elements() const;

@@ -19,16 +19,6 @@ int turns(double reach, double length, bool periodic) {
 
 }  // namespace
 
-Vec2 wrapped(const Domain& d, Vec2 p) {
-  if (d.periodic[1]) {
-    const double n = std::floor((p.y - d.wall[bottom].position) / d.height());
-    p.y -= n * d.height();
-    p.x -= n * d.tilt;
-  }
-  if (d.periodic[0]) p.x -= std::floor((p.x - d.wall[left].position) / d.width()) * d.width();
-  return p;
-}
-
 void PeriodicImages::add(Vec2 place, double r, std::int32_t disk) {
   centre.push_back(place);
   radius.push_back(r);
@@ -44,18 +34,14 @@ std::vector<geometry::Pair> PeriodicImages::close_pairs(double gap) const {
 PeriodicImages images_of(std::span<const Vec2> centre, std::span<const double> radius, const Domain& d, double gap) {
   const double largest = radius.empty() ? 0 : *std::max_element(radius.begin(), radius.end());
   PeriodicImages images;
-  for (std::size_t g = 0; g < centre.size(); ++g) images.add(wrapped(d, centre[g]), radius[g], static_cast<std::int32_t>(g));
-  const auto is_near = [](double p, double reach, bool periodic, const Wall& low, const Wall& high) {
-    return !periodic || (p > low.position - reach && p < high.position + reach);
-  };
+  for (std::size_t g = 0; g < centre.size(); ++g) images.add(d.wrapped(centre[g]), radius[g], static_cast<std::int32_t>(g));
   for (std::size_t g = 0; g < centre.size(); ++g) {
     const double reach = radius[g] + largest + gap;
     const int ny = turns(reach, d.height(), d.periodic[1]), nx = d.periodic[0] ? turns(reach, d.width(), true) + (d.tilt != 0 ? ny : 0) : 0;
     for (int iy = -ny; iy <= ny; ++iy)
       for (int ix = -nx; ix <= nx; ++ix) {
-        const Vec2 p = images.centre[g] + Vec2{ix * d.width() + iy * d.tilt, iy * d.height()};
-        const bool near = is_near(p.x, reach, d.periodic[0], d.wall[left], d.wall[right]) && is_near(p.y, reach, d.periodic[1], d.wall[bottom], d.wall[top]);
-        if (near && (ix != 0 || iy != 0)) images.add(p, radius[g], static_cast<std::int32_t>(g));
+        const Vec2 p = images.centre[g] + d.way({ix, iy});
+        if (d.is_near(p, reach) && (ix != 0 || iy != 0)) images.add(p, radius[g], static_cast<std::int32_t>(g));
       }
     if (images.centre.size() > 1'000'000 + 256 * centre.size())
       throw InputError(

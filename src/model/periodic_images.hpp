@@ -11,9 +11,6 @@
 
 namespace arenite {
 
-/// A point moved into the periodic cell, sheared cells too; unchanged along sides that are not periodic.
-Vec2 wrapped(const Domain& domain, Vec2 point);
-
 /// One periodic image: so many widths and heights away, and by how much that moves a point, m.
 struct ImageShift {
   int columns = 0, rows = 0;

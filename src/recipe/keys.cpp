@@ -159,10 +159,11 @@ void require_constants(Visitor& v, const Recipe& recipe) {
   for (const Material& m : recipe.materials) {
     if (by_moduli) {
       v.require(m.youngs_modulus && m.poisson, {"contact", "materials"},
-                fmt::format("normal = \"{}\" needs E and nu; write youngs_modulus and poisson in [materials.{}]", dem::HertzMindlin::word.word, m.name));
+                fmt::format("normal = \"{}\" needs E and nu; write youngs_modulus and poisson in [materials.{}]", recipe.contact.normal.word(), m.name));
     } else {
       v.require(m.stiffness > 0, {"contact", "materials"},
-                fmt::format("the normal law needs a stiffness; write it in [materials.{}], or use normal = \"{}\"", m.name, dem::HertzMindlin::word.word));
+                fmt::format("the normal law needs a stiffness; write it in [materials.{}], or use normal = \"{}\"", m.name,
+                            dem::NormalLaw::word_where([]<class L>(const L&) { return dem::ElasticContact<L>; })));
     }
   }
 }

@@ -33,13 +33,13 @@ template <class N, class F> void end_open_bonds(Sample& s, const N& normal, cons
 
 double lowest_force(const Sample& s) { return s.contact.attractive_dashpot ? -std::numeric_limits<double>::infinity() : 0.0; }
 
-PairTask pair_task(Sample& s) {
+PairTask<2> pair_task(Sample& s) {
   ContactList& list = s.list;
   return {s.record.data(),      list.i.data(),
           list.j.data(),        list.stiffness.data(),
           list.damping.data(),  list.viscosity.data(),
           list.strength.data(), list.shear.data(),
-          list.memory.data(),   list.normal_memory.data(),
+          {list.memory.data()}, list.normal_memory.data(),
           list.force.data(),    s.friction,
           lowest_force(s),      s.contact.arms == Arms::contact_point ? 0.5 : 0.0};
 }
@@ -49,15 +49,14 @@ template <class N, class A, class F> void evaluate_walls(Sample& s, const N& nor
   ContactList& list = s.list;
   const double floor = lowest_force(s);
   for (std::size_t p = list.pairs + begin; p < list.pairs + end; ++p) {
-    const Kinematics c = slot_kinematics(s, p);
-    SlotForce force;
+    const Kinematics<2> c = slot_kinematics(s, p);
+    SlotForce<2> force;
     ContactMemory<double> memory;
     if (c.overlap > 0) {
       memory = {N::remembers ? list.normal_memory[p] : 0.0, list.memory[p]};
       const ContactState<double> state{c.overlap,         c.approach,       c.sliding,       c.curvature, list.stiffness[p], list.damping[p],
                                        list.viscosity[p], list.strength[p], s.wall_friction, floor,       list.shear[p]};
-      const ContactForce<double> f = contact_force(s.laws, normal, adhesion, friction, state, memory);
-      force = {f.normal * c.normal + f.tangential * perpendicular(c.normal), -c.arm_i * f.tangential, 0};
+      force = c.force(contact_force(s.laws, normal, adhesion, friction, state, memory));
     }
     list.force[p] = force;
     list.memory[p] = memory.slip;
@@ -70,7 +69,7 @@ constexpr std::size_t pairs_of_a_wall = 4;
 
 /// All slots in one go of the pool: pairs, then walls.
 template <class N, class A, class F> void evaluate(Sample& s, const ThreadPool& pool, const N& normal, const A& adhesion, const F& friction) {
-  const PairTask task = pair_task(s);
+  const PairTask<2> task = pair_task(s);
   const auto loop = s.kernel->pair_loops[loop_index(s.laws)];
   const std::size_t pairs = s.list.pairs, walls = s.list.size() - pairs;
   pool.for_ranges(pairs + pairs_of_a_wall * walls, [&](std::size_t begin, std::size_t end) {
@@ -92,7 +91,7 @@ void sum_wall_forces(Sample& s) {
   }
   for (std::size_t h = 0; h < s.held.size(); ++h) {
     const int side = s.held[h].side;
-    const Vec2 force = contact_load(list, s.held_disk[h]).force;
+    const Vec2 force = contact_load(slot_forces(list), s.held_disk[h]).force;
     s.domain.wall[side].force -= dot(force, inward_normal(side));
     s.domain.wall[side].shear_force += along(side, force);
   }
@@ -114,7 +113,7 @@ Tensor2 sum_of_moments(const Sample& s, const ThreadPool& pool) {
   Tensor2 sum;
   for (const Tensor2& block : blocks) sum += block;
   for (std::size_t b = 0; b < s.bond_slots.size(); ++b)
-    if (const SlotForce& f = list.force[bond_force_place(list, b)]; acts(f)) sum += outer(f.on_i, beam_motion(s, s.bond_slots[b]).branch);
+    if (const SlotForce<2>& f = list.force[bond_force_place(list, b)]; acts(f)) sum += outer(f.on_i, beam_motion(s, s.bond_slots[b]).branch);
   return sum;
 }
 
@@ -135,7 +134,7 @@ void compute_forces(Sample& s, const ThreadPool& pool) {
 }
 
 void sum_edge_forces(Sample& s, const ThreadPool& pool) {
-  if (!s.domain.periodic[0] && !s.domain.periodic[1]) return;
+  if (!s.domain.is_cell()) return;
   const Tensor2 sum = sum_of_moments(s, pool);
   const auto give = [](Wall& low, Wall& high, double normal, double tangential) {
     low.force = high.force = normal;
@@ -151,15 +150,14 @@ void Engine::advance(std::int64_t steps) {
   Sample& s = machine_->sample;
   const ThreadPool& pool = machine_->pool;
   if (steps <= 0) return;
-  const Integrator& integrator = integrator_of(s);
-  if (integrator.start) integrator.start(s);
+  if (const auto start = integrator_of(s).start) start(s);
   const bool tracked = s.integration.track_energy, programmed = !s.programmes.list.empty();
   bool edges = tracked;
   for (int side = 0; side < sides; ++side) edges |= !s.domain.wall[side].present && s.wall[side].drive.kind == WallDrive::Kind::force;
   if (tracked && !s.balance.open) open_balance(s);
   for (std::int64_t n = 0; n < steps; ++n) {
     if (programmed) follow_velocities(s);
-    const bool near = integrator.sweep(s, pool);
+    const bool near = make_step(s, pool);
     if (programmed) follow_loads(s);
     follow_drift(s);
     if (near) refresh_ghosts(s);

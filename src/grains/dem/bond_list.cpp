@@ -25,20 +25,9 @@ Mobility mobility(const Sample& s, const BondSlot& b, double share_i = 1, double
 /// Dashpots that damp two free grains by that share of the critical damping.
 void tune_dashpots(const Sample& s, BondSlot& b, double share) {
   const Mobility m = mobility(s, b);
-  b.normal_damping = 2 * share * std::sqrt(b.beam.normal / m.normal);
-  b.shear_damping = 2 * share * std::sqrt(b.beam.shear / m.shear);
-  b.bending_damping = m.bending > 0 ? 2 * share * std::sqrt(b.beam.bending / m.bending) : 0;
-}
-
-/// Cells to the image that is nearest, by the vector from the thing itself.
-Cells nearest_image(const Sample& s, Vec2 d) {
-  Cells shift;
-  if (s.domain.periodic[1]) {
-    shift.y = static_cast<std::int32_t>(std::nearbyint(d.y / s.domain.height()));
-    d.x -= shift.y * s.domain.tilt;
-  }
-  if (s.domain.periodic[0]) shift.x = static_cast<std::int32_t>(std::nearbyint(d.x / s.domain.width()));
-  return shift;
+  b.dashpots.normal = 2 * share * std::sqrt(b.beam.normal / m.normal);
+  b.dashpots.shear = 2 * share * std::sqrt(b.beam.shear / m.shear);
+  b.dashpots.bending = m.bending > 0 ? 2 * share * std::sqrt(b.beam.bending / m.bending) : 0;
 }
 
 /// Strength of a bond over that of all; it depends on nothing but its grains and the seed.
@@ -60,7 +49,7 @@ BondSlot slot_of(const Sample& s, std::size_t place, const std::vector<std::int3
   b.i = number[bond.i];
   b.j = number[bond.j];
   const DiskRecord &a = s.record[b.i], &c = s.record[b.j];
-  b.shift = nearest_image(s, a.place - c.place);
+  b.shift = s.domain.cells_between(a.place - c.place);
   b.length = bond.length;
   b.arm_i = bond.length * a.radius / (a.radius + c.radius);
   b.arm_j = bond.length - b.arm_i;
@@ -73,8 +62,6 @@ BondSlot slot_of(const Sample& s, std::size_t place, const std::vector<std::int3
     b.beam = law.beam(bond.length, std::min(a.radius, c.radius), s.domain.thickness);
     tune_dashpots(s, b, law.damping);
     b.strength = strength_of(bond, law.scatter, law.seed);
-    b.tensile = b.strength * law.tensile_strength;
-    b.cohesion = b.strength * law.cohesion;
   });
   return b;
 }
@@ -92,7 +79,7 @@ void line_up(Sample& s) {
     numbers.i.push_back(b.i);
     numbers.j.push_back(b.j);
     if (b.shift.x != 0 || b.shift.y != 0) numbers.across.push_back(static_cast<std::int32_t>(n));
-    numbers.damped |= b.normal_damping > 0;
+    numbers.damped |= b.dashpots.normal > 0;
     const auto values = std::bit_cast<std::array<double, bond_columns>>(static_cast<const BondRow<double>&>(b));
     for (std::size_t q = 0; q < bond_columns; ++q) numbers.column[q].push_back(values[q]);
   }
@@ -144,7 +131,7 @@ void list_bonds(Sample& s) {
 
 void end_bond(Sample& s, std::size_t slot) {
   s.bond_slots[slot].state = BondSlot::State::broken;
-  s.bond_slots[slot].tensile = s.bond_numbers.columns().tensile[slot] = never_holds;
+  s.bond_slots[slot].strength = s.bond_numbers.columns().strength[slot] = never_holds;
 }
 
 void renew_bond_dashpots(Sample& s) {
@@ -161,7 +148,7 @@ Rates bond_rates(const Sample& s) {
   for (const BondSlot& b : s.bond_slots) {
     const Mobility m = mobility(s, b, of_grain[b.i], of_grain[b.j]);
     rates.frequency_squared = std::max(rates.frequency_squared, std::max(b.beam.normal * m.normal, b.beam.shear * m.shear + b.beam.bending * m.bending));
-    rates.damping = std::max(rates.damping, std::max(b.normal_damping * m.normal, b.shear_damping * m.shear + b.bending_damping * m.bending));
+    rates.damping = std::max(rates.damping, std::max(b.dashpots.normal * m.normal, b.dashpots.shear * m.shear + b.dashpots.bending * m.bending));
   }
   return rates;
 }

@@ -3,7 +3,7 @@
 #include <atomic>
 #include <cmath>
 
-#include "grains/dem/integrators/integrators.hpp"
+#include "grains/dem/movers.hpp"
 #include "grains/dem/setup.hpp"
 
 namespace arenite::dem {
@@ -13,14 +13,13 @@ namespace {
 using State = BondSlot::State;
 
 /// Rate of the strain at these velocities of its two disks.
-BeamStrain strain_rate(const BondSlot& b, const BeamMotion& m, Vec2 velocity, double turning_i, double turning_j) {
-  const double across = dot(velocity, perpendicular(m.normal)) / m.distance;
-  return {dot(velocity, m.normal), b.arm_i * turning_i + b.arm_j * turning_j - b.length * across, turning_i - turning_j};
+BeamStrain<double> strain_rate(const BondSlot& b, const BeamMotion& m, Vec2 velocity, double turning_i, double turning_j) {
+  return b.rate(dot(velocity, m.normal), cross(m.normal, velocity) / m.distance, turning_i, turning_j);
 }
 
 /// Energy that the sample loses with a bond. Half of its last step's work was still done by it, that of its force then at the velocities before.
-double energy_of_break(const Sample& s, const BondSlot& b, const BeamMotion& m, const BeamForce& force, double energy) {
-  const BeamStrain rate = strain_rate(b, m, velocity_beside(s, b.i, b.j, image_velocity(s, b.shift)), s.omega[b.i], s.omega[b.j]);
+double energy_of_break(const Sample& s, const BondSlot& b, const BeamMotion& m, const BeamForce<double>& force, double energy) {
+  const BeamStrain<double> rate = strain_rate(b, m, velocity_beside(s, b.i, b.j, image_velocity(s, b.shift)), s.omega[b.i], s.omega[b.j]);
   return energy - time_behind(s) * (force.tension * rate.stretch + force.shear * rate.shear + force.moment * rate.bending);
 }
 
@@ -58,17 +57,16 @@ void move_images(Sample& s) {
 /// One bond, by the law itself. True if it breaks.
 template <class Law> bool look_at(Sample& s, const Law& law, std::size_t n) {
   BondSlot& b = s.bond_slots[n];
-  SlotForce& force = s.list.force[bond_force_place(s.list, n)];
+  SlotForce<2>& force = s.list.force[bond_force_place(s.list, n)];
   force = {};
   if (b.state != State::holds) return false;
   const BeamMotion m = beam_motion(s, b);
-  const BeamForce f = law.elastic(b.beam, m.strain);
+  const BeamForce<double> f = law.elastic(b.beam, m.strain);
   if (const BeamLoad load = law.load(b.beam, f); load.share >= b.strength) {
     note_break(s, b, m, load, energy_of_break(s, b, m, f, law.energy(b.beam, m.strain)));
     return true;
   }
-  const BeamForce dash = beam_dashpots(s, b, m);
-  force = beam_slot_force(b, m, {f.tension + dash.tension, f.shear + dash.shear, f.moment + dash.moment});
+  force = beam_slot_force(b, m, f + beam_dashpots(s, b, m));
   return false;
 }
 
@@ -88,29 +86,29 @@ BeamMotion beam_motion(const Sample& s, const BondSlot& b) {
   m.normal = m.branch / m.distance;
   const double turned = std::atan2(cross(b.normal, m.normal), dot(b.normal, m.normal));
   const double turn_i = s.angle[b.i] - b.angle_i - turned, turn_j = s.angle[b.j] - b.angle_j - turned;
-  m.strain = {m.distance - b.length, b.arm_i * turn_i + b.arm_j * turn_j, turn_i - turn_j};
+  m.strain = b.strain(m.distance, turn_i, turn_j);
   return m;
 }
 
-SlotForce beam_slot_force(const BondSlot& b, const BeamMotion& m, const BeamForce& f) {
-  const double across = f.shear * b.length / m.distance;
-  return {-f.tension * m.normal + across * perpendicular(m.normal), -f.shear * b.arm_i - f.moment, -f.shear * b.arm_j + f.moment};
+SlotForce<2> beam_slot_force(const BondSlot& b, const BeamMotion& m, const BeamForce<double>& f) {
+  const auto [on_i, torque_i, torque_j] = b.pull(f, m.normal, f.shear * b.length / m.distance);
+  return {on_i, torque_i, torque_j};
 }
 
-BeamForce beam_dashpots(const Sample& s, const BondSlot& b, const BeamMotion& m) {
+BeamForce<double> beam_dashpots(const Sample& s, const BondSlot& b, const BeamMotion& m) {
   const DiskRecord &a = s.record[b.i], &c = s.record[b.j];
-  const BeamStrain rate = strain_rate(b, m, a.velocity - c.velocity - image_velocity(s, b.shift), a.omega, c.omega);
-  return {b.normal_damping * rate.stretch, b.shear_damping * rate.shear, b.bending_damping * rate.bending};
+  return b.dashpots.force(strain_rate(b, m, a.velocity - c.velocity - image_velocity(s, b.shift), a.omega, c.omega));
 }
 
 void add_bond_forces(Sample& s, const ThreadPool& pool) {
   if (s.bond_slots.empty()) return;
   move_images(s);
   const BondTask task = bond_task(s);
+  const Kernel::BondLoop loop = s.kernel->bond_loops[s.contact.bonds.index()];
   std::atomic<bool> broke = false;
   s.contact.bonds.visit([&](const auto& law) {
     pool.for_ranges(s.bond_slots.size(), [&](std::size_t begin, std::size_t end) {
-      if (!s.kernel->bonds(task, begin, end)) return;
+      if (!loop(task, s.contact.bonds, begin, end)) return;
       for (std::size_t n = begin; n < end; ++n)
         if (task.look[n] != 0 && look_at(s, law, n)) broke = true;
     });
@@ -124,7 +122,7 @@ std::vector<Bond> bonds_of(const Sample& s) {
     for (const BondSlot& b : s.bond_slots) {
       if (b.state != State::holds) continue;
       const BeamMotion m = beam_motion(s, b);
-      const BeamForce f = law.elastic(b.beam, m.strain);
+      const BeamForce<double> f = law.elastic(b.beam, m.strain);
       Bond& bond = bonds[b.bond];
       bond.fn = -f.tension;
       bond.ft = f.shear * b.length / m.distance;

@@ -21,14 +21,14 @@ void renew_bond_dashpots(Sample& sample);
 struct BeamMotion {
   Vec2 branch, normal;  ///< from the meant image of j to i
   double distance = 0;
-  BeamStrain strain;
+  BeamStrain<double> strain;
 };
 BeamMotion beam_motion(const Sample& sample, const BondSlot& slot);
 
 /// A bond's force on i and its torques, from what the beam answers with.
-SlotForce beam_slot_force(const BondSlot& slot, const BeamMotion& motion, const BeamForce& force);
+SlotForce<2> beam_slot_force(const BondSlot& slot, const BeamMotion& motion, const BeamForce<double>& force);
 /// What its dashpots have in that.
-BeamForce beam_dashpots(const Sample& sample, const BondSlot& slot, const BeamMotion& motion);
+BeamForce<double> beam_dashpots(const Sample& sample, const BondSlot& slot, const BeamMotion& motion);
 
 /// Fills the bonds' places in the list of forces and ends the bonds whose stresses exceed their strength; what they held is booked as dissipated.
 void add_bond_forces(Sample& sample, const ThreadPool& pool);

@@ -18,7 +18,7 @@ namespace {
 double reference_overlap(const Sample& s) {
   double largest = 0.02;
   for (std::size_t p = 0; p < s.list.size(); ++p)
-    if (const Kinematics c = slot_kinematics(s, p); c.overlap > 0) largest = std::max(largest, c.overlap * c.curvature);
+    if (const Kinematics<2> c = slot_kinematics(s, p); c.overlap > 0) largest = std::max(largest, c.overlap * c.curvature);
   return largest;
 }
 
@@ -93,7 +93,7 @@ Rates crowded_rates(const Sample& s, const Body& b, double overlap) {
 /// Springs or dashpots of one contact along n and t, and the movers that they join; a wall is the one behind the last.
 struct Pull {
   std::size_t i, j;
-  Kinematics at;
+  Kinematics<2> at;
   Levers levers;
   double along_n, along_t;
 };
@@ -104,19 +104,19 @@ double largest_rate(const Sample& s, const std::vector<Pull>& pulls) {
   std::vector<Mover> movers(s.count + s.body.size());  // a disk of a body counts for nothing
   each_mover(s, [&](std::size_t k) { movers[k] = mover_at(s, k); });
   const std::size_t n = movers.size();
-  std::vector<Motion> v(n + 1), w;
+  std::vector<Motion<2>> v(n + 1), w;
   for (std::size_t k = 0; k < n; ++k) v[k] = {{k % 2 == 0 ? 0.3 : -0.2, k % 3 == 0 ? -0.25 : 0.15}, s.integration.rotations ? 1.0 / movers[k].size : 0.0};
   double rate = 0;
   for (int round = 0; round < 100; ++round) {
     double size = 0;  // v M v, then v scaled to 1
     for (std::size_t k = 0; k < n; ++k) size += movers[k].mass * dot(v[k].velocity, v[k].velocity) + movers[k].inertia * v[k].omega * v[k].omega;
     if (!(size > 0)) return 0;
-    for (Motion& q : v) q = {q.velocity / std::sqrt(size), q.omega / std::sqrt(size)};
+    for (Motion<2>& q : v) q = {q.velocity / std::sqrt(size), q.omega / std::sqrt(size)};
     w.assign(v.size(), {});
     rate = 0;
     for (const Pull& p : pulls) {
       const Vec2 normal = p.at.normal, t = perpendicular(normal);
-      const Motion &a = v[p.i], &b = v[p.j];
+      const Motion<2>&a = v[p.i], &b = v[p.j];
       const Vec2 u = a.velocity + a.omega * perpendicular(p.levers.i) - b.velocity - b.omega * perpendicular(p.levers.j);
       const double slide = -a.omega * p.at.arm_i - b.omega * p.at.arm_j;
       const double fn = p.along_n * dot(u, normal), ft = p.along_t * (dot(u, t) + slide);
@@ -138,7 +138,7 @@ double largest_rate(const Sample& s, const std::vector<Pull>& pulls) {
 Rates network_rates(const Sample& s) {
   std::vector<Pull> springs, dashpots;
   for (std::size_t p = 0; p < s.list.size(); ++p) {
-    const Kinematics c = slot_kinematics(s, p);
+    const Kinematics<2> c = slot_kinematics(s, p);
     if (!(c.overlap > 0)) continue;
     const std::size_t wall = s.count + s.body.size();
     Pull pull{moving(s, s.list.i[p]), s.list.j[p] < 0 ? wall : moving(s, s.list.owner[p]), c, levers_of(s, p), 0, 0};

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
-#include "grains/dem/integrators/integrators.hpp"
+#include "grains/dem/movers.hpp"
 
 namespace arenite::dem {
 namespace {
@@ -16,9 +16,9 @@ PullCurve curve_between(const Sample& s, double smaller, double larger) {
   return s.contact.cohesion.visit([&](const auto& law) { return law.curve(smaller, larger, s.domain.thickness); });
 }
 
-/// More liquid than straight surfaces hold between the two smallest grains would bulge and push them apart.
-void check_volume(const CapillaryDisks& law, double smallest, double thickness) {
-  const double most = thickness * geometry::straight_bridge_area({smallest, smallest, law.contact_angle});
+/// Law of a liquid: the surfaces of more of it would bulge and push the two smallest grains apart.
+template <class Law> void check_volume(const Law& law, double smallest, double thickness) {
+  const double most = law.largest_volume(smallest, thickness);
   if (!(law.volume < most))
     throw InputError(
         fmt::format("contact.liquid_volume of {:.4g} mm^3 is more than two touching grains of radius {:.4g} mm hold between straight surfaces; "
@@ -91,22 +91,22 @@ template <class See> void each_joined(const Sample& s, const See& see) {
 
 void set_up_cohesion(Sample& s) {
   if (!s.contact.is_cohesive()) return;
-  s.contact.cohesion.visit([&](const auto& law) {
-    s.cohesion.joins_within = law.joins_within();
-    s.cohesion.breaks = law.breaks;
-  });
   double smallest = s.largest_radius;
   for (std::size_t k = 0; k < s.count; ++k) smallest = std::min(smallest, s.record[k].radius);
-  if (const auto* bridges = std::get_if<CapillaryDisks>(&s.contact.cohesion)) check_volume(*bridges, smallest, s.domain.thickness);
+  const std::string_view reach_key = s.contact.cohesion.visit([&](const auto& law) {
+    s.cohesion.joins_within = law.joins_within();
+    s.cohesion.breaks = law.breaks;
+    if constexpr (requires { law.largest_volume(smallest, smallest); }) check_volume(law, smallest, s.domain.thickness);
+    return law.reach_key;
+  });
   for (const auto& [a, b] : {std::pair{smallest, smallest}, {smallest, s.largest_radius}, {s.largest_radius, s.largest_radius}}) {
     const PullCurve curve = curve_between(s, a, b);
     s.cohesion.reach = std::max(s.cohesion.reach, curve.reach());
     s.cohesion.steepest = std::max(s.cohesion.steepest, curve.steepest());
   }
   if (s.cohesion.reach > s.largest_radius)
-    throw InputError(fmt::format("contact.cohesion = \"{}\" would act across {:.4g} mm, more than the largest grain's radius of {:.4g} mm; take {}",
-                                 s.contact.cohesion.word(), 1e3 * s.cohesion.reach, 1e3 * s.largest_radius,
-                                 s.cohesion.breaks ? "a smaller liquid_volume" : "a smaller adhesion_range"));
+    throw InputError(fmt::format("contact.cohesion = \"{}\" would act across {:.4g} mm, more than the largest grain's radius of {:.4g} mm; take a smaller {}",
+                                 s.contact.cohesion.word(), 1e3 * s.cohesion.reach, 1e3 * s.largest_radius, reach_key));
 }
 
 void recall_cohesion(Sample& s) {

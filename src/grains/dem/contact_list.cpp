@@ -18,15 +18,12 @@ void make_ghosts(Sample& s) {
   s.point_foot.clear();
   s.record.resize(s.count);
   const double reach = reach_of(s);
-  const auto& w = s.domain.wall;
-  const int up = s.domain.periodic[1] ? 1 : 0, across = s.domain.periodic[0] ? 1 : 0;
-  for (int iy = 0; iy <= up; ++iy)
-    for (int ix = iy == 0 ? 1 : -across; ix <= across; ++ix)
-      for (std::size_t k = 0; k < s.count; ++k) {
-        const double x = s.record[k].place.x + ix * s.domain.width() + iy * s.domain.tilt, y = s.record[k].place.y + iy * s.domain.height();
-        const bool near_x = !s.domain.periodic[0] || (x > w[left].position - reach && x < w[right].position + reach);
-        if (near_x && y < w[top].position + reach) s.ghost.push_back({static_cast<std::int32_t>(k), {ix, iy}});
-      }
+  bool after = false;  // the cell of now
+  s.domain.each_near_cell([&](Cells<2> cell) {
+    for (std::size_t k = 0; after && k < s.count; ++k)
+      if (s.domain.is_near(s.record[k].place + s.domain.way(cell), reach)) s.ghost.push_back({static_cast<std::int32_t>(k), cell});
+    after = after || cell == Cells<2>{};
+  });
   s.record.resize(s.count + s.ghost.size());
   refresh_ghosts(s);
 }
@@ -208,7 +205,7 @@ void list_contacts(Sample& s, const ThreadPool& pool) {
   list_point_feet(s);
   list_bonds(s);
   group_slots(s);
-  s.list.force.assign(bond_force_place(s.list, s.bond_slots.size()), SlotForce{});
+  s.list.force.assign(bond_force_place(s.list, s.bond_slots.size()), SlotForce<2>{});
   s.list.memory.assign(s.list.size(), 0.0);
   if (s.contact.normal.visit([](const auto& law) { return law.remembers; })) s.list.normal_memory.assign(s.list.size(), 0.0);
   s.list.rolling_memory.assign(s.contact.rolls_freely() ? 0 : s.list.size(), 0.0);

@@ -9,25 +9,9 @@
 
 #include "core/vec.hpp"
 #include "grains/dem/kernels/kernel.hpp"
+#include "model/packing.hpp"
 
 namespace arenite::dem {
-
-/// So many periodic cells along x and rows of them along y.
-struct Cells {
-  std::int32_t x = 0, y = 0;
-};
-
-/// Velocity, m/s, and turning, rad/s.
-struct Motion {
-  Vec2 velocity;
-  double omega = 0;
-};
-
-/// Forces on something, N, and their torque about its centre, N m.
-struct Load {
-  Vec2 force;
-  double torque = 0;
-};
 
 /// Candidate contacts and what they carry. Slots 0 .. pairs-1 join two disks (i < j, sorted by i; j may be a ghost); the slots behind them join a
 /// disk i with wall `side` (j = wall_partner(side)) or with an element of a boundary (j = boundary_partner(element)), sorted by i. Those from
@@ -37,7 +21,7 @@ struct ContactList {
   std::vector<std::int32_t> i, j;
   std::vector<std::int32_t> owner;                                     ///< the disk that takes the reaction: j, or the source of the ghost j
   std::vector<double> stiffness, damping, viscosity, strength, shear;  ///< Coefficients of each
-  std::vector<SlotForce> force;                                        ///< one more than slots, which stays 0; behind it those of bonds
+  std::vector<SlotForce<2>> force;                                     ///< one more than slots, which stays 0; behind it those of bonds
   std::vector<double> memory;                                          ///< of the friction law
   std::vector<double> normal_memory;                                   ///< of the normal law; empty unless it remembers
   std::vector<double> rolling_memory;  ///< of the rolling law, turned as the first of the caller's two grains turns; empty without one
@@ -59,6 +43,8 @@ struct ContactList {
   }
 };
 
+inline SlotForces<2> slot_forces(const ContactList& list) { return {list.force.data(), list.group.data(), list.first.data()}; }
+
 /// A bond that breaks for good is gone once its contact has opened again.
 enum BondState : std::uint8_t { never_touched = 0, touching = 1 };
 
@@ -77,7 +63,7 @@ struct BondSlot : BondRow<double> {
   enum class State : std::int32_t { holds, breaking, broken };
   std::int32_t bond = 0;      ///< place in Sample::bonds
   std::int32_t i = 0, j = 0;  ///< inner numbers of its disks
-  Cells shift;                ///< by which the image of j that is meant is away from j
+  Cells<2> shift;             ///< by which the image of j that is meant is away from j
   State state = State::holds;
 };
 

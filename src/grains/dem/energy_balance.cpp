@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t slides = 4, cell_shear = 8;  // of Snapshot::edge
 
 /// What a contact with a boundary does to it, by class, about its centre as well.
-void add_boundary_contact(const Sample& s, std::size_t slot, const Kinematics& c, Vec2 dash, Vec2 slip, Snapshot& shot) {
+void add_boundary_contact(const Sample& s, std::size_t slot, const Kinematics<2>& c, Vec2 dash, Vec2 slip, Snapshot& shot) {
   const std::size_t b = boundary_index(s, s.list.j[slot]);
   const Vec2 arm = touched_place(s, slot, c) - s.domain.boundaries[b].centre;
   const double dashes[] = {dash.x, dash.y, cross(arm, dash)}, slips[] = {slip.x, slip.y, cross(arm, slip) - s.list.force[slot].torque_j};
@@ -48,10 +48,10 @@ void add_contacts(const Sample& s, Snapshot& shot) {
   const ContactList& list = s.list;
   shot.springs = rolling_energy(s);
   // What disks in a box have none of is not looked for at each of their contacts.
-  const bool has_levers = !s.part.empty(), in_cell = s.domain.periodic[0] || s.domain.periodic[1], coheres = !list.pull.empty(), shears = s.shear_rate != 0;
+  const bool has_levers = !s.part.empty(), in_cell = s.domain.is_cell(), coheres = !list.pull.empty(), shears = s.shear_rate != 0;
   s.laws.visit([&]<class N, class A, class F>(const N& normal, const A& adhesion, const F& friction) {
     for (std::size_t p = 0; p < list.size(); ++p) {
-      const Kinematics c = p < list.pairs ? pair_kinematics(s.record[list.i[p]], s.record[list.j[p]], s.contact.arms) : slot_kinematics(s, p);
+      const Kinematics<2> c = p < list.pairs ? pair_kinematics(s.record[list.i[p]], s.record[list.j[p]], s.contact.arms) : slot_kinematics(s, p);
       if (shears && coheres && !(c.overlap > 0) && pull_of(s, p) > 0) shot.edge[cell_shear].force -= rows_between(s, p) * list.force[p].on_i.x;
       if (!(c.overlap > 0)) continue;  // a clipped contact has no force, but its dashpot eats what its spring gives
       const Vec2 f = list.force[p].on_i, t = perpendicular(c.normal);
@@ -93,8 +93,8 @@ void add_bonds(const Sample& s, Snapshot& shot) {
     const BondSlot& b = s.bond_slots[n];
     if (b.state != BondSlot::State::holds) continue;
     const BeamMotion m = beam_motion(s, b);
-    const SlotForce f = s.list.force[bond_force_place(s.list, n)], dash = beam_slot_force(b, m, beam_dashpots(s, b, m));
-    Load &on_i = shot.disk[s.record[b.i].grain].dash, &on_j = shot.disk[s.record[b.j].grain].dash;
+    const SlotForce<2> f = s.list.force[bond_force_place(s.list, n)], dash = beam_slot_force(b, m, beam_dashpots(s, b, m));
+    Load<2>&on_i = shot.disk[s.record[b.i].grain].dash, &on_j = shot.disk[s.record[b.j].grain].dash;
     on_i.force += dash.on_i;
     on_i.torque += dash.torque_i;
     on_j.force -= dash.on_i;

@@ -20,10 +20,10 @@ constexpr double WorkTerms::*work_terms[] = {&WorkTerms::dashpots, &WorkTerms::f
 /// Verlet the velocities are those of the middle of the step that ends there.
 struct Snapshot {
   struct Disk {
-    Motion own;
+    Motion<2> own;
     double mass = 0;
-    Load dash;  ///< normal dashpots, dashpots of bonds
-    Load slip;  ///< tangential forces
+    Load<2> dash;  ///< normal dashpots, dashpots of bonds
+    Load<2> slip;  ///< tangential forces
     Vec2 drag;
   };
   /// Along its way, +x or +y: force of the sample on the wall, all of it and by class; force of the drive; servo damping.

@@ -53,11 +53,11 @@ void synchronise(Sample& s) {
   if (s.lag == 0 && !s.settled) return;
   // All is read before anything is set, for rates of walls hang on the places and velocities of disks.
   const Domain now = domain_now(s);
-  std::vector<Motion> moved;
+  std::vector<Motion<2>> moved;
   for (std::size_t b = 0; b < s.body.size(); ++b) moved.push_back(motion_of(s, s.count + b));
   for (std::size_t k = 0; k < s.count; ++k) {
     if (is_part(s, k)) continue;
-    const Motion own = motion_of(s, k);
+    const Motion<2> own = motion_of(s, k);
     s.record[k].place = place_of(s, k);
     s.velocity.put(k, own.velocity);
     s.omega[k] = own.omega;

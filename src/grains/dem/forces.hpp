@@ -7,28 +7,31 @@
 
 namespace arenite::dem {
 
-/// Geometry and relative motion of a contact, in the conventions of model/packing.hpp.
-struct Kinematics {
+/// Geometry and relative motion of a contact, in the conventions of model/packing.hpp; what is tangential is counted as in PairPack.
+template <int D> struct Kinematics {
   double overlap = 0;  ///< h; <= 0 where apart
-  Vec2 normal;         ///< from j (or the wall) to i
-  Vec2 branch;         ///< x_i - x_j; for a wall the vector from its plane to x_i
+  Vec<D> normal;       ///< from j (or the wall) to i
+  Vec<D> branch;       ///< x_i - x_j; for a wall the vector from its plane to x_i
   double arm_i = 0, arm_j = 0;
   double approach = 0;   ///< dh/dt
-  double sliding = 0;    ///< v_s
+  Turning<D> sliding{};  ///< v_s
   double curvature = 0;  ///< 1/R*
+
+  /// The force of the laws on a grain that lies against something rigid, and its torque.
+  SlotForce<D> force(const ContactForce<double, Turning<D>>& f) const { return {f.normal * normal + cross(f.tangential, normal), -arm_i * f.tangential, {}}; }
 };
 
-/// What follows of the branch and the normal for a disk that lies against something rigid, seen at the velocity `v` from there.
-inline void lean_on(Kinematics& c, const DiskRecord& a, double distance, Vec2 v, Arms arms) {
+/// What follows of the branch and the normal for a disk or sphere that lies against something rigid, seen at the velocity `v` from there.
+template <int D> inline void lean_on(Kinematics<D>& c, const GrainRecord<D>& a, double distance, Vec<D> v, Arms arms) {
   c.arm_i = arms == Arms::contact_point ? distance : a.radius;
   c.approach = -dot(v, c.normal);
-  c.sliding = dot(v, perpendicular(c.normal)) - a.omega * c.arm_i;
+  c.sliding = without_twist(cross(c.normal, v) - c.arm_i * a.omega, c.normal);
   c.curvature = 1.0 / a.radius;
 }
 
-/// Two disks. Where they are apart only the overlap is meant.
-inline Kinematics pair_kinematics(const DiskRecord& a, const DiskRecord& b, Arms arms) {
-  Kinematics c;
+/// Two disks or spheres. Where they are apart only the overlap is meant.
+template <int D> inline Kinematics<D> pair_kinematics(const GrainRecord<D>& a, const GrainRecord<D>& b, Arms arms) {
+  Kinematics<D> c;
   c.branch = a.place - b.place;
   const double distance = norm(c.branch);
   c.overlap = a.radius + b.radius - distance;
@@ -37,29 +40,29 @@ inline Kinematics pair_kinematics(const DiskRecord& a, const DiskRecord& b, Arms
   const double half = arms == Arms::contact_point ? 0.5 * c.overlap : 0.0;
   c.arm_i = a.radius - half;
   c.arm_j = b.radius - half;
-  const Vec2 v = a.velocity - b.velocity;
+  const Vec<D> v = a.velocity - b.velocity;
   c.approach = -dot(v, c.normal);
-  c.sliding = dot(v, perpendicular(c.normal)) - a.omega * c.arm_i - b.omega * c.arm_j;
+  c.sliding = without_twist(cross(c.normal, v) - c.arm_i * a.omega - c.arm_j * b.omega, c.normal);
   c.curvature = 1.0 / a.radius + 1.0 / b.radius;
   return c;
 }
 
-/// A disk and a wall, which moves along itself at `slide`; the contact point lies on the plane.
-inline Kinematics wall_kinematics(const DiskRecord& a, const Wall& wall, double slide, int side, Arms arms) {
-  Kinematics c;
-  c.normal = inward_normal(side);
+/// A disk or sphere and a wall, which moves at `velocity`; the contact point lies on the plane.
+template <int D> inline Kinematics<D> wall_kinematics(const GrainRecord<D>& a, const Wall& wall, Vec<D> velocity, int side, Arms arms) {
+  Kinematics<D> c;
+  c.normal = inward_normal<D>(side);
   const double distance = inward_sign(side) * (across(side, a.place) - wall.position);
   c.branch = distance * c.normal;
   c.overlap = a.radius - distance;
   if (!(c.overlap > 0)) return c;
-  lean_on(c, a, distance, a.velocity - of_side(side, wall.velocity, slide), arms);
+  lean_on(c, a, distance, a.velocity - velocity, arms);
   return c;
 }
 
 /// A disk and an element of a boundary. A segment is touched where the centre's foot on its line lies strictly within it, an end point where the centre
 /// lies beyond the segments that meet there: of a corner that juts out one of the three is touched, in a corner that the disk lies in both segments are.
 /// The foot of a polygon lies against the point that it belongs to in any case (`as_point`).
-Kinematics element_kinematics(const Sample& sample, const DiskRecord& disk, std::int32_t element, bool as_point);
+Kinematics<2> element_kinematics(const Sample& sample, const DiskRecord& disk, std::int32_t element, bool as_point);
 
 /// What touches in a slot: disk i, or the foot of a polygon on a boundary's point.
 inline const DiskRecord& touching_disk(const Sample& s, std::size_t slot) {
@@ -67,17 +70,18 @@ inline const DiskRecord& touching_disk(const Sample& s, std::size_t slot) {
   return s.record[s.count + s.ghost.size() + slot - s.list.polygons];
 }
 
-inline Kinematics slot_kinematics(const Sample& s, std::size_t slot) {
+inline Kinematics<2> slot_kinematics(const Sample& s, std::size_t slot) {
   const DiskRecord& a = touching_disk(s, slot);
   const std::int32_t j = s.list.j[slot];
   if (j >= 0) return pair_kinematics(a, s.record[j], s.contact.arms);
   if (is_boundary(j)) return element_kinematics(s, a, element_of(j), slot >= s.list.polygons);
   const auto side = static_cast<std::size_t>(wall_side(j));
-  return wall_kinematics(a, s.domain.wall[side], s.wall[side].drive.slide, static_cast<int>(side), s.contact.arms);
+  const Wall& wall = s.domain.wall[side];
+  return wall_kinematics(a, wall, of_side(static_cast<int>(side), wall.velocity, s.wall[side].drive.slide), static_cast<int>(side), s.contact.arms);
 }
 
 /// k_t of a slot that is met so, N/m.
-template <class N> double sliding_stiffness(const Sample& s, const N& normal, std::size_t slot, const Kinematics& c) {
+template <class N> double sliding_stiffness(const Sample& s, const N& normal, std::size_t slot, const Kinematics<2>& c) {
   return sliding_stiffness(s.laws, normal, std::max(c.overlap, 0.0), s.list.stiffness[slot], c.curvature, s.list.shear[slot]);
 }
 
@@ -115,22 +119,5 @@ std::vector<CohesivePair> cohesive_pairs(const Sample& sample);
 /// Forces of the edges of a periodic cell, the means over all its cuts: (1/W) sum f_x l_x. Not part of compute_forces, because only driven edges and
 /// readers need them.
 void sum_edge_forces(Sample& sample, const ThreadPool& pool = ThreadPool());
-
-/// On a disk by its contacts, its slots in a fixed order.
-inline Load contact_load(const ContactList& list, std::size_t k) {
-  const auto sum = [&](std::size_t q) {
-    SlotForce total;
-    for (auto g = list.first[q]; g < list.first[q + 1]; g += 4) {
-      const auto at = [&](int n) -> const SlotForce& { return list.force[list.group[g + n]]; };
-      const SlotForce &a = at(0), &b = at(1), &c = at(2), &d = at(3);
-      total.on_i += (a.on_i + b.on_i) + (c.on_i + d.on_i);
-      total.torque_i += (a.torque_i + b.torque_i) + (c.torque_i + d.torque_i);
-      total.torque_j += (a.torque_j + b.torque_j) + (c.torque_j + d.torque_j);
-    }
-    return total;
-  };
-  const SlotForce own = sum(2 * k), reaction = sum(2 * k + 1);
-  return {own.on_i - reaction.on_i, own.torque_i + reaction.torque_j};
-}
 
 }  // namespace arenite::dem

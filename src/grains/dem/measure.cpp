@@ -24,7 +24,7 @@ void add_contacts(const Sample& s, Packing& out) {
   }
   std::ranges::sort(rows);
   for (const auto& [i, j, disk_i, disk_j, slot] : rows) {
-    const Kinematics c = slot_kinematics(s, slot);
+    const Kinematics<2> c = slot_kinematics(s, slot);
     const bool swapped = s.record[s.list.i[slot]].grain != disk_i;
     const Vec2 f = s.list.force[slot].on_i;
     const double fn = dot(f, c.normal), ft = dot(f, perpendicular(c.normal));
@@ -45,7 +45,7 @@ void add_contacts(const Sample& s, Packing& out) {
 /// Of a mover, J; 0 of one that goes with a wall.
 double kinetic_energy(const Sample& s, std::size_t k) {
   if (k < s.count && find_held(s, s.record[k].grain)) return 0;
-  const Motion v = motion_of(s, k);
+  const Motion<2> v = motion_of(s, k);
   const Mover m = mover_at(s, k);
   return 0.5 * m.mass * dot(v.velocity, v.velocity) + 0.5 * m.inertia * v.omega * v.omega;
 }
@@ -87,7 +87,7 @@ double adhesive_energy(const Sample& s) {
   double sum = 0;
   s.laws.adhesion.visit([&](const auto& adhesion) {
     for (std::size_t p = 0; p < s.list.pairs; ++p)
-      if (const Kinematics c = slot_kinematics(s, p); c.overlap > 0) sum += adhesion.energy(c.overlap, s.list.strength[p]);
+      if (const Kinematics<2> c = slot_kinematics(s, p); c.overlap > 0) sum += adhesion.energy(c.overlap, s.list.strength[p]);
   });
   return sum;
 }
@@ -100,7 +100,7 @@ Packing packing_of(const Sample& s) {
   const CellMotion<2> cell = cell_motion(out.domain);
   each_mover(s, [&](std::size_t k) {
     const Mover m = mover_at(s, k);
-    const Motion own = motion_of(s, k);
+    const Motion<2> own = motion_of(s, k);
     put_grain(out.grains, m.grain, place_of(s, k), m.angle, {own.velocity + cell.at(m.place), own.omega});
   });
   out.contacts = {};
@@ -125,7 +125,7 @@ Energies energies_of(const Sample& s) {
   s.laws.visit([&]<class N, class A, class F>(const N& normal, const A&, const F& friction) {
     const ContactList& list = s.list;
     for (std::size_t p = 0; p < list.size(); ++p) {
-      const Kinematics c = slot_kinematics(s, p);
+      const Kinematics<2> c = slot_kinematics(s, p);
       if (!(c.overlap > 0)) continue;
       const double remembered = N::remembers ? list.normal_memory[p] : 0.0;
       e.elastic += normal.energy(c.overlap, list.stiffness[p], c.curvature, remembered) +
@@ -143,7 +143,7 @@ Equilibrium equilibrium_of(const Sample& s) {
   std::size_t contacts = 0, pressed = 0;
   each_mover(s, [&](std::size_t k) { resultant += resultant_of(s, k); });
   for (std::size_t p = 0; p < s.list.size(); ++p) {
-    const Kinematics c = slot_kinematics(s, p);
+    const Kinematics<2> c = slot_kinematics(s, p);
     const double pull = pull_of(s, p);
     const bool touches = c.overlap > 0;
     if (!touches && !(pull > 0)) continue;
@@ -161,7 +161,7 @@ Equilibrium equilibrium_of(const Sample& s) {
   }
   for (std::size_t n = 0; n < s.bond_slots.size(); ++n) {
     const BondSlot& b = s.bond_slots[n];
-    const SlotForce& f = s.list.force[bond_force_place(s.list, n)];
+    const SlotForce<2>& f = s.list.force[bond_force_place(s.list, n)];
     if (!acts(f)) continue;
     normal_sum += std::hypot(f.on_i.x, f.on_i.y);
     ++contacts;

@@ -100,26 +100,18 @@ bool is_glued(const Sample& s, std::int32_t a, std::int32_t b) {
 }  // namespace
 
 void wrap_over_sides(Sample& s, double mass, Vec2& place, double& own_x, Vec2& seen) {
-  const auto& w = s.domain.wall;
-  const double width = s.domain.width(), height = s.domain.height();
   const CellMotion<2> cell = cell_motion(s.domain);
-  if (s.domain.periodic[1]) {
-    const double n = std::floor((place.y - w[bottom].position) / height);
-    const double y = place.y - n * height, faster = -n * s.shear_rate * height;
-    seen.y += cell.along[1].at(y) - cell.along[1].at(place.y);
-    place.y = y;
-    place.x -= n * s.domain.tilt;
-    if (n != 0 && s.shear_rate != 0) {
-      if (s.integration.track_energy) s.tally.work_walls += 0.5 * mass * faster * (2 * own_x + faster);
-      own_x += faster;
-      seen.x += faster;
-    }
+  const std::int32_t rows = s.domain.cell_of(place).y;
+  const Vec2 wrapped = s.domain.wrapped(place);
+  if (const double faster = -rows * s.shear_rate * s.domain.height(); faster != 0) {
+    if (s.integration.track_energy) s.tally.work_walls += 0.5 * mass * faster * (2 * own_x + faster);
+    own_x += faster;
+    seen.x += faster;
   }
-  if (s.domain.periodic[0]) {
-    const double x = place.x - std::floor((place.x - w[left].position) / width) * width;
-    seen.x += cell.along[0].at(x) - cell.along[0].at(place.x);
-    place.x = x;
-  }
+  place.x -= rows * s.domain.tilt;
+  for (const int axis : {0, 1})
+    if (s.domain.periodic[axis]) seen[axis] += cell.along[axis].at(wrapped[axis]) - cell.along[axis].at(place[axis]);
+  place = wrapped;
 }
 
 void rebuild_list(Sample& s, const ThreadPool& pool) {
@@ -145,15 +137,14 @@ void rebuild_list(Sample& s, const ThreadPool& pool) {
 }
 
 geometry::Box<2> room_of(const Sample& s) {
-  const auto& w = s.domain.wall;
-  BySide<double> edge{w[left].position, w[right].position, w[bottom].position, w[top].position};
+  Vec2 edge[] = {s.domain.corner(0), s.domain.corner(1)};
   for (int side = 0; side < sides; ++side) {
     if (!s.wall[side].open) continue;
     double beyond = 0;
     for (std::size_t k = 0; k < s.count; ++k) beyond = std::max(beyond, -s.domain.depth(side, s.record[k].place));
-    edge[side] -= inward_sign(side) * std::min(beyond, s.domain.extent(axis_of(side)));
+    edge[side % 2][axis_of(side)] -= inward_sign(side) * std::min(beyond, s.domain.extent(axis_of(side)));
   }
-  return {{edge[left], edge[bottom]}, {edge[right] - edge[left], edge[top] - edge[bottom]}};
+  return {edge[0], edge[1] - edge[0]};
 }
 
 void number_held(Sample& s) {

@@ -21,18 +21,21 @@ enum class Arms { contact_point, full_radius };
 enum class FrictionCap { raised_by_adhesion, as_printed };  ///< mu (F_n + |F_c|), or T (1.28) with F_c printed negative
 enum class MassScaling { none, uniform };                   ///< see dem/setup.hpp
 
-/// All integrators, the default first: each is the Integrator of this name in a file of its own (integrators/).
+/// All integrators, the default first: each is the Integrator of this name in a file of its own, which integrators/integrators.hpp includes.
 #define ARENITE_INTEGRATORS(each) each(velocity_verlet) each(leapfrog) each(gear5)
 #define ARENITE_ENUMERATOR(name) name,
 enum class IntegratorKind { ARENITE_INTEGRATORS(ARENITE_ENUMERATOR) };
 #undef ARENITE_ENUMERATOR
+#define ARENITE_ONE(name) +1
+inline constexpr std::size_t integrator_count = 0 ARENITE_INTEGRATORS(ARENITE_ONE);
+#undef ARENITE_ONE
 
 /// How fast a sample yields to a force on its sides, as a share of sqrt(F H/M): F the force, H the way to the other side, M the mass.
 inline constexpr double default_inertial_number = 0.01;
 
 /// Everything that decides the force between two grains or a grain and a wall. SI units.
 struct ContactParameters {
-  NormalLaw normal = Linear{};
+  NormalLaw normal;  ///< of each family the first law, unless another is chosen
   StiffnessRule stiffness_rule = StiffnessRule::thesis;
   WallStiffness wall_stiffness = WallStiffness::stiffest;
   double restitution = 0.5;              ///< of a binary collision at zero friction; sets alpha_n by pair unless given
@@ -43,11 +46,11 @@ struct ContactParameters {
   std::optional<double> wall_friction;      ///< mu at walls; that of the grains unless given
   std::optional<double> sliding_viscosity;  ///< gamma_s, N s/m; unless given, the alpha_n of the pair
   double tangential_stiffness_ratio = 0.8;  ///< k_t/k_n of a friction law's spring
-  RollingLaw rolling = NoRolling{};
-  BondLaw bonds = NoBonds{};
-  Cohesion cohesion = NoCohesion{};
+  RollingLaw rolling;
+  BondLaw bonds;
+  Cohesion cohesion;
   Arms arms = Arms::contact_point;
-  Adhesion adhesion = NoAdhesion{};
+  Adhesion adhesion;
   double surface_energy = 0;  ///< gamma of the adhesion, N/m (T 1.22), between two glued grains
   EffectiveRadius effective_radius = EffectiveRadius::four_reduced;
   FrictionCap friction_cap = FrictionCap::raised_by_adhesion;
@@ -55,10 +58,10 @@ struct ContactParameters {
   std::vector<std::pair<std::int32_t, std::int32_t>> glued_pairs;
   bool operator==(const ContactParameters&) const = default;
 
-  bool adheres() const { return !std::holds_alternative<NoAdhesion>(adhesion); }
-  bool is_cohesive() const { return !std::holds_alternative<NoCohesion>(cohesion); }
-  bool has_bonds() const { return !std::holds_alternative<NoBonds>(bonds); }
-  bool rolls_freely() const { return std::holds_alternative<NoRolling>(rolling); }
+  bool adheres() const { return !adhesion.is_none(); }
+  bool is_cohesive() const { return !cohesion.is_none(); }
+  bool has_bonds() const { return !bonds.is_none(); }
+  bool rolls_freely() const { return rolling.is_none(); }
   /// The normal law is one of materials' E and nu.
   bool takes_moduli() const {
     return normal.visit([]<class N>(const N&) { return ElasticContact<N>; });

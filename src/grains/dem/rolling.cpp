@@ -35,7 +35,7 @@ template <class Law> Slip<double> slip_of(const Sample& s, const Law& law, std::
 
 /// Force of a slot along its normal; 0 where apart.
 double normal_force_of(const Sample& s, std::size_t slot) {
-  const SlotForce& force = s.list.force[slot];
+  const SlotForce<2>& force = s.list.force[slot];
   if (!acts(force)) return 0;
   const std::int32_t j = s.list.j[slot];
   if (j < 0) return dot(force.on_i, slot_kinematics(s, slot).normal);

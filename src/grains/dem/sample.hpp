@@ -15,7 +15,7 @@ namespace arenite::dem {
 /// The periodic image of a disk, kept as a record behind the disks'.
 struct Ghost {
   std::int32_t source = 0;
-  Cells shift;
+  Cells<2> shift;
 };
 
 /// One wall, or one edge of a periodic cell, as a body that moves along its axis.
@@ -59,7 +59,7 @@ struct Body {
   double gyration = 0, mass = 0;      ///< m, kg
   Vec2 place;                         ///< of the centre of mass
   double angle = 0;
-  Motion own, seen;  ///< integrated velocities, less the affine motion of a periodic cell; those that the forces see
+  Motion<2> own, seen;  ///< integrated velocities, less the affine motion of a periodic cell; those that the forces see
   double inertia() const { return mass * gyration * gyration; }
 };
 
@@ -67,7 +67,7 @@ struct Body {
 struct BodyDisk {
   std::int32_t grain = 0, body = -1;  ///< the caller's index; -1 for a grain that is a disk
   Vec2 place;                         ///< from the centre of mass where the body's angle is 0, m
-  Cells shift;                        ///< between the disk and its body's centre
+  Cells<2> shift;                     ///< between the disk and its body's centre
 };
 
 /// Where a disk may touch a polygon: the point of the polygon's core nearest to the disk's centre, seen as a disk of the polygon's rounding that goes
@@ -76,7 +76,7 @@ struct BodyDisk {
 /// point that juts out has a foot, too, like a corner without radius.
 struct Foot {
   std::int32_t touches = 0, body = 0;  ///< inner number of the disk, or boundary_partner of the point; the polygon
-  Cells shift;                         ///< from the body's centre to the image that is meant
+  Cells<2> shift;                      ///< from the body's centre to the image that is meant
   Vec2 lever;                          ///< from the body's centre, m
 };
 
@@ -170,8 +170,8 @@ inline std::uint64_t slot_key(const Sample& s, std::size_t slot) {
 
 /// Affine motion of a periodic cell: homogeneous between two edges.
 inline AffineMotion affine_between(const Wall& a, const Wall& b) { return {a.position, a.velocity, (b.velocity - a.velocity) / (b.position - a.position)}; }
-inline CellMotion<2> cell_motion(const Domain& d) {
-  CellMotion<2> motion;
+template <int D> inline CellMotion<D> cell_motion(const Container<D>& d) {
+  CellMotion<D> motion;
   for (std::size_t axis = 0; axis < motion.along.size(); ++axis)
     if (d.periodic[axis]) motion.along[axis] = affine_between(d.wall[2 * axis], d.wall[2 * axis + 1]);
   return motion;
@@ -185,15 +185,15 @@ struct CellAxis {
   Stretch since(const CellAxis& old) const { return periodic ? Stretch{old.edge, length / old.length, edge} : Stretch{}; }
 };
 template <int D> using CellFrame = std::array<CellAxis, D>;
-inline CellFrame<2> cell_frame(const Domain& d) {
-  CellFrame<2> frame;
+template <int D> inline CellFrame<D> cell_frame(const Container<D>& d) {
+  CellFrame<D> frame;
   for (std::size_t axis = 0; axis < frame.size(); ++axis) frame[axis] = {d.periodic[axis], d.wall[2 * axis].position, d.extent(static_cast<int>(axis))};
   return frame;
 }
 
 /// From a place to its image some cells on, m, and how fast that moves past it, m/s.
-inline Vec2 image_place(const Sample& s, Cells shift) { return {shift.x * s.domain.width() + shift.y * s.domain.tilt, shift.y * s.domain.height()}; }
-inline Vec2 image_velocity(const Sample& s, Cells shift) {
+inline Vec2 image_place(const Sample& s, Cells<2> shift) { return s.domain.way(shift); }
+inline Vec2 image_velocity(const Sample& s, Cells<2> shift) {
   if ((shift.x | shift.y) == 0) return {};
   const auto& w = s.domain.wall;
   const double stretch_x = s.domain.periodic[0] ? w[right].velocity - w[left].velocity : 0;

@@ -40,24 +40,23 @@ void check_parameters(Problems& problems, const Packing& start, const ContactPar
 }
 
 /// What a law of E and nu needs of a material.
-void check_moduli(Problems& problems, const Material& m) {
+void check_moduli(Problems& problems, const Material& m, const NormalLaw& law) {
   const bool both = m.youngs_modulus && m.poisson;
-  problems.unless(both, "material \"{}\" has no {}, which the normal law \"{}\" needs", m.name, m.youngs_modulus ? "poisson" : "youngs_modulus",
-                  HertzMindlin::word.word);
+  problems.unless(both, "material \"{}\" has no {}, which the normal law \"{}\" needs", m.name, m.youngs_modulus ? "poisson" : "youngs_modulus", law.word());
   problems.unless(!m.youngs_modulus || positive(*m.youngs_modulus), "youngs_modulus {} Pa of material \"{}\" must be above 0", m.youngs_modulus.value_or(0),
                   m.name);
   const double nu = m.poisson.value_or(0);
   problems.unless(nu >= 0 && nu <= 0.5, "poisson {} of material \"{}\" must lie between 0 and 0.5", nu, m.name);
 }
 
-void check_packing(Problems& problems, const Packing& start, bool by_moduli) {
+void check_packing(Problems& problems, const Packing& start, const ContactParameters& contact) {
   const Domain& domain = start.domain;
   problems.unless(start.grains.size() > 0, "the packing has no grains");
   problems.unless(positive(domain.width()) && positive(domain.height()), "the container must have a width and a height above 0");
   problems.unless(positive(domain.thickness), "thickness {} m must be above 0", domain.thickness);
   for (const auto& m : start.materials) {
     problems.unless(positive(m.density), "density {} kg/m^3 of material \"{}\" must be above 0", m.density, m.name);
-    if (by_moduli) check_moduli(problems, m);
+    if (contact.takes_moduli()) check_moduli(problems, m, contact.normal);
     else problems.unless(positive(m.stiffness), "stiffness {} N/m of material \"{}\" must be above 0", m.stiffness, m.name);
   }
   check_boundaries(problems, domain);
@@ -135,7 +134,7 @@ void recall_contacts(Sample& s) {
       if constexpr (F::remembers)
         if (c.ft[q] != 0 && std::isfinite(c.ft[q]) && kt > 0) s.list.memory[p] = friction.recall(c.ft[q], kt);
       if constexpr (N::remembers)
-        if (const Kinematics at = slot_kinematics(s, p); at.overlap > 0 && std::isfinite(c.fn[q]))
+        if (const Kinematics<2> at = slot_kinematics(s, p); at.overlap > 0 && std::isfinite(c.fn[q]))
           s.list.normal_memory[p] = normal.recall(c.fn[q] + adhesion.attraction(at.overlap, s.list.strength[p]) + pull_of(s, p), at.overlap, k, at.curvature);
     }
   });
@@ -200,7 +199,7 @@ void apply_friction(Sample& s, std::optional<double> override_mu) {
 Sample make_sample(const Packing& start, const ContactParameters& contact, const IntegrationParameters& integration) {
   Problems problems;
   check_parameters(problems, start, contact, integration);
-  check_packing(problems, start, contact.takes_moduli());
+  check_packing(problems, start, contact);
   check_shapes(problems, start, contact, integration);
   problems.raise();
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "grains/dem/integrators/integrators.hpp"
+#include "grains/dem/movers.hpp"
 
 namespace arenite::dem {
 namespace {

@@ -30,7 +30,7 @@ std::vector<int> blocks_of(const Packing& packing) {
   const texture::BlockGrid blocks{texture::box_of(packing.domain), known ? texture::blocks_per_side(packing.grains.size()) : 1};
   std::vector<int> block(contacts.size());
   for (std::size_t c = 0; c < block.size(); ++c)
-    block[c] = blocks.block_of(wrapped(packing.domain, packing.grains.position[contacts.i[c]] + contacts.lever_i(c)), c);
+    block[c] = blocks.block_of(packing.domain.wrapped(packing.grains.position[contacts.i[c]] + contacts.lever_i(c)), c);
   return block;
 }
 

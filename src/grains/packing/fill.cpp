@@ -100,7 +100,7 @@ struct Relaxation {
   }
 
   void wrap() {
-    for (Vec2& p : grains.position) p = wrapped(domain, p);
+    for (Vec2& p : grains.position) p = domain.wrapped(p);
   }
 };
 

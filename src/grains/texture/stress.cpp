@@ -113,7 +113,7 @@ void put_whole_stress(Numbers& to, Numbers& details, const View& view) {
   const std::vector<Tensor2> moments = grain_moments(view.packing);
   Tensor2 sum;
   for (const Tensor2& m : moments) sum += 1 / volume * m;
-  const bool walled = !domain.periodic[0] && !domain.periodic[1] && std::ranges::any_of(view.pairs().j, is_wall);
+  const bool walled = !domain.is_cell() && std::ranges::any_of(view.pairs().j, is_wall);
   const Tensor2& s = whole.value;
   const double axis = 0.5 * std::atan2(-(s.xy + s.yx), -(s.xx - s.yy)) * 180 / std::numbers::pi;
   put(to, "stress", whole, "Pa", "Mean stress of the sample, tension positive");

@@ -111,7 +111,7 @@ double mean_of_known(const Items& items, const std::vector<double>& values) {
 }
 
 double covered_area(const Domain& domain, Vec2 centre, double radius, const geometry::Rectangle& window) {
-  if (!domain.periodic[0] && !domain.periodic[1]) return geometry::disk_window_area(centre, radius, window);
+  if (!domain.is_cell()) return geometry::disk_window_area(centre, radius, window);
   const geometry::Rectangle extent{centre.x - radius, centre.x + radius, centre.y - radius, centre.y + radius};
   double area = 0;
   for_each_image(domain, extent, window, [&](const ImageShift& image) { area += geometry::disk_window_area(centre + image.shift, radius, window); });
@@ -145,7 +145,7 @@ View::View(const Packing& p, const Options& o) : packing(p), options(o) {
   rattler = loose_grains(packing, options.rattler_contacts, [&](std::size_t c) { return pairs().fn[c] != 0; });
 
   blocks = {bounds_of(*this), blocks_per_side(grains.size())};
-  for (std::size_t g = 0; g < all.size(); ++g) grain_block.push_back(blocks.block_of(wrapped(domain, all.position[g]), g));
+  for (std::size_t g = 0; g < all.size(); ++g) grain_block.push_back(blocks.block_of(domain.wrapped(all.position[g]), g));
   double sum = 0;
   std::size_t pushing = 0;
   for (std::size_t c = 0; c < pairs().size(); ++c) {
@@ -162,7 +162,7 @@ View::View(const Packing& p, const Options& o) : packing(p), options(o) {
   load_axis = options.load_axis.value_or(compression_axis(packing));
 }
 
-Vec2 View::contact_point(std::size_t c) const { return wrapped(packing.domain, packing.grains.position[pairs().i[c]] + pairs().lever_i(c)); }
+Vec2 View::contact_point(std::size_t c) const { return packing.domain.wrapped(packing.grains.position[pairs().i[c]] + pairs().lever_i(c)); }
 
 std::string View::material_name(int m) const {
   const auto index = static_cast<std::size_t>(m);

@@ -28,7 +28,7 @@ class Centres {
  public:
   explicit Centres(const RawGrains& grains) : grains_(grains) {
     for (std::size_t g = 0; g < grains.rows.size(); ++g) {
-      const Vec2 centre = wrapped(grains.cell, grains.rows[g].centre);
+      const Vec2 centre = grains.cell.wrapped(grains.rows[g].centre);
       by_x_.emplace(centre.x, Centre{centre, g});
       largest_ = std::max(largest_, grains.rows[g].radius);
     }
@@ -37,7 +37,7 @@ class Centres {
   std::int64_t find(Vec2 p) const {
     const double reach = 1e-5 * (std::abs(p.x) + std::abs(p.y));
     const Domain& cell = grains_.cell;
-    const Vec2 size = cell.size(), base = wrapped(cell, p);
+    const Vec2 size = cell.size(), base = cell.wrapped(p);
     for (int ky = -cell.periodic[1]; ky <= int{cell.periodic[1]}; ++ky)
       for (int kx = -cell.periodic[0]; kx <= int{cell.periodic[0]}; ++kx)
         if (const auto g = near(base + Vec2{kx * size.x + ky * cell.tilt, ky * size.y}, reach); g >= 0) return g;
@@ -106,7 +106,7 @@ bool may_be_wall(Vec2 n, const RawGrains& grains) {
 }
 
 std::string not_joined(std::size_t count, std::size_t all, const RawGrains& grains) {
-  const bool cell = grains.cell.periodic[0] || grains.cell.periodic[1];
+  const bool cell = grains.cell.is_cell();
   return fmt::format("{} of {} interactions end at no grain's centre, and their forces are not those of a wall of the box; {}", count, all,
                      cell ? "the cell does not join the grains across its periodic sides: correct --box (O.cell.hSize) and --periodic"
                           : "if they cross a periodic side give the cell by --box and --periodic; spheres and interactions must be written at the same step");

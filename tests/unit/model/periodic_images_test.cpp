@@ -39,9 +39,29 @@ TEST(PeriodicImages, GivePairsByTheirNearestImageInShearedCells) {
 
 TEST(PeriodicImages, AWrappedPointLiesInTheCellAndIsAnImageOfItself) {
   const Domain domain = cell(7, 5, 1.3);
-  const Vec2 p{23.4, -17.2}, in = wrapped(domain, p);
+  const Vec2 p{23.4, -17.2}, in = domain.wrapped(p);
   EXPECT_TRUE(in.x >= -1 && in.x < 6 && in.y >= 0 && in.y < 5);
   EXPECT_NEAR(norm(domain.nearest_image(p - in)), 0, 1e-12);
+}
+
+TEST(PeriodicImages, AContainerOfSpaceWrapsAndFindsTheNearestImageLikeThatOfThePlane) {
+  Container<3> box;
+  const double sizes[] = {7, 5, 3};
+  for (int axis = 0; axis < 3; ++axis) box.wall[2 * axis + 1].position = sizes[axis];
+  box.periodic = {true, true, false};
+  box.tilt = 1.3;
+  const Vec3 p{23.4, -17.2, 8}, in = box.wrapped(p);
+  EXPECT_TRUE(in.x >= 0 && in.x < 7 && in.y >= 0 && in.y < 5);
+  EXPECT_EQ(in.z, 8);
+  EXPECT_NEAR(norm(in + box.way(box.cell_of(p)) - p), 0, 1e-12);
+  EXPECT_NEAR(norm(box.nearest_image(p - in)), 0, 1e-12);
+  EXPECT_EQ(box.depth(5, p), -5);
+  int cells = 0;
+  box.each_near_cell([&](Cells<3> cell) {
+    EXPECT_EQ(cell, (Cells<3>{cells % 3 - 1, cells / 3 - 1, 0}));
+    ++cells;
+  });
+  EXPECT_EQ(cells, 9);
 }
 
 TEST(PeriodicImages, GrainsFarLargerThanTheirCellAreRefused) {

@@ -1,7 +1,7 @@
 #pragma once
 #include "core/problems.hpp"
 #include "core/threads.hpp"
-#include "grains/dem/integrators/integrators.hpp"
+#include "grains/dem/movers.hpp"
 
 namespace arenite::dem {
 
@@ -37,13 +37,13 @@ void wrap_bodies(Sample& sample);
 bool has_single_disks(const Sample& sample);
 
 /// A step of all bodies: forces on their disks at the start of the step take them and their disks to its end. False if the list has become stale.
-bool move_bodies(Sample& sample, const SweepTask& task, const ThreadPool& pool);
+bool move_bodies(Sample& sample, const SweepTask<2>& task, const ThreadPool& pool);
 
 /// Puts the disks of all bodies where these are, with their velocity.
 void place_parts(Sample& sample);
 
 /// On a mover by its contacts.
-Load load_on(const Sample& sample, std::size_t mover);
+Load<2> load_on(const Sample& sample, std::size_t mover);
 
 /// From the centre of the grain of j, or the wall, to that of i, where `branch` joins the disks, m.
 Vec2 between_centres(const Sample& sample, std::size_t slot, Vec2 branch);
@@ -87,7 +87,7 @@ Crowd crowd_around(const Sample& sample, const Body& body);
 double lightest_mass(const Sample& sample, const Body& body);
 
 /// Gives a grain this place, angle and motion.
-void put_grain(Grains& grains, std::size_t grain, Vec2 place, double angle, const Motion& motion);
+void put_grain(Grains& grains, std::size_t grain, Vec2 place, double angle, const Motion<2>& motion);
 
 /// Whether a contact of the caller's packing is the one of a slot that joins the same grains.
 bool is_of_slot(const Sample& sample, const Contacts& contacts, std::size_t contact, std::size_t slot);

@@ -19,7 +19,7 @@ namespace {
 /// The core of a polygon, the convex polygon of its corners' centres, in one periodic image: where its corners are, m.
 struct Core {
   std::int32_t body = 0;
-  Cells shift;
+  Cells<2> shift;
   Vec2 middle;
   double reach = 0;  ///< of its widened rim from the middle
   std::vector<Vec2> corner;
@@ -100,20 +100,15 @@ Cores all_cores(const Sample& s) {
   for (std::size_t b = 0; b < s.body.size(); ++b)
     if (s.body[b].filled) reach = std::max(reach, own.emplace_back(core_of(s, b)).reach);
   reach += s.largest_radius + s.skin;
-  const int across = s.domain.periodic[0] ? 1 : 0, up = s.domain.periodic[1] ? 1 : 0;
-  const auto& w = s.domain.wall;
   for (const Core& polygon : own)
-    for (int iy = -up; iy <= up; ++iy)
-      for (int ix = -across; ix <= across; ++ix) {
-        const Vec2 by = image_place(s, {ix, iy}), at = polygon.middle + by;
-        const bool near_x = !s.domain.periodic[0] || (at.x > w[left].position - reach && at.x < w[right].position + reach);
-        const bool near_y = !s.domain.periodic[1] || (at.y > w[bottom].position - reach && at.y < w[top].position + reach);
-        if (!near_x || !near_y) continue;
-        Core& image = images.emplace_back(polygon);
-        image.shift = {ix, iy};
-        image.middle = at;
-        for (Vec2& p : image.corner) p += by;
-      }
+    s.domain.each_near_cell([&](Cells<2> cell) {
+      const Vec2 by = s.domain.way(cell), at = polygon.middle + by;
+      if (!s.domain.is_near(at, reach)) return;
+      Core& image = images.emplace_back(polygon);
+      image.shift = cell;
+      image.middle = at;
+      for (Vec2& p : image.corner) p += by;
+    });
   const geometry::CellGrid<2> grid(room_of(s), reach);
   const geometry::SortedCells cells(grid.size(), 0, images.size(), [&](std::size_t c) { return grid.cell(images[c].middle); });
   return {s, std::move(images), grid, cells};
@@ -121,14 +116,6 @@ Cores all_cores(const Sample& s) {
 
 bool has_polygons(const Sample& s) {
   return std::ranges::any_of(s.body, [](const Body& b) { return b.filled != 0; });
-}
-
-/// In which periodic cell a place lies, counted from the one of now.
-Cells cell_of(const Domain& domain, Vec2 place) {
-  Cells cell;
-  if (domain.periodic[0]) cell.x = static_cast<std::int32_t>(std::floor((place.x - domain.wall[left].position) / domain.width()));
-  if (domain.periodic[1]) cell.y = static_cast<std::int32_t>(std::floor((place.y - domain.wall[bottom].position) / domain.height()));
-  return cell;
 }
 
 /// The record of a foot where it is now; its polygon's place nearest to what it touches.
@@ -176,12 +163,12 @@ std::vector<Foot> find_point_feet(const Sample& s) {
     const auto point = static_cast<std::size_t>(element.point);
     if (point + 1 == boundary.points.size() && goes_through_sides(s.domain, boundary)) continue;
     const Vec2 place = boundary.points[point];
-    const Cells cell = cell_of(s.domain, place);
+    const Cells<2> cell = s.domain.cell_of(place);
     const Vec2 inside = place - image_place(s, cell);
     const auto name = [&] { return "a point of the boundary \"" + boundary.name + "\""; };
     cores.near(inside, 0, -1, name, [&](const Core& core, Vec2 nearest) {
       if (juts_out(s.domain, boundary, point, place + (nearest - inside)))
-        feet.push_back({boundary_partner(static_cast<int>(e)), core.body, {core.shift.x + cell.x, core.shift.y + cell.y}, {}});
+        feet.push_back({boundary_partner(static_cast<int>(e)), core.body, core.shift + cell, {}});
     });
   }
   return feet;

@@ -29,19 +29,20 @@ void place_parts_of(Sample& s, const Body& b) {
 }
 
 /// By its disks' contacts.
-Load load_of(const Sample& s, const Body& b) {
-  Load sum;
+Load<2> load_of(const Sample& s, const Body& b) {
+  const SlotForces<2> slots = slot_forces(s.list);
+  Load<2> sum;
   for_parts(s, b, [&](std::size_t, std::size_t k) {
-    const Load load = contact_load(s.list, k);
+    const Load<2> load = contact_load(slots, k);
     sum.force += load.force;
     sum.torque += load.torque + cross(s.lever[k], load.force);
   });
   return sum;
 }
 
-/// The step of integrators/verlet.cpp for a body.
-void move(const Sample& s, const SweepTask& t, Body& b) {
-  const Load load = load_of(s, b);
+/// Step (kernels/sweep.hpp) for a body.
+void move(const Sample& s, const SweepTask<2>& t, Body& b) {
+  const Load<2> load = load_of(s, b);
   const Vec2 a = load.force / b.mass + t.gravity - t.drag * (b.seen.velocity - t.before.at(b.place));
   const double alpha = t.turning * load.torque / b.inertia();
   b.own.velocity += t.kick * a;
@@ -52,7 +53,7 @@ void move(const Sample& s, const SweepTask& t, Body& b) {
 }
 
 /// Whether the disks of a body are near enough to their places in the list.
-bool are_near(const Sample& s, const SweepTask& t, const Body& b) {
+bool are_near(const Sample& s, const SweepTask<2>& t, const Body& b) {
   bool near = true;
   for_parts(s, b, [&](std::size_t, std::size_t k) {
     const DiskRecord& d = s.record[k];
@@ -63,12 +64,7 @@ bool are_near(const Sample& s, const SweepTask& t, const Body& b) {
 }
 
 /// Cells between a disk and its body's centre, so that both lie in the cell.
-void wrap_part(const Sample& s, const Body& b, Vec2 by, BodyDisk& part) {
-  const auto& w = s.domain.wall;
-  const Vec2 at = b.place + turned(part.place, by);
-  if (s.domain.periodic[1]) part.shift.y = -static_cast<std::int32_t>(std::floor((at.y - w[bottom].position) / s.domain.height()));
-  if (s.domain.periodic[0]) part.shift.x = -static_cast<std::int32_t>(std::floor((at.x + part.shift.y * s.domain.tilt - w[left].position) / s.domain.width()));
-}
+void wrap_part(const Sample& s, const Body& b, Vec2 by, BodyDisk& part) { part.shift = -s.domain.cell_of(b.place + turned(part.place, by)); }
 
 /// Torque about the disk of a foot's polygon that takes it, by the way from there to the foot, where the slot's force acts.
 double shifted_torque(const Sample& s, std::size_t slot, const Foot& foot) {
@@ -79,7 +75,7 @@ double shifted_torque(const Sample& s, std::size_t slot, const Foot& foot) {
 
 }  // namespace
 
-Load load_on(const Sample& s, std::size_t mover) { return mover < s.count ? contact_load(s.list, mover) : load_of(s, s.body[mover - s.count]); }
+Load<2> load_on(const Sample& s, std::size_t mover) { return mover < s.count ? contact_load(slot_forces(s.list), mover) : load_of(s, s.body[mover - s.count]); }
 
 void number_parts(Sample& s) {
   if (s.part.empty()) return;
@@ -97,7 +93,7 @@ bool disks_meet(const Sample& s, std::int32_t i, std::int32_t j) {
   return !is_corner(a) && !is_corner(b) && (a < 0 || a != b);
 }
 
-bool move_bodies(Sample& s, const SweepTask& t, const ThreadPool& pool) {
+bool move_bodies(Sample& s, const SweepTask<2>& t, const ThreadPool& pool) {
   if (s.body.empty()) return true;
   std::atomic<bool> near = true;
   pool.for_ranges(s.body.size(), [&](std::size_t begin, std::size_t end) {
@@ -129,7 +125,7 @@ void take_torques_to_owners(Sample& s, const ThreadPool& pool) {
   pool.for_ranges(feet + points, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n) {
       const std::size_t slot = n < feet ? first + n : s.list.polygons + n - feet;
-      SlotForce& force = s.list.force[slot];
+      SlotForce<2>& force = s.list.force[slot];
       if (acts(force)) (n < feet ? force.torque_j : force.torque_i) += shifted_torque(s, slot, *foot_of(s, slot));
     }
   });
@@ -166,7 +162,7 @@ Vec2 between_centres(const Sample& s, std::size_t slot, Vec2 branch) {
   return branch - levers.i + levers.j;
 }
 
-void put_grain(Grains& grains, std::size_t g, Vec2 place, double angle, const Motion& motion) {
+void put_grain(Grains& grains, std::size_t g, Vec2 place, double angle, const Motion<2>& motion) {
   grains.position[g] = place;
   grains.angle[g] = angle;
   grains.velocity[g] = motion.velocity;

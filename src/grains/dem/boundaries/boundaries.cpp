@@ -84,12 +84,8 @@ void push_boundaries(Sample& s, double kick, double ahead) {
 }
 
 void wrap_boundaries(Domain& domain) {
-  if (!domain.periodic[0] && !domain.periodic[1]) return;
   for (Boundary& boundary : domain.boundaries) {
-    const Vec2 middle = mean_point(boundary.points);
-    Vec2 by;
-    if (domain.periodic[0]) by.x = -std::floor((middle.x - domain.wall[left].position) / domain.width()) * domain.width();
-    if (domain.periodic[1]) by.y = -std::floor((middle.y - domain.wall[bottom].position) / domain.height()) * domain.height();
+    const Vec2 by = domain.way(-domain.cell_of(mean_point(boundary.points)));
     if (by == Vec2{}) continue;
     for (Vec2& p : boundary.points) p += by;
     boundary.centre += by;
@@ -140,7 +136,7 @@ void sum_boundary_forces(Sample& s) {
   if (s.element.empty()) return;
   const ContactList& list = s.list;
   for (std::size_t p = list.pairs; p < list.size(); ++p) {
-    const SlotForce& f = list.force[p];
+    const SlotForce<2>& f = list.force[p];
     if (!is_boundary(list.j[p]) || !acts(f)) continue;
     Boundary& boundary = s.domain.boundaries[boundary_index(s, list.j[p])];
     boundary.force -= f.on_i;

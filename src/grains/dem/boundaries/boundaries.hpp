@@ -3,7 +3,7 @@
 
 #include "core/problems.hpp"
 #include "geometry/rectangle.hpp"
-#include "grains/dem/sample.hpp"
+#include "grains/dem/forces.hpp"
 
 // Boundaries of straight segments that move as they are told. A contact with one is a slot like a wall's, joined with an element: a point or a segment.
 namespace arenite::dem {
@@ -51,7 +51,7 @@ void hand_over_memories(Sample& sample);
 void check_crossings(const Sample& sample);
 
 /// The place of a boundary that is touched in a slot that is met so, where the boundary itself is and not an image, m.
-Vec2 touched_place(const Sample& sample, std::size_t slot, const struct Kinematics& kinematics);
+Vec2 touched_place(const Sample& sample, std::size_t slot, const Kinematics<2>& kinematics);
 
 /// Forces of the grains on the boundaries, and their torques about the centres.
 void sum_boundary_forces(Sample& sample);

@@ -24,17 +24,15 @@ Vec2 nearest_of(const Boundary& boundary, const Element& element, Vec2 place) {
 
 /// A place as the image of an element that is nearest to it sees it; itself where nothing is periodic.
 Vec2 seen_from(const Domain& domain, const Boundary& boundary, const Element& element, Vec2 place) {
-  if (!domain.periodic[0] && !domain.periodic[1]) return place;
+  if (!domain.is_cell()) return place;
   const auto [a, b] = segment_at(boundary, element.point);
   const Vec2 middle = element.segment ? 0.5 * (a + b) : a, near = middle + domain.nearest_image(place - middle);
-  const int across = domain.periodic[0] ? 1 : 0, up = domain.periodic[1] ? 1 : 0;
   Vec2 best = near;
   double least = std::numeric_limits<double>::infinity();
-  for (int iy = -up; iy <= up; ++iy)
-    for (int ix = -across; ix <= across; ++ix) {
-      const Vec2 image = near + Vec2{ix * domain.width(), iy * domain.height()}, way = image - nearest_of(boundary, element, image);
-      if (dot(way, way) < least) least = dot(way, way), best = image;
-    }
+  domain.each_near_cell([&](Cells<2> cell) {
+    const Vec2 image = near + domain.way(cell), way = image - nearest_of(boundary, element, image);
+    if (dot(way, way) < least) least = dot(way, way), best = image;
+  });
   return best;
 }
 
@@ -84,7 +82,7 @@ bool has_crossed(const Sample& s, std::size_t slot) {
 }  // namespace
 
 bool goes_through_sides(const Domain& domain, const Boundary& boundary) {
-  if (boundary.closed || (!domain.periodic[0] && !domain.periodic[1])) return false;
+  if (boundary.closed || !domain.is_cell()) return false;
   const Vec2 way = boundary.points.back() - boundary.points.front();
   const double width = domain.width(), height = domain.height();
   const auto is_side = [](double part, double side) { return std::abs(std::abs(part) - side) <= 1e-9 * side; };
@@ -122,8 +120,8 @@ void find_near_elements(const Sample& s, const std::vector<geometry::Rectangle>&
   }
 }
 
-Kinematics element_kinematics(const Sample& s, const DiskRecord& d, std::int32_t number, bool as_point) {
-  Kinematics c;
+Kinematics<2> element_kinematics(const Sample& s, const DiskRecord& d, std::int32_t number, bool as_point) {
+  Kinematics<2> c;
   const Element& element = s.element[number];
   const Boundary& boundary = s.domain.boundaries[element.boundary];
   const Vec2 place = seen_from(s.domain, boundary, element, d.place);
@@ -146,7 +144,7 @@ Kinematics element_kinematics(const Sample& s, const DiskRecord& d, std::int32_t
   return c;
 }
 
-Vec2 touched_place(const Sample& s, std::size_t slot, const Kinematics& c) {
+Vec2 touched_place(const Sample& s, std::size_t slot, const Kinematics<2>& c) {
   return seen_from(s.domain, boundary_of(s, s.list.j[slot]), touched_element(s, s.list.j[slot]), touching_disk(s, slot).place) - c.branch;
 }
 

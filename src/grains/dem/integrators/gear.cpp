@@ -1,33 +1,14 @@
-#include "grains/dem/integrators/integrators.hpp"
+#include "grains/dem/integrators/gear.hpp"
 
 #include "grains/dem/boundaries/boundaries.hpp"
 #include "grains/dem/forces.hpp"
-#include "grains/dem/integrators/nordsieck.hpp"
+#include "grains/dem/movers.hpp"
 #include "grains/dem/neighbours.hpp"
 #include "grains/dem/setup.hpp"
 #include "grains/dem/walls.hpp"
 
 namespace arenite::dem {
 namespace {
-
-/// Moves the walls on to the predicted t_{n+1}.
-void predict_walls(Sample& s, double /*kick*/, double /*ahead*/) {
-  const double dt = s.dt, half = 0.5 * dt * dt;
-  for (int side = 0; side < sides; ++side) {
-    WallBody& body = s.wall[side];
-    Wall& wall = s.domain.wall[side];
-    const double a = wall_acceleration(s, side, wall.velocity);
-    Nordsieck<double> q{wall.position, dt * body.rate, half * body.acceleration, body.higher[0], body.higher[1], body.higher[2]};
-    q.correct(half * (a - body.acceleration));
-    q.predict();
-    wall.position = q.q0;
-    wall.velocity = body.rate = q.q1 / dt;
-    body.acceleration = q.q2 / half;
-    body.higher = {q.q3, q.q4, q.q5, 0.0};
-  }
-}
-
-bool gear_sweep(Sample& s, const ThreadPool& pool) { return sweep_disks(s, pool, s.kernel->gear, predict_walls); }
 
 /// One coordinate (of a disk or a wall) while the starting values are sought: derivatives 0 to 5, unscaled.
 struct Path {
@@ -57,7 +38,7 @@ class Start {
     set_springs(-lag, 0);
     evaluate(0);
     const std::vector<double> springs = s.list.memory;
-    const std::vector<SlotForce> force = s.list.force;
+    const std::vector<SlotForce<2>> force = s.list.force;
     const std::vector<double> now = accelerations();
     for (std::size_t q = 0; q < path.size(); ++q) path[q].bend = now[q];
     const double h = 0.5 * s.dt;
@@ -127,7 +108,7 @@ class Start {
   }
 
   /// A contact that carries force at one time of the span and none at the other is no smooth path.
-  void mark_changes(const std::vector<SlotForce>& force, std::vector<std::uint8_t>& rough) const {
+  void mark_changes(const std::vector<SlotForce<2>>& force, std::vector<std::uint8_t>& rough) const {
     for (std::size_t p = 0; p < s.list.size(); ++p) {
       const bool before = acts(force[p]), now = acts(s.list.force[p]);
       if (before == now) continue;
@@ -156,8 +137,24 @@ class Start {
   std::vector<Path> path;
 };
 
-/// Third to fifth derivatives from forces at the Taylor continuation of the present state half a step and a step ahead and back, three times over. A
-/// grain whose contacts change within that span starts with zeros. Leaves forces and springs as of now.
+}  // namespace
+
+void predict_walls(Sample& s, double /*kick*/, double /*ahead*/) {
+  const double dt = s.dt, half = 0.5 * dt * dt;
+  for (int side = 0; side < sides; ++side) {
+    WallBody& body = s.wall[side];
+    Wall& wall = s.domain.wall[side];
+    const double a = wall_acceleration(s, side, wall.velocity);
+    Nordsieck<double> q{wall.position, dt * body.rate, half * body.acceleration, body.higher[0], body.higher[1], body.higher[2]};
+    q.correct(half * (a - body.acceleration));
+    q.predict();
+    wall.position = q.q0;
+    wall.velocity = body.rate = q.q1 / dt;
+    body.acceleration = q.q2 / half;
+    body.higher = {q.q3, q.q4, q.q5, 0.0};
+  }
+}
+
 void find_derivatives(Sample& s) {
   if (s.settled) return;
   for (auto& higher : s.higher)
@@ -165,20 +162,5 @@ void find_derivatives(Sample& s) {
   Start(s).run();
   s.settled = true;
 }
-
-}  // namespace
-
-// Between steps the sample holds the predicted state at t_n and the forces there. One fused sweep corrects it and predicts t_{n+1}.
-// Bounds of the step are fitted to the eigenvalues of its step; without damping it grows from omega dt = 0.33 on.
-const Integrator gear5{{"gear5", "Gear's fifth-order predictor and corrector; needs small steps where damping is strong"},
-                       gear_sweep,
-                       find_derivatives,
-                       gear_velocity_share,
-                       gear_position_share,
-                       0.5,
-                       1.57,
-                       1 / 0.163,
-                       0.33,
-                       false};
 
 }  // namespace arenite::dem

@@ -1,4 +1,6 @@
 #pragma once
+#include <utility>
+
 #include "grains/dem/kernels/kernel.hpp"
 #include "grains/dem/kernels/pack.hpp"
 
@@ -19,9 +21,9 @@ template <int W> ARENITE_INLINE Pack<W> picked_numbers(const double* values, con
   return numbers;
 }
 
-/// Forces of W bonds from p on; the same as beam_motion and beam_slot_force say of one. Notes which need a closer look: those that may break, and
-/// those that have turned far since the list was built.
-template <int W, bool damped> ARENITE_INLINE bool bond_batch(const BondTask& t, std::size_t p) {
+/// Forces of W bonds from p on; the same as beam_motion and the law say of one. Notes which need a closer look: those that may break, and those that
+/// have turned far since the list was built.
+template <int W, bool damped, class Law> ARENITE_INLINE bool bond_batch(const BondTask& t, const Law& law, std::size_t p) {
   using V = Pack<W>;
   const auto number = [p](const double* column) { return V::load(column + p); };
   const auto vector = [p](const Vec<2, const double*>& columns) { return Vec<2, V>{V::load(columns.x + p), V::load(columns.y + p)}; };
@@ -36,14 +38,11 @@ template <int W, bool damped> ARENITE_INLINE bool bond_batch(const BondTask& t, 
   const Vec<2, V> normal = inverse * branch;
   const V sine = cross(before, normal), cosine = dot(before, normal), turned = small_angle(sine);
   const V turn_i = picked_numbers<W>(t.angle, i) - number(b.angle_i) - turned, turn_j = picked_numbers<W>(t.angle, j) - number(b.angle_j) - turned;
-  const V length = number(b.length), arm_i = number(b.arm_i), arm_j = number(b.arm_j);
-  V tension = number(b.beam.normal) * (distance - length), shear = number(b.beam.shear) * (arm_i * turn_i + arm_j * turn_j),
-    moment = number(b.beam.bending) * (turn_i - turn_j);
-
-  const V per_area = number(b.beam.per_area), mean = tension * per_area;
-  const V fibre = mean + max(moment, zero - moment) * number(b.beam.per_section), across = max(shear, zero - shear) * per_area;
-  const V shear_limit = number(b.cohesion) + number(b.strength) * number(b.beam.friction) * max(zero - mean, zero);
-  const auto look = ~(fibre <= number(b.tensile)) | ~(across <= shear_limit) | ~(max(sine, zero - sine) <= V(0.15)) | ~(cosine > zero);
+  const BeamArms<V> arms{number(b.length), number(b.arm_i), number(b.arm_j)};
+  const BeamOf<V> beam{number(b.beam.normal),   number(b.beam.shear),       number(b.beam.bending),
+                       number(b.beam.per_area), number(b.beam.per_section), number(b.beam.friction)};
+  BeamForce<V> force = law.elastic(beam, arms.strain(distance, turn_i, turn_j));
+  const auto look = ~law.holds(beam, force, number(b.strength)) | ~(abs(sine) <= V(0.15)) | ~(cosine > zero);
 
   if constexpr (damped) {
     Vec<2, V> velocity_i, velocity_j;
@@ -53,14 +52,12 @@ template <int W, bool damped> ARENITE_INLINE bool bond_batch(const BondTask& t, 
     gather<W>([=](int k) { return &t.record[i[k]].omega; }, omega_i, radius);
     gather<W>([=](int k) { return &t.record[j[k]].omega; }, omega_j, radius);
     const Vec<2, V> u = velocity_i - velocity_j - vector(b.image_velocity);
-    tension = tension + number(b.normal_damping) * dot(u, normal);
-    shear = shear + number(b.shear_damping) * (arm_i * omega_i + arm_j * omega_j - length * (cross(normal, u) * inverse));
-    moment = moment + number(b.bending_damping) * (omega_i - omega_j);
+    const BeamDashpots<V> dashpots{number(b.dashpots.normal), number(b.dashpots.shear), number(b.dashpots.bending)};
+    force = force + dashpots.force(arms.rate(dot(u, normal), cross(normal, u) * inverse, omega_i, omega_j));
   }
-  const V along = shear * length * inverse;
-  scatter<W>([=](int k) { return &t.force[p + static_cast<std::size_t>(k)].on_i.x; }, zero - tension * normal.x - along * normal.y,
-             along * normal.x - tension * normal.y);
-  scatter<W>([=](int k) { return &t.force[p + static_cast<std::size_t>(k)].torque_i; }, zero - shear * arm_i - moment, moment - shear * arm_j);
+  const BeamPull<V> pull = arms.pull(force, normal, force.shear * arms.length * inverse);
+  scatter<W>([=](int k) { return &t.force[p + static_cast<std::size_t>(k)].on_i.x; }, pull.on_i.x, pull.on_i.y);
+  scatter<W>([=](int k) { return &t.force[p + static_cast<std::size_t>(k)].torque_i; }, pull.torque_i, pull.torque_j);
   bool any = false;
   for (int k = 0; k < W; ++k) {
     t.look[p + static_cast<std::size_t>(k)] = look[k] != 0;
@@ -69,18 +66,26 @@ template <int W, bool damped> ARENITE_INLINE bool bond_batch(const BondTask& t, 
   return any;
 }
 
-template <int W, bool damped> __attribute__((flatten)) bool bond_range(const BondTask& given, std::size_t begin, std::size_t end) {
-  const BondTask task = given;  // a copy that no store can reach stays in registers
+template <int W, bool damped, class Law>
+__attribute__((flatten)) bool bond_range(const BondTask& given, const Law& given_law, std::size_t begin, std::size_t end) {
+  const BondTask task = given;  // copies that no store can reach stay in registers
+  const Law law = given_law;
   bool any = false;
   std::size_t p = begin;
-  for (; p + W <= end; p += W) any |= bond_batch<W, damped>(task, p);
-  for (; p < end; ++p) any |= bond_batch<1, damped>(task, p);
+  for (; p + W <= end; p += W) any |= bond_batch<W, damped>(task, law, p);
+  for (; p < end; ++p) any |= bond_batch<1, damped>(task, law, p);
   return any;
 }
 
 /// Bonds begin .. end-1. True if some need a closer look.
-template <int W> bool bond_loop(const BondTask& task, std::size_t begin, std::size_t end) {
-  return task.damped ? bond_range<W, true>(task, begin, end) : bond_range<W, false>(task, begin, end);
+template <int W, class Law> bool bond_loop(const BondTask& task, const BondLaw& choice, std::size_t begin, std::size_t end) {
+  const Law& law = *std::get_if<Law>(&choice);
+  return task.damped ? bond_range<W, true>(task, law, begin, end) : bond_range<W, false>(task, law, begin, end);
+}
+
+/// The loops of all bond laws.
+template <int W, std::size_t... Q> constexpr std::array<Kernel::BondLoop, bond_laws> bond_loops(std::index_sequence<Q...>) {
+  return {bond_loop<W, std::variant_alternative_t<Q, BondLaw::variant>>...};
 }
 
 }  // namespace arenite::dem

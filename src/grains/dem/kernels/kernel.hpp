@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "grains/dem/laws/laws.hpp"
+#include "grains/dem/parameters.hpp"
 
 namespace arenite::dem {
 
@@ -18,37 +18,77 @@ template <int D> struct alignas(64) GrainRecord {
 };
 using DiskRecord = GrainRecord<2>;
 static_assert(sizeof(DiskRecord) == 64);
-inline double inertia(const DiskRecord& d) { return 0.5 * d.mass * d.radius * d.radius; }
+/// What of a turning about a contact of this normal slides: grains that turn about the normal itself twist, which spheres of space alone can do.
+template <class V> inline V without_twist(V turning, const Vec<2, V>& /*normal*/) { return turning; }
+template <class V> inline Vec<3, V> without_twist(const Vec<3, V>& turning, const Vec<3, V>& normal) { return turning - dot(turning, normal) * normal; }
+
+/// Of a disk, a sphere: I/(m r^2).
+template <int D> inline constexpr double inertia_share = D == 2 ? 0.5 : 0.4;
+template <int D> inline double inertia(const GrainRecord<D>& d) { return inertia_share<D> * d.mass * d.radius * d.radius; }
 
 /// Force of a contact on i, N, and its torques on i and j, N m; all 0 where apart.
-struct alignas(32) SlotForce {
-  Vec2 on_i;
-  double torque_i = 0, torque_j = 0;
+template <int D> struct alignas(32) SlotForce {
+  Vec<D> on_i;
+  Turning<D> torque_i{}, torque_j{};
 };
-inline bool acts(const SlotForce& f) { return f.on_i != Vec2{}; }
+template <int D> inline bool acts(const SlotForce<D>& f) { return f.on_i != Vec<D>{}; }
+
+/// Velocity, m/s, and turning, rad/s.
+template <int D> struct Motion {
+  Vec<D> velocity;
+  Turning<D> omega{};
+};
+
+/// Forces on something, N, and their torque about its centre, N m.
+template <int D> struct Load {
+  Vec<D> force;
+  Turning<D> torque{};
+};
+
+/// Forces of slots and how they are gathered: group and first as in ContactList.
+template <int D> struct SlotForces {
+  const SlotForce<D>* force;
+  const std::int32_t *group, *first;
+};
+
+/// On disk or sphere k by its contacts, its slots in a fixed order.
+template <int D> inline Load<D> contact_load(const SlotForces<D>& slots, std::size_t k) {
+  const auto sum = [&](std::size_t q) {
+    SlotForce<D> total;
+    for (auto g = slots.first[q]; g < slots.first[q + 1]; g += 4) {
+      const auto at = [&](int n) -> const SlotForce<D>& { return slots.force[slots.group[g + n]]; };
+      const SlotForce<D>&a = at(0), &b = at(1), &c = at(2), &d = at(3);
+      total.on_i += (a.on_i + b.on_i) + (c.on_i + d.on_i);
+      total.torque_i += (a.torque_i + b.torque_i) + (c.torque_i + d.torque_i);
+      total.torque_j += (a.torque_j + b.torque_j) + (c.torque_j + d.torque_j);
+    }
+    return total;
+  };
+  const SlotForce<D> own = sum(2 * k), reaction = sum(2 * k + 1);
+  return {own.on_i - reaction.on_i, own.torque_i + reaction.torque_j};
+}
 
 /// What the pair loop reads and fills; the arrays are those of ContactList.
-struct PairTask {
-  const DiskRecord* record;
+template <int D> struct PairTask {
+  const GrainRecord<D>* record;
   const std::int32_t *i, *j;
   const double *stiffness, *damping, *viscosity, *strength, *shear;
-  double *memory, *normal_memory;
-  SlotForce* force;
+  std::array<double*, turnings<D>> memory;
+  double* normal_memory;
+  SlotForce<D>* force;
   double friction;   ///< mu
   double floor;      ///< lowest F_n of contacts that are not glued, N
   double arm_share;  ///< of the overlap that each arm lacks: 1/2 (contact point) or 0 (full radius)
 };
 
 /// What is known of a bond that holds, or where the arrays of these numbers are, which the loop over the bonds reads.
-template <class Number> struct BondRow {
-  Number length{}, arm_i{}, arm_j{};  ///< when it was made, m; the arms to its middle between the two surfaces
-  Vec<2, Number> normal{};            ///< from j to i when the list was built
-  Number angle_i{}, angle_j{};        ///< that the grains have where it is not bent and has this normal, rad
+template <class Number> struct BondRow : BeamArms<Number> {
+  Vec<2, Number> normal{};      ///< from j to i when the list was built
+  Number angle_i{}, angle_j{};  ///< that the grains have where it is not bent and has this normal, rad
   BeamOf<Number> beam{};
-  Number strength{};                                            ///< over that of the law
-  Number tensile{}, cohesion{};                                 ///< that of this bond, Pa; never within its strength once it has ended
-  Number normal_damping{}, shear_damping{}, bending_damping{};  ///< N s/m, N s/m, N m s
-  Vec<2, Number> image{}, image_velocity{};                     ///< of j beside j itself, m and m/s; only of the arrays
+  Number strength{};  ///< over that of the law; once it has ended none that it could hold with
+  BeamDashpots<Number> dashpots{};
+  Vec<2, Number> image{}, image_velocity{};  ///< of j beside j itself, m and m/s; only of the arrays
 };
 inline constexpr std::size_t bond_columns = sizeof(BondRow<double>) / sizeof(double);
 
@@ -58,7 +98,7 @@ struct BondTask {
   const double* angle;
   const std::int32_t *i, *j;
   BondRow<const double*> column;
-  SlotForce* force;
+  SlotForce<2>* force;
   std::uint8_t* look;  ///< where a bond may break, or has turned far since the list was built: then it is not for the loop to say
   bool damped;
 };
@@ -85,18 +125,17 @@ struct Stretch {
 };
 
 /// What a step of an integrator reads and changes; the arrays are those of Sample and ContactList.
-struct SweepTask {
-  DiskRecord* record;
-  const SlotForce* force;
-  const std::int32_t *group, *first;
-  std::array<double*, 2> velocity, acceleration;
-  double *omega, *angle, *alpha;
-  std::array<std::array<double*, 3>, 3> higher;
-  std::array<const double*, 2> listed;
-  Vec2 gravity;                                ///< m/s^2
-  CellMotion<2> before, after;                 ///< of the cell, at the start and the end of the step
-  std::array<Stretch, 2> moved, listed_moved;  ///< of the cell, in the step and since the list was built
-  double dt, kick, ahead;                      ///< s, see integrators/verlet.cpp
+template <int D> struct SweepTask {
+  GrainRecord<D>* record;
+  SlotForces<D> slots;
+  std::array<double*, D> velocity, acceleration;
+  std::array<double*, turnings<D>> omega, angle, alpha;
+  std::array<std::array<double*, 3>, D + turnings<D>> higher;
+  std::array<const double*, D> listed;
+  Vec<D> gravity;                              ///< m/s^2
+  CellMotion<D> before, after;                 ///< of the cell, at the start and the end of the step
+  std::array<Stretch, D> moved, listed_moved;  ///< of the cell, in the step and since the list was built
+  double dt, kick, ahead;                      ///< s, see integrators/integrator.hpp
   double drag;                                 ///< 1/s
   double turning;                              ///< 1 where grains rotate, else 0
   double listed_shear, middle;                 ///< shear of the cell since the list was built, about the height `middle`, m
@@ -104,15 +143,16 @@ struct SweepTask {
 };
 
 /// From where a disk was when the list was built, as the cell has taken it along since, to its place.
-template <class V> Vec<2, V> way_since_listed(const SweepTask& t, Vec<2, V> place, Vec<2, V> listed) {
-  const auto then = by_axis<2>([&](int axis) { return t.listed_moved[axis].apply(listed[axis]); });
-  Vec<2, V> way = place - then;
+template <int D, class V> inline Vec<D, V> way_since_listed(const SweepTask<D>& t, Vec<D, V> place, Vec<D, V> listed) {
+  const auto then = by_axis<D>([&](int axis) { return t.listed_moved[axis].apply(listed[axis]); });
+  Vec<D, V> way = place - then;
   way.x = way.x - V(t.listed_shear) * (then.y - V(t.middle));
   return way;
 }
 
 inline constexpr std::size_t adhesions = std::variant_size_v<Adhesion::variant>, friction_laws = std::variant_size_v<FrictionLaw::variant>,
-                             law_triples = std::variant_size_v<NormalLaw::variant> * adhesions * friction_laws;
+                             law_triples = std::variant_size_v<NormalLaw::variant> * adhesions * friction_laws,
+                             bond_laws = std::variant_size_v<BondLaw::variant>;
 inline std::size_t loop_index(const ContactLaws& laws) {
   return (laws.normal.index() * adhesions + laws.adhesion.index()) * friction_laws + laws.friction.index();
 }
@@ -122,14 +162,14 @@ inline std::size_t loop_index(const ContactLaws& laws) {
 struct Kernel {
   const char* name;
   /// Forces of slots begin .. end-1, all of two disks; one loop for every three laws (loop_index).
-  using PairLoop = void (*)(const PairTask&, const ContactLaws&, std::size_t begin, std::size_t end);
+  using PairLoop = void (*)(const PairTask<2>&, const ContactLaws&, std::size_t begin, std::size_t end);
   std::array<PairLoop, law_triples> pair_loops;
-  /// A step of disks begin .. end-1. False if the list has become stale.
-  using Sweep = bool (*)(const SweepTask&, std::size_t begin, std::size_t end);
-  Sweep verlet, gear;
-  /// Forces of bonds begin .. end-1. True if some need a closer look.
-  using BondLoop = bool (*)(const BondTask&, std::size_t begin, std::size_t end);
-  BondLoop bonds;
+  /// A step of disks begin .. end-1; one loop for every integrator (IntegratorKind). False if the list has become stale.
+  using Sweep = bool (*)(const SweepTask<2>&, std::size_t begin, std::size_t end);
+  std::array<Sweep, integrator_count> sweeps;
+  /// Forces of bonds begin .. end-1; one loop for every bond law. True if some need a closer look.
+  using BondLoop = bool (*)(const BondTask&, const BondLaw&, std::size_t begin, std::size_t end);
+  std::array<BondLoop, bond_laws> bond_loops;
 };
 
 extern const Kernel portable_kernel, avx2_kernel, avx512_kernel;

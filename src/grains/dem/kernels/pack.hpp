@@ -47,6 +47,7 @@ template <int W> struct Pack {
   ARENITE_INLINE friend Bits operator<=(Pack a, Pack b) { return a.raw <= b.raw; }
   ARENITE_INLINE friend Pack min(Pack a, Pack b) { return b.raw < a.raw ? b.raw : a.raw; }
   ARENITE_INLINE friend Pack max(Pack a, Pack b) { return a.raw < b.raw ? b.raw : a.raw; }
+  ARENITE_INLINE friend Pack abs(Pack a) { return max(a, Pack(0.0) - a); }
   ARENITE_INLINE friend Pack dot(Pack a, Pack b) { return a.raw * b.raw; }
   ARENITE_INLINE friend Pack select(Bits condition, Pack yes, Pack no) { return condition ? yes.raw : no.raw; }
   ARENITE_INLINE friend Pack sqrt(Pack a) {
@@ -55,6 +56,10 @@ template <int W> struct Pack {
     return root;
   }
 };
+
+template <int W, int D> ARENITE_INLINE Vec<D, Pack<W>> select(typename Pack<W>::Bits condition, Vec<D, Pack<W>> yes, Vec<D, Pack<W>> no) {
+  return by_axis<D>([&](int axis) { return select(condition, yes[axis], no[axis]); });
+}
 
 /// Two neighbouring doubles, the piece in which records are read and written.
 using Piece = RawPack<2>::Numbers;
@@ -119,11 +124,13 @@ template <int W, int D, class Address> ARENITE_INLINE void gather(Address&& addr
   }
 }
 
-/// Reads and writes a vector that lies in one array a component.
-template <int W, int D, class Number> ARENITE_INLINE Vec<D, Pack<W>> load_vector(const std::array<Number*, D>& from, std::size_t k) {
-  return by_axis<D>([&](int axis) { return Pack<W>::load(from[axis] + k); });
+/// Reads and writes vectors that lie in one array a component, or the numbers of one array.
+template <int W, class Number, std::size_t N> ARENITE_INLINE auto load_columns(const std::array<Number*, N>& from, std::size_t k) {
+  if constexpr (N == 1) return Pack<W>::load(from[0] + k);
+  else return by_axis<N>([&](int axis) { return Pack<W>::load(from[axis] + k); });
 }
-template <int W, int D> ARENITE_INLINE void store_vector(Vec<D, Pack<W>> vector, const std::array<double*, D>& to, std::size_t k) {
+template <int W> ARENITE_INLINE void store_columns(Pack<W> numbers, const std::array<double*, 1>& to, std::size_t k) { numbers.store(to[0] + k); }
+template <int W, int D> ARENITE_INLINE void store_columns(Vec<D, Pack<W>> vector, const std::array<double*, static_cast<std::size_t>(D)>& to, std::size_t k) {
 #pragma GCC unroll 3
   for (int axis = 0; axis < D; ++axis) vector[axis].store(to[axis] + k);
 }
@@ -141,6 +148,13 @@ template <int W, class Address> ARENITE_INLINE void scatter(Address&& address, P
       std::memcpy(address(k + 1), reinterpret_cast<const double*>(&odd) + k, sizeof(Piece));
     }
   }
+}
+
+/// The same of a vector. In space that is number by number, for nothing of a record lies behind it that may be overwritten.
+template <int W, int D, class Address> ARENITE_INLINE void scatter(Address&& address, Vec<D, Pack<W>> vector) {
+  scatter<W>(address, vector.x, vector.y);
+  if constexpr (D == 3)
+    for (int k = 0; k < W; ++k) address(k)[2] = vector.z.raw[k];
 }
 
 }  // namespace arenite::dem

@@ -42,13 +42,18 @@ template <int W, int D> struct PairPack {
     arm_i = a.radius - V(arm_share) * overlap;
     arm_j = b.radius - V(arm_share) * overlap;
     approach = V(0.0) - dot(u, normal);
-    sliding = without_twist(cross(normal, u) - arm_i * a.omega - arm_j * b.omega);
+    sliding = without_twist(cross(normal, u) - arm_i * a.omega - arm_j * b.omega, normal);
     curvature = V(1.0) / a.radius + V(1.0) / b.radius;
   }
-  /// Grains that turn about n twist on each other, which spheres of space alone can do, but do not slide.
-  ARENITE_INLINE Tangential without_twist(Tangential a) const {
+  /// What a spring remembers goes along with a contact that turns: in the plane it is a number, in space it is laid into the contact's plane, as long as
+  /// it was.
+  ARENITE_INLINE Tangential turned_along(Tangential a) const {
     if constexpr (D == 2) return a;
-    else return a - dot(a, normal) * normal;
+    else {
+      const Tangential in_plane = without_twist(a, normal);
+      const V square = dot(in_plane, in_plane);
+      return select(square > V(0.0), sqrt(dot(a, a) / square), V(0.0)) * in_plane;
+    }
   }
   /// On i, N.
   ARENITE_INLINE Vec<D, V> force(V fn, Tangential ft) const { return fn * normal + cross(ft, normal); }
@@ -57,36 +62,44 @@ template <int W, int D> struct PairPack {
 };
 
 /// Forces of W slots from p on.
-template <int W, class N, class A, class F>
-ARENITE_INLINE void pair_batch(const PairTask& t, const ContactLaws& shared, const N& normal, const A& adhesion, const F& friction, std::size_t p) {
+template <int W, int D, class N, class A, class F>
+ARENITE_INLINE void pair_batch(const PairTask<D>& t, const ContactLaws& shared, const N& normal, const A& adhesion, const F& friction, std::size_t p) {
   using V = Pack<W>;
+  using T = Turning<D, V>;
   const V zero(0.0);
-  const GrainPack<W, 2> a(t.record, t.i + p), b(t.record, t.j + p);
-  const PairPack<W, 2> pair(a, b, t.arm_share);
+  const GrainPack<W, D> a(t.record, t.i + p), b(t.record, t.j + p);
+  const PairPack<W, D> pair(a, b, t.arm_share);
 
   const V strength = V::load(t.strength + p);
   V floor(t.floor);
   if constexpr (A::attracts) floor = select(strength > zero, V(-__builtin_inf()), floor);
-  ContactState<V> state{pair.overlap, pair.approach, pair.sliding, pair.curvature, V::load(t.stiffness + p), V::load(t.damping + p), V::load(t.viscosity + p),
-                        strength,     V(t.friction), floor};
+  ContactState<V, T> state{
+      pair.overlap, pair.approach, pair.sliding, pair.curvature, V::load(t.stiffness + p), V::load(t.damping + p), V::load(t.viscosity + p),
+      strength,     V(t.friction), floor};
   if constexpr (ElasticContact<N>) state.shear = V::load(t.shear + p);
-  ContactMemory<V> memory;
+  ContactMemory<V, T> memory;
   if constexpr (N::remembers) memory.normal = V::load(t.normal_memory + p);
-  if constexpr (F::remembers) memory.slip = V::load(t.memory + p);
-  const ContactForce<V> f = contact_force(shared, normal, adhesion, friction, state, memory);
+  if constexpr (F::remembers) memory.slip = pair.turned_along(load_columns<W>(t.memory, p));
+  const ContactForce<V, T> f = contact_force(shared, normal, adhesion, friction, state, memory);
   const auto touching_now = pair.overlap > zero;
-  const V fn = select(touching_now, f.normal, zero), ft = select(touching_now, pair.without_twist(f.tangential), zero);
+  const V fn = select(touching_now, f.normal, zero);
+  const T ft = select(touching_now, without_twist(f.tangential, pair.normal), T{});
   if constexpr (N::remembers) select(touching_now, memory.normal, zero).store(t.normal_memory + p);
-  if constexpr (F::remembers) select(touching_now, memory.slip, zero).store(t.memory + p);
-  const Vec<2, V> force = pair.force(fn, ft);
-  scatter<W>([=](int k) { return &t.force[p + static_cast<std::size_t>(k)].on_i.x; }, force.x, force.y);
-  scatter<W>([=](int k) { return &t.force[p + static_cast<std::size_t>(k)].torque_i; }, pair.torque(pair.arm_i, ft), pair.torque(pair.arm_j, ft));
+  if constexpr (F::remembers) store_columns(select(touching_now, memory.slip, T{}), t.memory, p);
+  scatter<W>([=](int k) { return &t.force[p + static_cast<std::size_t>(k)].on_i.x; }, pair.force(fn, ft));
+  const T torque_i = pair.torque(pair.arm_i, ft), torque_j = pair.torque(pair.arm_j, ft);
+  if constexpr (D == 2) {
+    scatter<W>([=](int k) { return &t.force[p + static_cast<std::size_t>(k)].torque_i; }, torque_i, torque_j);
+  } else {
+    scatter<W>([=](int k) { return &t.force[p + static_cast<std::size_t>(k)].torque_i.x; }, torque_i);
+    scatter<W>([=](int k) { return &t.force[p + static_cast<std::size_t>(k)].torque_j.x; }, torque_j);
+  }
 }
 
 /// `flatten` compiles the laws into the loop: as calls they would double its time.
-template <int W, class N, class A, class F>
-__attribute__((flatten)) void pair_loop(const PairTask& given, const ContactLaws& laws, std::size_t begin, std::size_t end) {
-  const PairTask task = given;  // a copy that no store can reach stays in registers
+template <int W, int D, class N, class A, class F>
+__attribute__((flatten)) void pair_loop(const PairTask<D>& given, const ContactLaws& laws, std::size_t begin, std::size_t end) {
+  const PairTask<D> task = given;  // a copy that no store can reach stays in registers
   const ContactLaws shared = laws;
   const N normal = *std::get_if<N>(&shared.normal);
   const A adhesion = *std::get_if<A>(&shared.adhesion);
@@ -98,7 +111,7 @@ __attribute__((flatten)) void pair_loop(const PairTask& given, const ContactLaws
 
 /// The loops of all triples of laws, in the order of loop_index.
 template <int W, std::size_t... Q> constexpr std::array<Kernel::PairLoop, law_triples> pair_loops(std::index_sequence<Q...>) {
-  return {pair_loop<W, std::variant_alternative_t<Q / friction_laws / adhesions, NormalLaw::variant>,
+  return {pair_loop<W, 2, std::variant_alternative_t<Q / friction_laws / adhesions, NormalLaw::variant>,
                     std::variant_alternative_t<Q / friction_laws % adhesions, Adhesion::variant>,
                     std::variant_alternative_t<Q % friction_laws, FrictionLaw::variant>>...};
 }

@@ -12,6 +12,7 @@ namespace arenite::dem {
 /// the touch that makes it until it breaks.
 struct Liquid {
   static constexpr bool breaks = true;
+  static constexpr std::string_view reach_key = "liquid_volume";
   void declare(ParameterVisitor& v) {
     v.number({"surface_tension", "Surface tension of the liquid.", true}, surface_tension, "mN/m", range::positive);
     v.number({"contact_angle", "Angle at which the liquid meets a grain."}, contact_angle, "deg", range::between(0, 80 * std::numbers::pi / 180));
@@ -30,6 +31,8 @@ struct CapillaryDisks : Liquid {
   static constexpr Word word{"capillary_disks", "liquid bridges between disks, exact in the plane"};
   bool operator==(const CapillaryDisks&) const = default;
 
+  /// That two touching disks of this radius hold between straight surfaces.
+  double largest_volume(double radius, double thickness) const { return thickness * geometry::straight_bridge_area({radius, radius, contact_angle}); }
   PullCurve curve(double radius_i, double radius_j, double thickness) const {
     const geometry::LiquidBridge bridge{radius_i, radius_j, contact_angle};
     const double area = volume / thickness, reach = geometry::rupture_gap(bridge, area), unit = surface_tension * thickness;

@@ -7,9 +7,10 @@
 namespace arenite::dem {
 
 /// Grains that neither stick nor are wet.
-struct NoCohesion : WithoutParameters {
+struct NoCohesion : NoLaw {
   static constexpr Word word{"none", "no cohesion"};
   static constexpr bool breaks = false;
+  static constexpr std::string_view reach_key{};
   double joins_within() const { return 0; }
   PullCurve curve(double /*radius_i*/, double /*radius_j*/, double /*thickness*/) const { return {}; }
 };
@@ -21,6 +22,7 @@ struct NoCohesion : WithoutParameters {
 struct Dmt {
   static constexpr Word word{"dmt", "adhesion of dry grains, pull-off force 2 pi w R of spheres"};
   static constexpr bool breaks = false;
+  static constexpr std::string_view reach_key = "adhesion_range";
   void declare(ParameterVisitor& v) {
     v.number({"work_of_adhesion", "Work of adhesion w of two grains, twice the surface energy of like ones.", true}, work_of_adhesion, "J/m^2",
              range::positive);

@@ -4,7 +4,7 @@
 namespace arenite::dem {
 
 /// No attraction: what most samples use, and nothing is computed for it.
-struct NoAdhesion : WithoutParameters {
+struct NoAdhesion : NoLaw {
   static constexpr Word word{"none", "no glue"};
   static constexpr bool attracts = false, breaks = false;
 

@@ -80,23 +80,26 @@ concept RollingContact = ContactLaw<L> && requires(const L law, double v, double
 
 /// A bond gives the beam between two grains, the forces and the energy of its strain, and what its stresses break.
 template <class L>
-concept BeamLaw = ContactLaw<L> && requires(const L law, double v, const Beam& beam, const BeamStrain& strain, const BeamForce& force) {
+concept BeamLaw = ContactLaw<L> && requires(const L law, double v, const Beam& beam, const BeamStrain<double>& strain, const BeamForce<double>& force) {
   { law.gap } -> std::convertible_to<double>;      // greatest one that it bridges, over the mean radius
   { law.damping } -> std::convertible_to<double>;  // of its dashpots, over the critical one
   { law.scatter } -> std::convertible_to<double>;  // standard deviation of strengths over their mean, drawn with `seed`
   { law.seed } -> std::convertible_to<std::int64_t>;
   { law.beam(v, v, v) } -> std::same_as<Beam>;  // (length, smaller radius, thickness), m
-  { law.elastic(beam, strain) } -> std::same_as<BeamForce>;
-  { law.energy(beam, strain) } -> std::same_as<double>;  // J; `elastic` is its gradient
+  { law.elastic(beam, strain) } -> std::same_as<BeamForce<double>>;
+  { law.energy(beam, strain) } -> std::same_as<double>;        // J; `elastic` is its gradient
+  { law.holds(beam, force, v) } -> std::convertible_to<bool>;  // a bond that is so many times as strong as the law says
   { law.load(beam, force) } -> std::same_as<BeamLoad>;
 };
 
 /// A cohesion acts between all disks, beside the contact and beyond it, along the line that joins them. It gives the pull of a pair by its radii and
 /// the thickness of the sample, m. Two disks whose gap is less than `joins_within` are joined; where it `breaks` they are so until the curve's reach.
+/// One of a liquid whose surfaces must not bulge has `volume` and `largest_volume`.
 template <class L>
 concept CohesionLaw = ContactLaw<L> && requires(const L law, double v) {
   { L::breaks } -> std::convertible_to<bool>;
-  { law.joins_within() } -> std::same_as<double>;  // m
+  { L::reach_key } -> std::convertible_to<std::string_view>;  // the parameter that makes its reach smaller
+  { law.joins_within() } -> std::same_as<double>;             // m
   { law.curve(v, v, v) } -> std::same_as<PullCurve>;
 };
 
@@ -107,6 +110,16 @@ template <class... Law> struct OneOf : std::variant<Law...> {
   template <class See> decltype(auto) visit(See&& see) const { return std::visit(see, *this); }
   std::string_view word() const {
     return visit([](const auto& law) { return law.word.word; });
+  }
+  /// Whether it is the one that gives no force.
+  bool is_none() const {
+    return visit([]<class L>(const L&) { return std::derived_from<L, NoLaw>; });
+  }
+  /// The word of the first law of the family of which `is` is true.
+  template <class Is> static std::string_view word_where(const Is& is) {
+    std::string_view word;
+    static_cast<void>(((is(Law{}) && (word = Law::word.word, true)) || ...));
+    return word;
   }
   friend bool operator==(const OneOf& a, const OneOf& b) { return static_cast<const std::variant<Law...>&>(a) == static_cast<const std::variant<Law...>&>(b); }
 };

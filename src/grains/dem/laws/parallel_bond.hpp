@@ -2,46 +2,21 @@
 #include <cmath>
 #include <numbers>
 
-#include "grains/dem/laws/parts.hpp"
-#include "model/links.hpp"
+#include "grains/dem/laws/beam.hpp"
 
 namespace arenite::dem {
 
-/// What a bond's forces and stresses follow from: its stiffness against its three strains, 1 over its section and section modulus, and what pressure
-/// adds to its shear strength. The loop over bonds keeps such numbers in one array each.
-template <class Number> struct BeamOf {
-  Number normal{}, shear{}, bending{};  ///< N/m, N/m, N m/rad
-  Number per_area{}, per_section{};     ///< 1/m^2, 1/m^3
-  Number friction{};                    ///< tan(phi)
-};
-using Beam = BeamOf<double>;
-
-/// How a bond is strained: longer than it was made, the ways of both grains' surfaces across it, and the turn of i against j.
-struct BeamStrain {
-  double stretch = 0, shear = 0, bending = 0;  ///< m, m, rad
-};
-
-/// What it answers with: tension (> 0 pulls), shear force and bending moment.
-struct BeamForce {
-  double tension = 0, shear = 0, moment = 0;  ///< N, N, N m
-};
-
-/// The greatest stress over the strength for it, and which that is.
-struct BeamLoad {
-  double share = 0;
-  BondBreak kind = BondBreak::none;
-};
-
 /// Grains without cement.
-struct NoBonds : WithoutParameters {
+struct NoBonds : NoLaw {
   static constexpr Word word{"none", "no cement between grains"};
 
-  double gap = 0, damping = 0, scatter = 0, tensile_strength = 0, cohesion = 0;
+  double gap = 0, damping = 0, scatter = 0;
   std::int64_t seed = 0;
   Beam beam(double /*length*/, double /*radius*/, double /*thickness*/) const { return {}; }
-  BeamForce elastic(const Beam&, const BeamStrain&) const { return {}; }
-  double energy(const Beam&, const BeamStrain&) const { return 0; }
-  BeamLoad load(const Beam&, const BeamForce&) const { return {}; }
+  template <class V> BeamForce<V> elastic(const BeamOf<V>&, const BeamStrain<V>&) const { return {}; }
+  double energy(const Beam&, const BeamStrain<double>&) const { return 0; }
+  template <class V> auto holds(const BeamOf<V>&, const BeamForce<V>&, V strength) const { return strength <= strength; }
+  BeamLoad load(const Beam&, const BeamForce<double>&) const { return {}; }
 };
 
 /// Parallel bond (Potyondy and Cundall, Int. J. Rock Mech. 41, 1329, 2004) of half width R = share times the smaller radius: A = 2 R t, I = 2 R^3 t/3,
@@ -74,17 +49,34 @@ struct ParallelBond {
     const double half = width * radius, area = 2 * half * thickness, normal = modulus * area / length;
     return {normal, normal / stiffness_ratio, normal * half * half / 3, 1 / area, 3 / (area * half), std::tan(friction_angle)};
   }
-  BeamForce elastic(const Beam& beam, const BeamStrain& strain) const {
+  template <class V> BeamForce<V> elastic(const BeamOf<V>& beam, const BeamStrain<V>& strain) const {
     return {beam.normal * strain.stretch, beam.shear * strain.shear, beam.bending * strain.bending};
   }
-  double energy(const Beam& beam, const BeamStrain& s) const {
+  double energy(const Beam& beam, const BeamStrain<double>& s) const {
     return 0.5 * (beam.normal * s.stretch * s.stretch + beam.shear * s.shear * s.shear + beam.bending * s.bending * s.bending);
   }
-  BeamLoad load(const Beam& beam, const BeamForce& force) const {
-    const double mean = force.tension * beam.per_area, bent = std::abs(force.moment) * beam.per_section;
-    const BeamLoad pull{(mean + bent) / tensile_strength, mean > bent ? BondBreak::tension : BondBreak::bending};
-    const BeamLoad across{std::abs(force.shear) * beam.per_area / (cohesion + beam.friction * lane::max(-mean, 0.0)), BondBreak::shear};
+  template <class V> auto holds(const BeamOf<V>& beam, const BeamForce<V>& force, V strength) const {
+    const Stresses<V> is = stresses(beam, force);
+    const auto in_tension = is.mean + is.bent <= strength * V(tensile_strength), in_shear = is.across <= strength * shear_strength(beam, is);
+    return in_tension & in_shear;
+  }
+  BeamLoad load(const Beam& beam, const BeamForce<double>& force) const {
+    const Stresses<double> is = stresses(beam, force);
+    const BeamLoad pull{(is.mean + is.bent) / tensile_strength, is.mean > is.bent ? BondBreak::tension : BondBreak::bending};
+    const BeamLoad across{is.across / shear_strength(beam, is), BondBreak::shear};
     return pull.share >= across.share ? pull : across;
+  }
+
+ private:
+  /// T/A, |M| R/I and |Q|/A, Pa.
+  template <class V> struct Stresses { V mean, bent, across; };
+  template <class V> static Stresses<V> stresses(const BeamOf<V>& beam, const BeamForce<V>& force) {
+    using lane::abs;
+    return {force.tension * beam.per_area, abs(force.moment) * beam.per_section, abs(force.shear) * beam.per_area};
+  }
+  template <class V> V shear_strength(const BeamOf<V>& beam, const Stresses<V>& is) const {
+    using lane::max;
+    return V(cohesion) + beam.friction * max(V(0.0) - is.mean, V(0.0));
   }
 };
 

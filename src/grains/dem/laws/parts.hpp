@@ -12,6 +12,7 @@ namespace lane {
 inline double min(double a, double b) { return b < a ? b : a; }
 inline double max(double a, double b) { return a < b ? b : a; }
 inline double sqrt(double a) { return std::sqrt(a); }
+inline double abs(double a) { return std::abs(a); }
 inline double select(bool condition, double yes, double no) { return condition ? yes : no; }
 inline double dot(double a, double b) { return a * b; }
 
@@ -28,6 +29,9 @@ struct WithoutParameters {
   void declare(ParameterVisitor&) {}
   bool operator==(const WithoutParameters&) const = default;
 };
+
+/// The law of a family that gives no force.
+struct NoLaw : WithoutParameters {};
 
 /// What a friction law sees of one contact. T counts along the contact: it is V in the plane, a vector in space.
 template <class V, class T = V> struct Slip {

@@ -4,7 +4,7 @@
 namespace arenite::dem {
 
 /// Smooth grains.
-struct NoFriction : WithoutParameters {
+struct NoFriction : NoLaw {
   static constexpr Word word{"none", "smooth grains"};
   static constexpr bool remembers = false;
 

@@ -8,7 +8,7 @@ namespace arenite::dem {
 // mu_r R F_n, R = r_i r_j/(r_i + r_j), at a wall r_i. As a law it is one of friction that sees turning for sliding: rad/s, N m s, N m, N m/rad.
 
 /// Discs roll freely.
-struct NoRolling : WithoutParameters {
+struct NoRolling : NoLaw {
   static constexpr Word word{"none", "grains roll freely"};
   static constexpr bool remembers = false;
 

@@ -45,7 +45,7 @@ void move(Sample& s, std::size_t disk, Vec2 by, double turn) {
   s.angle[disk] += turn;
 }
 
-SlotForce force_on_bond(Sample& s) {
+SlotForce<2> force_on_bond(Sample& s) {
   add_bond_forces(s, ThreadPool());
   return s.list.force[bond_force_place(s.list, 0)];
 }
@@ -59,7 +59,7 @@ TEST(Bonds, ForcesAreMinusTheGradientOfTheEnergyHoweverFarThePairHasTurned) {
     const Vec2 d = s.record[j].place - s.record[i].place, e{std::cos(turned), std::sin(turned)};
     move(s, j, Vec2{e.x * d.x - e.y * d.y, e.y * d.x + e.x * d.y} - d + Vec2{2e-5, -4e-5}, turned + 0.003);
     move(s, i, {}, turned - 0.004);
-    const SlotForce f = force_on_bond(s);
+    const SlotForce<2> f = force_on_bond(s);
     const auto slope = [&](std::size_t disk, Vec2 way, double turn) {
       const double h = 1e-7;
       move(s, disk, h * way, h * turn);
@@ -90,11 +90,11 @@ TEST(Bonds, StiffnessOfThePairIsThatOfABeam) {
   move(s, j, {1e-6, 0}, 0);  // pulled
   EXPECT_NEAR(std::abs(force_on_bond(s).on_i.x), k * 1e-6, 1e-8 * k * 1e-6);
   move(s, j, {-1e-6, 1e-6}, 0);  // sheared
-  const SlotForce across = force_on_bond(s);
+  const SlotForce<2> across = force_on_bond(s);
   EXPECT_NEAR(std::abs(across.on_i.y), k / 2.5 * 1e-6, 1e-6 * k * 1e-6);
   EXPECT_NEAR(std::abs(across.torque_i + across.torque_j), k / 2.5 * 1e-6 * 0.016, 1e-6 * k * 1e-6 * 0.016);
   move(s, j, {0, -1e-6}, 1e-5);  // turned alone: bent, and sheared by its arm of 6 mm
-  const SlotForce bent = force_on_bond(s);
+  const SlotForce<2> bent = force_on_bond(s);
   const auto i = static_cast<std::size_t>(s.bond_slots[0].i);
   ASSERT_GT(s.record[i].radius, s.record[j].radius);
   EXPECT_NEAR(bent.torque_i, bending * 1e-5 - k / 2.5 * 0.006 * 1e-5 * 0.010, 1e-9 * bending);

@@ -41,6 +41,15 @@ TEST(PeriodicCell, KeepsItsMomentum) {
   }
 }
 
+TEST(PeriodicCell, DisksFarAboveAnOpenTopMeetAcrossItsSides) {
+  Packing p = testing::empty_frame(0.2, 0.05);
+  p.domain.periodic[0] = true;
+  p.domain.wall[top].present = false;
+  testing::add_grain(p, 0.004, 0.2, 0.005);
+  testing::add_grain(p, 0.1945, 0.2, 0.005);
+  EXPECT_EQ(Engine(p, {}, {}).packing().contacts.size(), 1u);
+}
+
 TEST(PeriodicCell, GivesTheSameMotionWhereverItsEdgesLie) {
   Packing p = periodic_crowd(3, 0.0122);
   Packing q = p;

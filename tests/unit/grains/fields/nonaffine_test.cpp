@@ -35,7 +35,7 @@ Packing moved(Packing p, const Tensor2& f, Vec2 shift) {
   p.domain.wall[right].position *= f.xx;
   p.domain.wall[top].position *= f.yy;
   for (std::size_t g = 0; g < p.grains.size(); ++g) {
-    const Vec2 in = wrapped(p.domain, p.grains.position[g]);
+    const Vec2 in = p.domain.wrapped(p.grains.position[g]);
     p.grains.position[g] = in;
   }
   return p;
