@@ -12,14 +12,14 @@ namespace {
 const std::vector<Choice> two_choices{{{{"friction", "0"}}, "without friction"}, {{{"drag", "1"}}, "with drag"}};
 
 /// 1 as it is, 3 without friction, not known with drag.
-Value made_up(const Choice& choice) {
+Value invented(const Choice& choice) {
   if (choice.where.front().first == "drag") return {};
   return {choice.where.front().second == "0" ? 3.0 : 1.0, 0.1, 4};
 }
 
 TEST(Sensitivity, TellsWhichChoiceGivesWhatIsWanted) {
   Judgement judgement;
-  add_sensitivity(judgement, "z", {{{"friction", "0.3"}}, ""}, two_choices, made_up, wanted_above(2));
+  add_sensitivity(judgement, "z", {{{"friction", "0.3"}}, ""}, two_choices, invented, wanted_above(2));
   ASSERT_EQ(judgement.sensitivities.size(), 1u);
   const Sensitivity& z = judgement.sensitivities.front();
   EXPECT_EQ(z.wanted, "> 2");
@@ -35,7 +35,7 @@ TEST(Sensitivity, TellsWhichChoiceGivesWhatIsWanted) {
 
 TEST(Sensitivity, IsNotToldWithoutTheUsualRuns) {
   Judgement judgement;
-  add_sensitivity(judgement, "z", {{{"drag", "0"}}, ""}, two_choices, made_up, {});
+  add_sensitivity(judgement, "z", {{{"drag", "0"}}, ""}, two_choices, invented, {});
   EXPECT_TRUE(judgement.sensitivities.empty());
 }
 
