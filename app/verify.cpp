@@ -41,13 +41,13 @@ bool complete(const campaign::Study& study, const campaign::StudyFolder& folder,
 }
 
 /// The films that the study's figures show; false if it was asked to stop.
-bool make_films(const campaign::Study& study, const validation::Results& results, const std::string& name) {
-  const auto filmed = report::filmed_runs(read_study_figures(study), results.table(name));
-  const auto runs = results.runs(name);
-  return std::all_of(runs.begin(), runs.end(), [&](const validation::Run& run) {
-    const bool is_filmed = std::find(filmed.begin(), filmed.end(), run.study->table().rows[run.row].run) != filmed.end();
-    return !is_filmed || campaign::make_film(run.folder(), run.study->folder() / "camera.toml", run.text("seed"), stop_requested);
-  });
+bool make_films(const campaign::Study& study, const campaign::StudyFolder& folder, const campaign::CollectedTable& table) {
+  const auto filmed = report::filmed_runs(read_study_figures(study), table);
+  workflow::RunOptions options;
+  options.notice = [](const std::string& sentence) { fmt::print(stderr, "{}\n", sentence); };
+  options.asked_to_stop = stop_requested;
+  return std::ranges::all_of(
+      study.runs, [&](const campaign::StudyRun& run) { return std::ranges::count(filmed, run.name) == 0 || campaign::make_film(study, folder, run, options); });
 }
 
 bool wanted(const VerifyArguments& a, const std::string& name) { return a.only.empty() || std::find(a.only.begin(), a.only.end(), name) != a.only.end(); }
@@ -87,7 +87,7 @@ bool gather(char letter, const fs::path& out, const VerifyArguments& a, validati
     results.add(name, campaign::collect(study, *folder), folder->out);
     if (!fs::exists(figures_of(study))) continue;
     const bool films = fs::exists(folder->out / "camera.toml") && (!a.small || name == campaign::filmed_study);
-    if (!a.read_only && films && !make_films(study, results, name)) return false;
+    if (!a.read_only && films && !make_films(study, *folder, results.table(name))) return false;
     write_study_figures(study, *folder);
   }
   return true;

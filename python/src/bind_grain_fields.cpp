@@ -6,7 +6,7 @@
 #include "calls.hpp"
 #include "core/error.hpp"
 #include "grains/fields/coarse_grained.hpp"
-#include "grains/fields/flow_numbers.hpp"
+#include "grains/fields/discharge.hpp"
 #include "grains/fields/force_chains.hpp"
 #include "grains/fields/free_surface.hpp"
 #include "grains/fields/friction.hpp"

@@ -4,15 +4,13 @@
 #include <unistd.h>
 
 #include "calls.hpp"
-#include "core/hash.hpp"
-#include "core/version.hpp"
-#include "grains/dem/run_stage.hpp"
 #include "module.hpp"
 #include "report/page.hpp"
 #include "report/summary.hpp"
 #include "result.hpp"
 #include "workflow/export_result.hpp"
 #include "workflow/run.hpp"
+#include "workflow/stage_keys.hpp"
 
 /// Results as folders, files and pages, and single stages of a run.
 namespace arenite::python {
@@ -20,18 +18,23 @@ namespace {
 
 Numbers numbers_of(const Result& r) { return r.films.empty() ? report::Summary(r.run).numbers() : report::film_numbers(r.films.back()); }
 
-Result run(const recipe::Recipe& recipe, const Path& out, int threads, const Progress& progress) {
-  recipe::Recipe asked = recipe;
-  asked.integration.threads = threads;
+/// Tells of the share of all stages.
+workflow::RunOptions run_options(Call& call, const Progress& progress) {
+  workflow::RunOptions options;
+  options.progress = [&](const workflow::Progress& p) {
+    call.tell(progress, (static_cast<double>(p.stage) + p.share) / static_cast<double>(p.stages), p.name);
+  };
+  options.asked_to_stop = [&] { return call.asked_to_stop(); };
+  return options;
+}
+
+Result run(recipe::Recipe recipe, const Path& out, int threads, const Progress& progress) {
+  recipe.integration.threads = threads;
   Call call;
   call.without_lock([&] {
-    workflow::RunOptions options;
+    workflow::RunOptions options = run_options(call, progress);
     options.out = out;
-    options.progress = [&](const workflow::Progress& p) {
-      call.tell(progress, (static_cast<double>(p.stage) + p.share) / static_cast<double>(p.stages), p.name);
-    };
-    options.asked_to_stop = [&] { return call.asked_to_stop(); };
-    return workflow::run(asked, options);
+    return workflow::run(recipe, options);
   });
   return call.without_lock([&] { return open_result(out); });
 }
@@ -103,28 +106,15 @@ std::size_t stage_number(const Recipe& recipe, const py::object& stage) {
   throw InputError(fmt::format("the recipe has no stage \"{}\"; there are {}", name, known));
 }
 
-std::string text_of(const std::vector<std::uint8_t>& bytes) { return {bytes.begin(), bytes.end()}; }
-
-StageResult load_stage(const Packing& packing, const Recipe& recipe, const py::object& stage, int threads, const Progress& progress) {
-  const std::size_t number = stage_number(recipe, stage);
-  auto integration = recipe.integration;
-  integration.threads = threads;
+StageResult load_stage(const Packing& packing, Recipe recipe, const py::object& stage, int threads, const Progress& progress) {
+  const std::size_t place = stage_number(recipe, stage) + 1;
+  recipe.integration.threads = threads;
   Call call;
-  return call.without_lock([&] {
-    dem::Engine engine(packing, recipe.contact, integration);
-    const dem::Stage& what = recipe.stages[number];
-    const std::string hash = HashBuilder().add("start", text_of(engine.save())).add("stage", what.name).add("recipe", recipe::to_toml(recipe)).hex();
-    dem::StageRun run = dem::begin_stage(engine, what);
-    while (!run.finished && !call.asked_to_stop()) {
-      dem::continue_stage(engine, what, run);
-      call.tell(progress, dem::share_done(what, run), what.name);
-    }
-    StageResult result = std::move(run.result);
-    result.name = what.name;
-    result.provenance = {version, what.name, hash, recipe::to_toml(recipe), recipe.seed, engine.kernel(), {}};
-    if (!result.frames.empty())
-      result.texture = texture::numbers(texture::measure(result.frames.back().packing, workflow::texture_options(recipe, number + 1)));
-    return result;
+  return call.without_lock([&]() -> StageResult {
+    dem::Engine engine(packing, recipe.contact, recipe.integration);
+    auto loaded = workflow::load_stage({recipe, place, workflow::stage_key(recipe, place, engine.save()), &packing}, engine, {}, run_options(call, progress),
+                                       {.stages = 1, .name = recipe.stages[place - 1].name});
+    return loaded ? std::move(loaded->result) : StageResult{};
   });
 }
 

@@ -1,21 +1,49 @@
 #include "campaign/virtual_film.hpp"
 
+#include <fmt/core.h>
+
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
-#include "core/error.hpp"
+#include "core/problems.hpp"
 #include "grains/texture/texture.hpp"
 #include "io/results/results.hpp"
 #include "workflow/result_folder.hpp"
 #include "workflow/run_film.hpp"
+#include "workflow/runner.hpp"
 
 namespace arenite::campaign {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// What is kept of a run's film; not known where there is none.
-Numbers read(const fs::path& run) { return io::read_numbers_file(run / "virtual-film.hdf5"); }
+/// What is kept of a film, and the hash of what it was made from.
+struct KeptFilm {
+  Provenance provenance;
+  Numbers numbers;
+};
+
+void write(const fs::path& file, const KeptFilm& film) {
+  Numbers j = film.numbers;
+  j["input_hash"] = film.provenance.input_hash;
+  io::write_numbers_file(file, j);
+}
+
+KeptFilm read(const fs::path& file) {
+  KeptFilm film;
+  film.numbers = io::read_numbers_file(file);
+  film.provenance.input_hash = film.numbers.value("input_hash", "");  // none in one from before films had names
+  return film;
+}
+
+fs::path file_in(const fs::path& run) { return run / "virtual-film.hdf5"; }
+
+/// Of a stage of the run's plan; empty if it has none of that name.
+std::string hash_of(const StudyRun& run, const std::string& stage) {
+  const auto at = std::ranges::find(run.stages, stage, &workflow::PlannedStage::name);
+  return at == run.stages.end() ? "" : at->hash;
+}
 
 Packing state_of(const fs::path& run, const std::string& stage) {
   if (auto state = workflow::last_state(run, stage)) return std::move(*state);
@@ -91,14 +119,11 @@ std::optional<FilmResult> measured_film(const recipe::FilmRecipe& camera, const 
   return std::move(film.result);
 }
 
-}  // namespace
-
-bool make_film(const fs::path& run, const fs::path& camera_file, const std::string& seed, const std::function<bool()>& asked_to_stop) {
-  if (read(run).contains("found")) return true;  // not in one from before the grains were kept
+/// The film of a run, how it agrees with the run's states, and nothing if it was stopped.
+std::optional<Numbers> filmed(const recipe::FilmRecipe& camera, const fs::path& run, const std::function<bool()>& asked_to_stop) {
   const fs::path folder = run / "film";
-  const auto camera = recipe::read_film_recipe(camera_file.string(), {"seed=" + seed});
   auto film = measured_film(camera, run, folder, asked_to_stop);
-  if (!film) return false;
+  if (!film) return std::nullopt;
   std::optional<Packing> low;
   if (!camera.camera->low.empty()) low = state_of(run, camera.camera->low);
   const Packing high = state_of(run, camera.camera->high);
@@ -107,27 +132,46 @@ bool make_film(const fs::path& run, const fs::path& camera_file, const std::stri
   film->packing.grains.zone.assign(simulated.size(), 0);  // who glues grains knows which
   for (std::size_t i = 0; i < simulated.size(); ++i) film->packing.grains.zone[i] = high.grains.zone[simulated[i]];
   const auto found = workflow::agreement(film->peak_to_peak.sigma_hyd, truth, std::vector<std::uint8_t>(truth.size(), 1));
-  using statistics::described;
-  const Numbers j{{"grains", described(found.relation.count, "", "Grains that are compared")},
-                  {"correlation", described(found.relation.pearson.value, "", "Pearson's correlation of the grains' stresses, film and simulation")},
-                  {"rms_sigma_norm", described(found.rms_sigma_norm, "", "Root mean square difference of the stresses, each over its mean")},
-                  {"slope", described(found.relation.line.slope, "", "Slope of the film's stresses on the simulation's")},
-                  {"found", found_grains(*film, truth)},
-                  {"texture", curves_of(*film)}};
-  io::write_numbers_file(run / "virtual-film.hdf5", j);
   fs::remove_all(folder);
-  return true;
+  using statistics::described;
+  return Numbers{{"grains", described(found.relation.count, "", "Grains that are compared")},
+                 {"correlation", described(found.relation.pearson.value, "", "Pearson's correlation of the grains' stresses, film and simulation")},
+                 {"rms_sigma_norm", described(found.rms_sigma_norm, "", "Root mean square difference of the stresses, each over its mean")},
+                 {"slope", described(found.relation.line.slope, "", "Slope of the film's stresses on the simulation's")},
+                 {"found", found_grains(*film, truth)},
+                 {"texture", curves_of(*film)}};
 }
 
-bool has_film(const fs::path& run) { return fs::exists(run / "virtual-film.hdf5") || fs::exists(run / "virtual-film.json"); }
+}  // namespace
+
+bool make_film(const Study& study, const StudyFolder& folder, const StudyRun& run, const workflow::RunOptions& options) {
+  const auto camera = recipe::read_film_recipe((folder.out / "camera.toml").string(), {fmt::format("seed={}", recipe_of(study, run).seed)});
+  if (!camera.camera) refuse(camera.source_file, "there is no section [camera]; add it with high = \"NAME\" of the stage that is filmed");
+  const std::string hash = workflow::virtual_film_key(camera, hash_of(run, camera.camera->low), hash_of(run, camera.camera->high));
+  const auto make = [&](const fs::path&) -> std::optional<KeptFilm> {
+    auto numbers = filmed(camera, folder.run(run.name), options.asked_to_stop);
+    if (!numbers) return std::nullopt;
+    KeptFilm kept{{}, std::move(*numbers)};
+    kept.provenance.input_hash = hash;
+    return kept;
+  };
+  const workflow::Store store(folder.store, options.notice);
+  workflow::RunOptions shared = options;
+  shared.store = &store;
+  bool reused = false;
+  const workflow::StageRecord<KeptFilm> stage{{"film", hash, {}}, file_in(folder.run(run.name)), make, write, read, "the film is made again"};
+  return carry_out(stage, shared, reused).has_value();
+}
+
+bool has_film(const fs::path& run) { return fs::exists(file_in(run)); }
 
 Numbers film_numbers(const fs::path& run) {
   if (!has_film(run)) throw InputError(run.string(), 0, "no film of this run was made; arenite verify thesis without --small makes it");
-  return read(run);
+  return read(file_in(run)).numbers;
 }
 
 double film_number(const fs::path& run, const char* name) {
-  const Numbers j = read(run);
+  const Numbers j = read(file_in(run)).numbers;
   return j.contains(name) && j[name].is_number() ? j[name].get<double>() : statistics::unknown;
 }
 

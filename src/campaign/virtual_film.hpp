@@ -1,19 +1,20 @@
 #pragma once
 #include <filesystem>
-#include <functional>
 #include <string>
 
+#include "campaign/study_folder.hpp"
 #include "statistics/estimate.hpp"
 #include "statistics/numbers.hpp"
+#include "workflow/run.hpp"
 
 namespace arenite::campaign {
 
 /// The study whose films a claim is judged by; those of others are there to be looked at.
 inline constexpr const char* filmed_study = "thesis-film";
 
-/// Films the states of a run that the recipe `camera` names, with that seed, and measures the film. What came of it
-/// is kept in the run's folder; the film is not. False if `asked_to_stop` said so.
-bool make_film(const std::filesystem::path& run, const std::filesystem::path& camera, const std::string& seed, const std::function<bool()>& asked_to_stop);
+/// Films the states of a run that the study's camera.toml names, with the run's seed, and measures the film. What came of it is a file in the run's folder and in the
+/// store, under the hash of all that it depends on; the film is not kept. False if `options` asked to stop.
+bool make_film(const Study& study, const StudyFolder& folder, const StudyRun& run, const workflow::RunOptions& options);
 
 /// Whether a film of this run was made.
 bool has_film(const std::filesystem::path& run);

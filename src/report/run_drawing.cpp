@@ -78,8 +78,7 @@ Numbers sample_drawing(const workflow::FinalState& state, FigureKind kind) {
 }
 
 Numbers film_drawing(const Numbers& film) {
-  if (!film.contains("found"))
-    throw InputError("the stored results of the film have no grains; remove virtual-film.hdf5 (or virtual-film.json) of this run, and make the film again");
+  if (!film.contains("found")) throw InputError("the stored results of the film have no grains; remove virtual-film.hdf5 of this run, and make the film again");
   const Numbers& found = film["found"];
   const auto list = [&](const char* name) { return found[name].get<std::vector<double>>(); };
   const std::vector<double> x = list("x"), y = list("y");

@@ -1,17 +1,13 @@
 #include "workflow/run.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
-#include <type_traits>
 #include <utility>
 
 #include "core/error.hpp"
 #include "core/mapped.hpp"
 #include "core/version.hpp"
 #include "grains/dem/kernels/kernel.hpp"
-#include "grains/dem/run_stage.hpp"
-#include "grains/fields/flow_numbers.hpp"
+#include "grains/fields/stage_numbers.hpp"
 #include "io/disk/file.hpp"
 #include "io/results/results.hpp"
 #include "workflow/runner.hpp"
@@ -32,50 +28,6 @@ void look_at(const dem::Engine& engine, const dem::Stage& stage, const dem::Stag
   progress.step = engine.step();
   progress.time = engine.time();
   progress.wall = engine.domain().wall;
-}
-
-std::string force_at_start(int side) { return fmt::format("force_at_start {}", side_names[side]); }
-
-constexpr std::pair<const char*, std::int64_t dem::StageRun::*> counts[] = {{"increment", &dem::StageRun::increment},
-                                                                            {"steps_in_increment", &dem::StageRun::steps_in_increment},
-                                                                            {"sample_every", &dem::StageRun::sample_every},
-                                                                            {"checks", &dem::StageRun::checks}};
-
-io::Checkpoint to_checkpoint(const dem::Engine& engine, const dem::StageRun& run, const std::string& key) {
-  io::Checkpoint checkpoint;
-  checkpoint.key = key;
-  checkpoint.blobs["engine"] = engine.save();
-  for (int side = 0; side < sides; ++side) checkpoint.numbers[force_at_start(side)] = run.start.force[side];
-  for (const auto& [name, count] : counts) checkpoint.integers[name] = run.*count;
-  checkpoint.partial = run.result;
-  return checkpoint;
-}
-
-void restore_from(const io::Checkpoint& checkpoint, dem::Engine& engine, dem::StageRun& run) {
-  engine.restore(checkpoint.blobs.at("engine"));
-  for (int side = 0; side < sides; ++side) run.start.force[side] = checkpoint.numbers.at(force_at_start(side));
-  for (const auto& [name, count] : counts) run.*count = checkpoint.integers.at(name);
-  run.result = checkpoint.partial;
-}
-
-/// Runs one stage to its end, or until asked to stop (then nothing is returned, and the checkpoint is on disk).
-std::optional<StageResult> load(dem::Engine& engine, const dem::Stage& stage, const std::string& key, const fs::path& checkpoint_file,
-                                const RunOptions& options, Progress progress) {
-  dem::StageRun run = dem::begin_stage(engine, stage);
-  const auto checkpoint = unless_damaged(checkpoint_file, options, "the stage begins anew", [&] { return io::read_checkpoint(checkpoint_file, key); });
-  if (checkpoint && *checkpoint) restore_from(**checkpoint, engine, run);
-  progress.increments = stage.duration ? 0 : dem::increment_count(stage);
-  CheckpointTimes times(options);
-  while (!run.finished) {
-    dem::continue_stage(engine, stage, run);
-    look_at(engine, stage, run, progress);
-    options.progress(progress);
-    if (run.finished || !times.is_due()) continue;
-    io::write_checkpoint(checkpoint_file, to_checkpoint(engine, run, key));
-    if (times.asked_to_stop()) return std::nullopt;
-  }
-  run.result.continuation = engine.save();
-  return std::move(run.result);
 }
 
 /// A run on its way through its plan.
@@ -100,55 +52,41 @@ class Run {
   }
 
  private:
-  template <class Result> using Make = std::function<std::optional<Result>(const fs::path& checkpoint)>;
-
-  /// Stage `s` of the plan; nothing, and an interrupted outcome, if it was stopped. `progress_.reused` tells where it came from.
-  template <class Result> std::optional<Result> carry_out_stage(std::size_t s, const Make<Result>& make, const std::string& kernel) {
-    const auto with_provenance = [&](const fs::path& checkpoint) {
-      auto made = make(checkpoint);
-      if (made) made->provenance = {version, plan_[s].name, plan_[s].hash, to_toml(part_of(recipe_, s)), recipe_.seed, kernel, {}};
-      return made;
-    };
-    StageRecord<Result> stage{plan_[s], folder_ / plan_[s].file, with_provenance, nullptr, nullptr};
-    if constexpr (std::is_same_v<Result, FieldResult>) stage.write = io::write_field, stage.read = io::read_field;
-    else stage.write = io::write_stage, stage.read = io::read_stage;
+  /// Nothing, and an interrupted outcome, if it was stopped. `progress_.reused` tells where it came from.
+  template <class Result> std::optional<Result> carry_out_stage(const StageRecord<Result>& stage) {
     auto result = carry_out(stage, options_, progress_.reused);
     outcome_.interrupted = !result;
     if (result) outcome_.files.push_back(stage.file);
     return result;
   }
 
-  bool add_stage(std::size_t s, const Make<StageResult>& make, const std::string& kernel) {
+  template <class Make> bool add_stage(std::size_t s, Make make) {
     std::optional<texture::Texture> texture;
-    const auto measured = [&](const fs::path& checkpoint) {
-      auto made = make(checkpoint);
-      if (made && !made->frames.empty()) {
-        texture = texture::measure(made->frames.back().packing, texture_options(recipe_, s));
-        made->texture = texture::numbers(*texture);
-        const bool was_loaded = s > 1 && !outcome_.stages.back().frames.empty();
-        const Packing* before = was_loaded ? &outcome_.stages.back().frames.back().packing : nullptr;
-        if (s > 0) {
-          made->texture.update(fields::flow_numbers(*made, recipe_.stages[s - 1], before));
-          made->texture.update(fields::cohesion_numbers(*made, recipe_.stages[s - 1], before));
-        }
-      }
-      return made;
+    const bool has_before = s > 0 && !outcome_.stages.back().frames.empty();
+    const Packing* const before = has_before ? &outcome_.stages.back().frames.back().packing : nullptr;
+    const auto result_of = [&](const fs::path& checkpoint) -> std::optional<StageResult> {
+      auto made = make(GrainStage{recipe_, s, plan_[s].hash, before}, checkpoint);
+      if (!made) return std::nullopt;
+      texture = std::move(made->texture);
+      return std::move(made->result);
     };
-    auto result = carry_out_stage<StageResult>(s, measured, kernel);
+    auto result = carry_out_stage<StageResult>({plan_[s], folder_ / plan_[s].file, result_of, io::write_stage, io::read_stage});
     if (!result) return false;
     outcome_.stages.push_back(std::move(*result));
     outcome_.measured.stages.push_back(std::move(texture));
     return true;
   }
 
-  bool add_field(std::size_t s, const Make<FieldResult>& make) {
+  template <class Make> bool add_field(std::size_t s, Make make) {
     begin(s);
     outcome_.measured.fields.emplace_back();
     const auto shown = [&](const fs::path& checkpoint) {
       options_.progress(progress_);
-      return make(checkpoint);
+      std::optional<FieldResult> made = make(checkpoint);
+      if (made) made->provenance = {version, plan_[s].name, plan_[s].hash, to_toml(part_of(recipe_, s)), recipe_.seed, "", {}};
+      return made;
     };
-    auto result = carry_out_stage<FieldResult>(s, shown, "");
+    auto result = carry_out_stage<FieldResult>({plan_[s], folder_ / plan_[s].file, shown, io::write_field, io::read_field});
     if (!result) return false;
     show_done();
     outcome_.converged = outcome_.converged && result->converged;
@@ -173,8 +111,8 @@ class Run {
   }
 
   bool pack() {
-    const auto make = [&](const fs::path&) { return std::optional(make_packing(recipe_)); };
-    if (!add_stage(0, make, "")) return false;
+    const auto make = [&](const GrainStage& stage, const fs::path&) { return std::optional(measure_stage(stage, make_packing(recipe_))); };
+    if (!add_stage(0, make)) return false;
     show_done();
     io::write_atomically(folder_ / "recipe.toml", to_toml(recipe_));
     return true;
@@ -184,16 +122,14 @@ class Run {
   bool load_grains() {
     const Packing start = outcome_.stages[0].frames.back().packing;
     std::optional<dem::Engine> engine;
-    std::string kernel;
     for (std::size_t s = 1; s <= recipe_.stages.size(); ++s) {
       begin(s);
-      const auto make = [&](const fs::path& checkpoint) {
+      const auto make = [&](const GrainStage& stage, const fs::path& checkpoint) {
         if (!engine) engine.emplace(start, recipe_.contact, recipe_.integration);
-        kernel = engine->kernel();
         if (s > 1) engine->restore(outcome_.stages.back().continuation);
-        return load(*engine, recipe_.stages[s - 1], plan_[s].hash, checkpoint, options_, progress_);
+        return load_stage(stage, *engine, checkpoint, options_, progress_);
       };
-      if (!add_stage(s, make, kernel)) return false;
+      if (!add_stage(s, make)) return false;
       if (progress_.reused) show_done();
       outcome_.converged = outcome_.stages.back().converged;
       if (!outcome_.converged) return false;
@@ -227,6 +163,33 @@ class Run {
 };
 
 }  // namespace
+
+MeasuredStage measure_stage(const GrainStage& stage, StageResult made, const std::string& kernel) {
+  const auto& [recipe, place, hash, before] = stage;
+  made.provenance = {version, made.name, hash, to_toml(part_of(recipe, place)), recipe.seed, kernel, {}};
+  if (made.frames.empty()) return {std::move(made), {}};
+  texture::Texture texture = texture::measure(made.frames.back().packing, texture_options(recipe, place));
+  made.texture = fields::stage_numbers({made, place > 0 ? recipe.stages[place - 1] : dem::Stage{}, place > 1 ? before : nullptr, texture});
+  return {std::move(made), std::move(texture)};
+}
+
+std::optional<MeasuredStage> load_stage(const GrainStage& stage, dem::Engine& engine, const fs::path& checkpoint, const RunOptions& options,
+                                        Progress progress) {
+  const dem::Stage& asked = stage.recipe.stages[stage.place - 1];
+  dem::StageRun run = begun_or_kept(engine, asked, stage.hash, checkpoint, options);
+  progress.increments = asked.duration ? 0 : dem::increment_count(asked);
+  CheckpointTimes times(options);
+  while (!run.finished) {
+    dem::continue_stage(engine, asked, run);
+    look_at(engine, asked, run, progress);
+    options.progress(progress);
+    if (run.finished || !times.is_due()) continue;
+    keep(engine, run, stage.hash, checkpoint);
+    if (times.asked_to_stop()) return std::nullopt;
+  }
+  run.result.continuation = engine.save();
+  return measure_stage(stage, std::move(run.result), engine.kernel());
+}
 
 RunOutcome run(const recipe::Recipe& recipe, const RunOptions& options) {
   const bool was_there = fs::exists(options.out);

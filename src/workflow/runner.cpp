@@ -1,14 +1,45 @@
 #include "workflow/runner.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <chrono>
 #include <thread>
+#include <utility>
 
 #include "io/results/results.hpp"
 
 namespace arenite::workflow {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+std::string force_at_start(int side) { return fmt::format("force_at_start {}", side_names[side]); }
+
+constexpr std::pair<const char*, std::int64_t dem::StageRun::*> counts[] = {{"increment", &dem::StageRun::increment},
+                                                                            {"steps_in_increment", &dem::StageRun::steps_in_increment},
+                                                                            {"sample_every", &dem::StageRun::sample_every},
+                                                                            {"checks", &dem::StageRun::checks}};
+
+io::Checkpoint to_checkpoint(const dem::Engine& engine, const dem::StageRun& run, const std::string& key) {
+  io::Checkpoint checkpoint;
+  checkpoint.key = key;
+  checkpoint.blobs["engine"] = engine.save();
+  for (int side = 0; side < sides; ++side) checkpoint.numbers[force_at_start(side)] = run.start.force[side];
+  for (const auto& [name, count] : counts) checkpoint.integers[name] = run.*count;
+  checkpoint.partial = run.result;
+  return checkpoint;
+}
+
+void restore_from(const io::Checkpoint& checkpoint, dem::Engine& engine, dem::StageRun& run) {
+  engine.restore(checkpoint.blobs.at("engine"));
+  for (int side = 0; side < sides; ++side) run.start.force[side] = checkpoint.numbers.at(force_at_start(side));
+  for (const auto& [name, count] : counts) run.*count = checkpoint.integers.at(name);
+  run.result = checkpoint.partial;
+}
+
+}  // namespace
 
 Turn wait_for_turn(const PlannedStage& stage, const fs::path& file, const RunOptions& options) {
   const Store* const store = options.store;
@@ -44,6 +75,17 @@ peridynamics::Watch watch_of(Progress& progress, const RunOptions& options) {
     options.progress(progress);
     return !options.asked_to_stop();
   };
+}
+
+dem::StageRun begun_or_kept(dem::Engine& engine, const dem::Stage& stage, const std::string& key, const fs::path& file, const RunOptions& options) {
+  dem::StageRun run = dem::begin_stage(engine, stage);
+  const auto kept = unless_damaged(file, options, "the stage begins anew", [&] { return io::read_checkpoint(file, key); });
+  if (kept && *kept) restore_from(**kept, engine, run);
+  return run;
+}
+
+void keep(const dem::Engine& engine, const dem::StageRun& run, const std::string& key, const fs::path& file) {
+  if (!file.empty()) io::write_checkpoint(file, to_checkpoint(engine, run, key));
 }
 
 FailureCheckpoint failure_checkpoint(const std::filesystem::path& file, const std::string& key, const RunOptions& options) {

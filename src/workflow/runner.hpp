@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "grains/dem/run_stage.hpp"
 #include "io/disk/store_file.hpp"
 #include "workflow/field_stages.hpp"
 #include "workflow/result_folder.hpp"
@@ -108,6 +109,12 @@ class CheckpointTimes {
 
 /// Shows how far a load has come, by its iterations and residual, and stops it where that is asked for.
 peridynamics::Watch watch_of(Progress& progress, const RunOptions& options);
+
+/// A stage of loading by discrete elements, at its begin or where it was kept by its file.
+dem::StageRun begun_or_kept(dem::Engine& engine, const dem::Stage& stage, const std::string& key, const std::filesystem::path& file, const RunOptions& options);
+
+/// Keeps it there; nowhere if `file` is empty.
+void keep(const dem::Engine& engine, const dem::StageRun& run, const std::string& key, const std::filesystem::path& file);
 
 /// Where a killed test stood by its file, and how this one is kept there.
 FailureCheckpoint failure_checkpoint(const std::filesystem::path& file, const std::string& key, const RunOptions& options);

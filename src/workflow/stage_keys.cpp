@@ -43,6 +43,7 @@ recipe::Recipe without_field(recipe::Recipe recipe) {
 
 /// Counts up whenever the same film and recipe give other numbers.
 constexpr std::int64_t film_version = 4;
+constexpr std::int64_t virtual_film_version = 1;  // of films that are rendered from a run
 
 /// The bytes of a file that need not fit into memory.
 void add_file(HashBuilder& hash, const fs::path& path) {
@@ -132,6 +133,10 @@ std::string seed_key(const recipe::Recipe& recipe) {
   return packing_key(recipe, to_toml_of_version_0_1(part));
 }
 
+std::string stage_key(const recipe::Recipe& recipe, std::size_t place, const std::vector<std::uint8_t>& start) {
+  return stage_key(recipe, place - 1, content_hash(bytes_of(start)));
+}
+
 std::string load_key(const recipe::Load& load, const std::string& cement_hash) {
   recipe::Recipe part;
   part.loads = {load};
@@ -195,6 +200,12 @@ std::string film_key(const fs::path& film, FilmSource& source, const recipe::Fil
   add("optical", recipe.picture.optical);
   if (recipe.simulation) add("twin", recipe.simulation->recipe);  // as results have been named by since version 0.1
   return hash.hex();
+}
+
+std::string virtual_film_key(const recipe::FilmRecipe& camera, const std::string& low, const std::string& high) {
+  HashBuilder hash;
+  hash.add("virtual film version", virtual_film_version).add("film version", film_version).add("recipe", changed_keys(camera));
+  return hash.add("low", low).add("high", high).hex();
 }
 
 }  // namespace arenite::workflow

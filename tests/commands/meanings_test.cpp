@@ -4,9 +4,9 @@
 #include <map>
 
 #include "campaign/collect.hpp"
-#include "campaign/virtual_film.hpp"
 #include "recipe/recipe.hpp"
 #include "report/summary.hpp"
+#include "support/filmed_study.hpp"
 #include "support/small_study.hpp"
 #include "support/virtual_film.hpp"
 #include "workflow/identify.hpp"
@@ -92,12 +92,9 @@ TEST(Meanings, OfAFilmAndOfItsAgreementWithTheSimulation) {
   Numbers film = report::Summary(example.at("result")).numbers();
   EXPECT_EQ(without_meaning(film), "");
   EXPECT_EQ(without_meaning(report::film_summary(*io::open_film(example.at("film/film.ptw")))), "");
-  std::string camera = test::slurp(test::VirtualFilm::example("camera.toml"));
-  camera.replace(camera.find("frames = 2960"), 13, "frames = 300\nwidth = 96\nheight = 96");
-  camera.replace(camera.rfind("\"1.6 mm\""), 8, "\"1.2 mm\"");
-  std::ofstream(example.at("camera.toml")) << camera;
-  ASSERT_TRUE(campaign::make_film(example.states(), example.at("camera.toml"), "8", [] { return false; }));
-  EXPECT_EQ(without_meaning(campaign::film_numbers(example.states())), "");
+  const test::FilmedStudy study(example);
+  ASSERT_TRUE(study.make());
+  EXPECT_EQ(without_meaning(campaign::film_numbers(study.folder())), "");
 }
 
 TEST(Meanings, OfAPredictionAndOfWhatTestsOfTheLaboratoryGive) {

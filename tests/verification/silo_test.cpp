@@ -6,7 +6,7 @@
 
 #include "core/random.hpp"
 #include "grains/dem/run_stage.hpp"
-#include "grains/fields/flow_numbers.hpp"
+#include "grains/fields/discharge.hpp"
 #include "grains/fields/free_surface.hpp"
 #include "grains/fields/steady_state.hpp"
 

@@ -1,4 +1,4 @@
-#include "grains/fields/flow_numbers.hpp"
+#include "grains/fields/stage_numbers.hpp"
 
 #include <algorithm>
 #include <numbers>
@@ -58,8 +58,8 @@ double tensile_strength(const StageResult& result, const dem::Stage& stage, doub
 
 }  // namespace
 
-Numbers cohesion_numbers(const StageResult& result, const dem::Stage& stage, const Packing* before) {
-  if (result.frames.empty()) return Numbers::tree();
+Numbers cohesion_numbers(const StageEnd& of) {
+  const auto& [result, stage, before, texture] = of;
   const Packing& end = result.frames.back().packing;
   const Packing& start = before ? *before : end;
   if (end.cohesive.empty() && start.cohesive.empty()) return Numbers::tree();

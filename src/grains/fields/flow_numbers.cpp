@@ -1,14 +1,11 @@
-#include "grains/fields/flow_numbers.hpp"
-
-#include <fmt/core.h>
+#include "grains/fields/stage_numbers.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
-#include <optional>
 
-#include "core/error.hpp"
+#include "grains/fields/discharge.hpp"
 #include "grains/fields/free_surface.hpp"
 #include "grains/fields/steady_state.hpp"
 #include "grains/texture/texture.hpp"
@@ -129,44 +126,12 @@ Numbers surface_numbers(const StageResult& result, const dem::Stage& stage, cons
   return j;
 }
 
-constexpr std::size_t intervals = 400;  // that the time of flow is parted into: enough to find where it is steady, and for blocks within
-
-void check(const std::vector<double>& time, const std::vector<double>& passed) {
-  if (time.size() != passed.size()) throw InputError(fmt::format("there are {} times and {} amounts passed; give one a time", time.size(), passed.size()));
-  for (std::size_t k = 0; k < time.size(); ++k) {
-    if (!std::isfinite(time[k]) || !std::isfinite(passed[k])) throw InputError(fmt::format("row {} of what passed is not finite", k));
-    if (k > 0 && !(time[k] > time[k - 1])) throw InputError(fmt::format("time does not grow in row {} of what passed", k));
-  }
-}
-
-/// What had passed at a time between two rows.
-double at(const std::vector<double>& time, const std::vector<double>& passed, double t) {
-  const auto after = static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), t) - time.begin());
-  if (after == 0) return passed.front();
-  if (after == time.size()) return passed.back();
-  const double share = (t - time[after - 1]) / (time[after] - time[after - 1]);
-  return passed[after - 1] + share * (passed[after] - passed[after - 1]);
-}
-
-double distance(Vec2 place, Vec2 a, Vec2 b) {
-  const Vec2 along = b - a;
-  return norm(place - (a + std::clamp(dot(place - a, along) / dot(along, along), 0.0, 1.0) * along));
-}
-
-/// From the points of one boundary to the segments of another.
-double shortest_way(const Boundary& from, const Boundary& to) {
-  double least = HUGE_VAL;
-  const std::size_t n = to.points.size();
-  for (const Vec2& place : from.points)
-    for (std::size_t k = 0; k + (to.closed ? 0 : 1) < n; ++k) least = std::min(least, distance(place, to.points[k], to.points[(k + 1) % n]));
-  return least;
-}
-
 }  // namespace
 
-Numbers flow_numbers(const StageResult& result, const dem::Stage& stage, const Packing* before) {
+Numbers flow_numbers(const StageEnd& end) {
+  const auto& [result, stage, before, texture] = end;
   Numbers j = Numbers::tree();
-  if (result.frames.empty() || result.frames.back().packing.grains.size() == 0) return j;
+  if (result.frames.back().packing.grains.size() == 0) return j;
   if (Numbers discharge = discharge_numbers(result); !discharge.empty()) j["discharge"] = std::move(discharge);
   if (!has_free_surface(stage)) return j;
   j["surface"] = surface_numbers(result, stage, before);
@@ -176,37 +141,6 @@ Numbers flow_numbers(const StageResult& result, const dem::Stage& stage, const P
   put_floor(floor, result, find_free_surface(packing, {0, -1}), weight_of(packing, stage.gravity_size));
   if (!floor.empty()) j["floor"] = std::move(floor);
   return j;
-}
-
-Discharge find_discharge(const std::vector<double>& time, const std::vector<double>& passed) {
-  check(time, passed);
-  Discharge found;
-  const auto is_more = [&](double p) { return p > passed.front(); };
-  const auto first = static_cast<std::size_t>(std::find_if(passed.begin(), passed.end(), is_more) - passed.begin());
-  const auto last = static_cast<std::size_t>(std::find_if(passed.begin(), passed.end(), [&](double p) { return !(p < passed.back()); }) - passed.begin());
-  if (first >= last) return found;
-  const double width = (time[last] - time[first]) / static_cast<double>(std::min(intervals, last - first));
-  std::vector<double> rates;
-  for (std::size_t k = 0; k < std::min(intervals, last - first); ++k) {
-    const double t = time[first] + static_cast<double>(k) * width;
-    rates.push_back((at(time, passed, t + width) - at(time, passed, t)) / width);
-  }
-  rates.resize(rates.size() - find_steady_state(std::vector<double>(rates.rbegin(), rates.rend())).first);
-  const SteadyState steady = find_steady_state(rates);
-  found.steady = steady.reached;
-  found.begin = time[first] + static_cast<double>(found.steady ? steady.first : 0) * width;
-  found.end = found.steady ? time[first] + static_cast<double>(rates.size()) * width : time[last];
-  found.rate.value = (at(time, passed, found.end) - at(time, passed, found.begin)) / (found.end - found.begin);
-  if (found.steady) found.rate = {found.rate.value, steady.mean.error, steady.mean.freedom};
-  return found;
-}
-
-double narrowest_opening(const Domain& domain) {
-  std::optional<double> least;
-  for (const Boundary& a : domain.boundaries)
-    for (const Boundary& b : domain.boundaries)
-      if (&a != &b && a.present && b.present) least = std::min(least.value_or(HUGE_VAL), shortest_way(a, b));
-  return least.value_or(statistics::unknown);
 }
 
 }  // namespace arenite::fields

@@ -1,4 +1,4 @@
-#include "grains/fields/flow_numbers.hpp"
+#include "grains/fields/stage_numbers.hpp"
 
 #include <gtest/gtest.h>
 
@@ -41,7 +41,7 @@ dem::Stage drawing_the_top() {
 
 TEST(CohesionNumbers, TellStrengthBesideRumpfsEstimate) {
   const Packing before = grid();
-  const Numbers n = cohesion_numbers(drawn(), drawing_the_top(), &before)["cohesion"];
+  const Numbers n = cohesion_numbers({drawn(), drawing_the_top(), &before, {}})["cohesion"];
   EXPECT_EQ(n["pairs"].get<int>(), 5);
   EXPECT_EQ(n["pairs_apart"].get<int>(), 1);
   EXPECT_NEAR(n["pull_N"].get<double>(), 0.4, 1e-12);
@@ -56,7 +56,7 @@ TEST(CohesionNumbers, SetThePullBesideTheWeightUnderGravity) {
   dem::Stage stage;
   stage.gravity = true;
   const Packing before = grid();
-  const Numbers n = cohesion_numbers(drawn(), stage, &before)["cohesion"];
+  const Numbers n = cohesion_numbers({drawn(), stage, &before, {}})["cohesion"];
   EXPECT_NEAR(n["bond_number"].get<double>(), 0.4 / (2500 * std::numbers::pi * 0.005 * 0.005 * 0.1 * 9.81), 1e-9);
   EXPECT_FALSE(n.contains("tensile_strength_Pa"));
 }
@@ -66,7 +66,7 @@ TEST(CohesionNumbers, SayNothingOfDryGrains) {
   dry.frames.back().packing.cohesive.clear();
   Packing before = grid();
   before.cohesive.clear();
-  EXPECT_TRUE(cohesion_numbers(dry, drawing_the_top(), &before).empty());
+  EXPECT_TRUE(cohesion_numbers({dry, drawing_the_top(), &before, {}}).empty());
 }
 
 }  // namespace

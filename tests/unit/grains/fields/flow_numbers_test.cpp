@@ -1,4 +1,4 @@
-#include "grains/fields/flow_numbers.hpp"
+#include "grains/fields/stage_numbers.hpp"
 
 #include <gtest/gtest.h>
 
@@ -38,7 +38,7 @@ TEST(FlowNumbers, TellDischargeAngleAndRunOut) {
   dem::Stage stage;
   stage.gravity = true;
   const Packing before = column(false);
-  const Numbers n = flow_numbers(result(), stage, &before);
+  const Numbers n = flow_numbers({result(), stage, &before, {}});
   EXPECT_NEAR(n["discharge"]["rate_grains_s"]["value"].get<double>(), 500, 5);
   EXPECT_NEAR(n["discharge"]["rate_kg_s"]["value"].get<double>(), 1, 0.01);
   EXPECT_TRUE(n["discharge"]["steady"].get<bool>());
@@ -65,7 +65,7 @@ TEST(FlowNumbers, TellTheFloorOfASilo) {
   dem::Stage stage;
   stage.gravity = true;
   stage.duration = 4;
-  const Numbers floor = flow_numbers(silo, stage, nullptr)["floor"];
+  const Numbers floor = flow_numbers({silo, stage, nullptr, {}})["floor"];
   EXPECT_NEAR(floor["pressure_Pa"]["value"].get<double>(), 1000, 2);
   EXPECT_LT(floor["pressure_Pa"]["error"].get<double>(), 2);
   const double weight = 9.81 * 2500 * 0.1 * std::numbers::pi * 25e-6 * static_cast<double>(packing.grains.size());
@@ -77,11 +77,11 @@ TEST(FlowNumbers, AreNoneWithoutWeightAndUnderAPressingSide) {
   StageResult still = result();
   still.history = {};
   dem::Stage stage;
-  EXPECT_TRUE(flow_numbers(still, stage, nullptr).empty());
+  EXPECT_TRUE(flow_numbers({still, stage, nullptr, {}}).empty());
   stage.gravity = true;
-  EXPECT_FALSE(flow_numbers(still, stage, nullptr)["surface"].contains("runout_m"));
+  EXPECT_FALSE(flow_numbers({still, stage, nullptr, {}})["surface"].contains("runout_m"));
   stage.side[top] = {dem::SideDrive::Kind::force, 1};
-  EXPECT_TRUE(flow_numbers(still, stage, nullptr).empty());
+  EXPECT_TRUE(flow_numbers({still, stage, nullptr, {}}).empty());
 }
 
 }  // namespace

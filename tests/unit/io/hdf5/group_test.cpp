@@ -10,7 +10,7 @@ namespace {
 using namespace arenite;
 using io::Hdf5Group;
 
-std::string complaint(const std::function<void()>& act) {
+std::string refusal(const std::function<void()>& act) {
   try {
     act();
   } catch (const InputError& error) { return error.what(); }
@@ -52,19 +52,19 @@ Hdf5Group written() {
 
 TEST(Hdf5Group, TellsTheFileAndThePlaceOfWhatIsMissing) {
   const auto frame = written().group("frames").group("0000");
-  EXPECT_EQ(complaint([&] { take_array<double>(frame, "y"); }),
+  EXPECT_EQ(refusal([&] { take_array<double>(frame, "y"); }),
             "some.h5: /frames/0000 has no array \"y\"; remove the file and make it again with \"arenite run\"");
-  EXPECT_NE(complaint([&] { frame.group("contacts"); }).find("no group \"contacts\""), std::string::npos);
-  EXPECT_NE(complaint([&] { take<double>(frame, "step"); }).find("no attribute \"step\""), std::string::npos);
-  EXPECT_NE(complaint([&] { take_text(frame, "label"); }).find("no text \"label\""), std::string::npos);
+  EXPECT_NE(refusal([&] { frame.group("contacts"); }).find("no group \"contacts\""), std::string::npos);
+  EXPECT_NE(refusal([&] { take<double>(frame, "step"); }).find("no attribute \"step\""), std::string::npos);
+  EXPECT_NE(refusal([&] { take_text(frame, "label"); }).find("no text \"label\""), std::string::npos);
 }
 
 TEST(Hdf5Group, TellsWhatIsOfAnotherKind) {
   const auto frame = written().group("frames").group("0000");
-  EXPECT_NE(complaint([&] { take_text(frame, "x"); }).find("not text"), std::string::npos);
-  EXPECT_NE(complaint([&] { take<std::string>(frame, "time [s]"); }).find("not text"), std::string::npos);
-  EXPECT_NE(complaint([&] { take_array<double>(frame, "recipe"); }).find("not a one-dimensional array"), std::string::npos);
-  EXPECT_NE(complaint([&] { take<double>(frame, "label"); }).find("not one number"), std::string::npos);
+  EXPECT_NE(refusal([&] { take_text(frame, "x"); }).find("not text"), std::string::npos);
+  EXPECT_NE(refusal([&] { take<std::string>(frame, "time [s]"); }).find("not text"), std::string::npos);
+  EXPECT_NE(refusal([&] { take_array<double>(frame, "recipe"); }).find("not a one-dimensional array"), std::string::npos);
+  EXPECT_NE(refusal([&] { take<double>(frame, "label"); }).find("not one number"), std::string::npos);
 }
 
 TEST(Hdf5Group, GivesBackEmptyArraysAndTextsAndTheOrderOfMembers) {
@@ -77,7 +77,7 @@ TEST(Hdf5Group, GivesBackEmptyArraysAndTextsAndTheOrderOfMembers) {
 }
 
 TEST(Hdf5Group, BytesThatAreNotHdf5AreAnInputError) {
-  EXPECT_NE(complaint([] { Hdf5Group("not HDF5 at all", "some.h5"); }).find("some.h5: is not a readable HDF5 file"), std::string::npos);
+  EXPECT_NE(refusal([] { Hdf5Group("not HDF5 at all", "some.h5"); }).find("some.h5: is not a readable HDF5 file"), std::string::npos);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "grains/fields/flow_numbers.hpp"
+#include "grains/fields/discharge.hpp"
 
 #include <gtest/gtest.h>
 

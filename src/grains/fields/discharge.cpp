@@ -1,0 +1,81 @@
+#include "grains/fields/discharge.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/error.hpp"
+#include "grains/fields/steady_state.hpp"
+
+namespace arenite::fields {
+namespace {
+
+constexpr std::size_t intervals = 400;  // that the time of flow is parted into: enough to find where it is steady, and for blocks within
+
+void check(const std::vector<double>& time, const std::vector<double>& passed) {
+  if (time.size() != passed.size()) throw InputError(fmt::format("there are {} times and {} amounts passed; give one a time", time.size(), passed.size()));
+  for (std::size_t k = 0; k < time.size(); ++k) {
+    if (!std::isfinite(time[k]) || !std::isfinite(passed[k])) throw InputError(fmt::format("row {} of what passed is not finite", k));
+    if (k > 0 && !(time[k] > time[k - 1])) throw InputError(fmt::format("time does not grow in row {} of what passed", k));
+  }
+}
+
+/// What had passed at a time between two rows.
+double at(const std::vector<double>& time, const std::vector<double>& passed, double t) {
+  const auto after = static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), t) - time.begin());
+  if (after == 0) return passed.front();
+  if (after == time.size()) return passed.back();
+  const double share = (t - time[after - 1]) / (time[after] - time[after - 1]);
+  return passed[after - 1] + share * (passed[after] - passed[after - 1]);
+}
+
+double distance(Vec2 place, Vec2 a, Vec2 b) {
+  const Vec2 along = b - a;
+  return norm(place - (a + std::clamp(dot(place - a, along) / dot(along, along), 0.0, 1.0) * along));
+}
+
+/// From the points of one boundary to the segments of another.
+double shortest_way(const Boundary& from, const Boundary& to) {
+  double least = HUGE_VAL;
+  const std::size_t n = to.points.size();
+  for (const Vec2& place : from.points)
+    for (std::size_t k = 0; k + (to.closed ? 0 : 1) < n; ++k) least = std::min(least, distance(place, to.points[k], to.points[(k + 1) % n]));
+  return least;
+}
+
+}  // namespace
+
+Discharge find_discharge(const std::vector<double>& time, const std::vector<double>& passed) {
+  check(time, passed);
+  Discharge found;
+  const auto is_more = [&](double p) { return p > passed.front(); };
+  const auto first = static_cast<std::size_t>(std::find_if(passed.begin(), passed.end(), is_more) - passed.begin());
+  const auto last = static_cast<std::size_t>(std::find_if(passed.begin(), passed.end(), [&](double p) { return !(p < passed.back()); }) - passed.begin());
+  if (first >= last) return found;
+  const double width = (time[last] - time[first]) / static_cast<double>(std::min(intervals, last - first));
+  std::vector<double> rates;
+  for (std::size_t k = 0; k < std::min(intervals, last - first); ++k) {
+    const double t = time[first] + static_cast<double>(k) * width;
+    rates.push_back((at(time, passed, t + width) - at(time, passed, t)) / width);
+  }
+  rates.resize(rates.size() - find_steady_state(std::vector<double>(rates.rbegin(), rates.rend())).first);
+  const SteadyState steady = find_steady_state(rates);
+  found.steady = steady.reached;
+  found.begin = time[first] + static_cast<double>(found.steady ? steady.first : 0) * width;
+  found.end = found.steady ? time[first] + static_cast<double>(rates.size()) * width : time[last];
+  found.rate.value = (at(time, passed, found.end) - at(time, passed, found.begin)) / (found.end - found.begin);
+  if (found.steady) found.rate = {found.rate.value, steady.mean.error, steady.mean.freedom};
+  return found;
+}
+
+double narrowest_opening(const Domain& domain) {
+  std::optional<double> least;
+  for (const Boundary& a : domain.boundaries)
+    for (const Boundary& b : domain.boundaries)
+      if (&a != &b && a.present && b.present) least = std::min(least.value_or(HUGE_VAL), shortest_way(a, b));
+  return least.value_or(statistics::unknown);
+}
+
+}  // namespace arenite::fields
