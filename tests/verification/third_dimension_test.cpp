@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "grains/dem/forces.hpp"
+#include "grains/dem/integrators/integrators.hpp"
 #include "grains/dem/kernels/pair_loop.hpp"
-#include "grains/dem/kernels/sweep.hpp"
 
 namespace arenite::verification {
 namespace {
@@ -76,17 +76,19 @@ struct Collision {
     const PairTask<3> task{record, &i, &j, &stiffness, &damping, &viscosity, &strength, &shear, memory.task(), nullptr, force, friction, 0, 0.5};
     pair_loop<W, 3, N, NoAdhesion, F>(task, laws, 0, 1);
   }
-  void make_step(double dt) {
+  template <IntegratorKind scheme> void make_step(double dt, Vec3 gravity = {}) {
     SweepTask<3> task{};
     task.record = record;
     task.slots = {force, group, first};
     task.velocity = velocity.task(), task.acceleration = acceleration.task();
     task.omega = spin.task(), task.angle = angle.task(), task.alpha = alpha.task();
     task.listed = {acceleration.along[0], acceleration.along[1], acceleration.along[2]};
+    for (int coordinate = 0; coordinate < 6; ++coordinate) task.higher[coordinate] = higher[coordinate].task();
+    task.gravity = gravity;
     task.dt = task.kick = dt;
     task.ahead = 0.5 * dt;
     task.turning = 1;
-    sweep<W, 3, IntegratorKind::velocity_verlet>(task, 0, 2);
+    sweep<W, 3, scheme>(task, 0, 2);
   }
   template <class N, class F> void run() {
     const double dt = contact_time() / 20000;
@@ -94,7 +96,7 @@ struct Collision {
     damping = dem::damping_ratio(restitution, false) * std::sqrt(reduced_mass() * stiffness);
     do {
       find_force<N, F>();
-      make_step(dt);
+      make_step<IntegratorKind::velocity_verlet>(dt);
     } while (pair_kinematics(record[0], record[1], Arms::contact_point).overlap > 0 || dot(past(), n) < 0);
   }
 };
@@ -180,6 +182,25 @@ TEST(ThirdDimension, ASpringGoesAlongWithAContactThatTurns) {
   const Vec3 tangential = c.force[0].on_i - dot(c.force[0].on_i, n) * n;
   expect_near(tangential, -kt * cross(along * axis + across * sideways, n), 5e-4 * kt * across);  // laid down step by step, of first order in its turn
   expect_near(c.force[0].torque_i, (dot(c.force[0].torque_i, sideways)) * sideways + dot(c.force[0].torque_i, axis) * axis, 1e-12 * norm(c.force[0].torque_i));
+}
+
+/// Without contacts: a parabola, and a turn at constant spin.
+TEST(ThirdDimension, SpheresFallAndTurnByEveryStep) {
+  const auto fall = []<IntegratorKind scheme>(std::integral_constant<IntegratorKind, scheme>) {
+    const Vec3 g{0.5, -9.81, 3};
+    const double dt = 1e-3, time = 0.1;
+    Collision c;
+    c.approach();
+    const Vec3 place = c.record[0].place, velocity = c.velocity[0], spin = c.spin[0];
+    const bool corrects = integrator_of(scheme).corrects();
+    for (int k = 0; k < 2; ++k) corrects ? c.acceleration.put(k, g) : c.velocity.put(k, c.velocity[k] - 0.5 * dt * g);
+    for (int step = 0; step < 100; ++step) c.make_step<scheme>(dt, g);
+    expect_near(c.record[0].place, place + time * velocity + 0.5 * time * time * g, 1e-13);
+    expect_near(c.record[0].velocity, velocity + time * g, 1e-12);
+    expect_near(c.angle[0], time * spin, 1e-13);
+  };
+  fall(std::integral_constant<IntegratorKind, IntegratorKind::velocity_verlet>());
+  fall(std::integral_constant<IntegratorKind, IntegratorKind::gear5>());
 }
 
 }  // namespace

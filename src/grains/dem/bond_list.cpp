@@ -53,7 +53,7 @@ BondSlot slot_of(const Sample& s, std::size_t place, const std::vector<std::int3
   b.length = bond.length;
   b.arm_i = bond.length * a.radius / (a.radius + c.radius);
   b.arm_j = bond.length - b.arm_i;
-  const Vec2 branch = a.place - c.place - image_place(s, b.shift);
+  const Vec2 branch = a.place - c.place - s.domain.way(b.shift);
   b.normal = branch / norm(branch);
   const double turned = std::atan2(cross(bond.normal, b.normal), dot(bond.normal, b.normal));
   b.angle_i = unstrained(bond.angle_i + turned, s.angle[b.i]);

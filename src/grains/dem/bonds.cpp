@@ -46,7 +46,7 @@ void book_breaks(Sample& s) {
 void move_images(Sample& s) {
   const BondRow<double*> column = s.bond_numbers.columns();
   for (const std::int32_t slot : s.bond_numbers.across) {
-    const Vec2 place = image_place(s, s.bond_slots[slot].shift), velocity = image_velocity(s, s.bond_slots[slot].shift);
+    const Vec2 place = s.domain.way(s.bond_slots[slot].shift), velocity = image_velocity(s, s.bond_slots[slot].shift);
     column.image.x[slot] = place.x;
     column.image.y[slot] = place.y;
     column.image_velocity.x[slot] = velocity.x;
@@ -81,7 +81,7 @@ BondTask bond_task(Sample& s) {
 
 BeamMotion beam_motion(const Sample& s, const BondSlot& b) {
   BeamMotion m;
-  m.branch = s.record[b.i].place - s.record[b.j].place - image_place(s, b.shift);
+  m.branch = s.record[b.i].place - s.record[b.j].place - s.domain.way(b.shift);
   m.distance = norm(m.branch);
   m.normal = m.branch / m.distance;
   const double turned = std::atan2(cross(b.normal, m.normal), dot(b.normal, m.normal));

@@ -190,7 +190,7 @@ void refresh_ghosts(Sample& s) {
   for (std::size_t g = 0; g < s.ghost.size() - s.foot.size(); ++g) {
     DiskRecord& d = s.record[s.count + g];
     d = s.record[s.ghost[g].source];
-    d.place += image_place(s, s.ghost[g].shift);
+    d.place += s.domain.way(s.ghost[g].shift);
     d.velocity += image_velocity(s, s.ghost[g].shift);
   }
   refresh_feet(s);

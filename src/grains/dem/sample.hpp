@@ -191,8 +191,7 @@ template <int D> inline CellFrame<D> cell_frame(const Container<D>& d) {
   return frame;
 }
 
-/// From a place to its image some cells on, m, and how fast that moves past it, m/s.
-inline Vec2 image_place(const Sample& s, Cells<2> shift) { return s.domain.way(shift); }
+/// How fast the image of a place some cells on moves past it, m/s.
 inline Vec2 image_velocity(const Sample& s, Cells<2> shift) {
   if ((shift.x | shift.y) == 0) return {};
   const auto& w = s.domain.wall;

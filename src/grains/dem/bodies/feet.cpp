@@ -26,7 +26,7 @@ struct Core {
 };
 
 /// The corner where its body's own image is, from the record.
-Vec2 corner_of(const Sample& s, std::size_t d) { return s.record[s.part_disk[d]].place - image_place(s, s.part[d].shift); }
+Vec2 corner_of(const Sample& s, std::size_t d) { return s.record[s.part_disk[d]].place - s.domain.way(s.part[d].shift); }
 
 /// Radius of a polygon's corners, m.
 double rounding_of(const Sample& s, std::int32_t body) { return s.start.grains.radius[s.body[body].first]; }
@@ -125,7 +125,7 @@ void place_foot(const Sample& s, Foot& foot, DiskRecord& at) {
   const bool of_point = is_boundary(foot.touches);
   const Vec2 place = of_point ? boundary_of(s, foot.touches).points[touched_element(s, foot.touches).point] : s.record[foot.touches].place;
   // That place as the polygon's own image sees it, from the centre of the polygon: what levers are counted from.
-  const Vec2 by = image_place(s, foot.shift), centre = corner_of(s, b.first) - s.lever[source];
+  const Vec2 by = s.domain.way(foot.shift), centre = corner_of(s, b.first) - s.lever[source];
   const auto lever = [&](std::size_t n) { return s.lever[s.part_disk[b.first + n]]; };
   foot.lever = nearest_on(static_cast<std::size_t>(b.count), lever, place - by - centre).place;
   at = s.record[source];
@@ -164,7 +164,7 @@ std::vector<Foot> find_point_feet(const Sample& s) {
     if (point + 1 == boundary.points.size() && goes_through_sides(s.domain, boundary)) continue;
     const Vec2 place = boundary.points[point];
     const Cells<2> cell = s.domain.cell_of(place);
-    const Vec2 inside = place - image_place(s, cell);
+    const Vec2 inside = place - s.domain.way(cell);
     const auto name = [&] { return "a point of the boundary \"" + boundary.name + "\""; };
     cores.near(inside, 0, -1, name, [&](const Core& core, Vec2 nearest) {
       if (juts_out(s.domain, boundary, point, place + (nearest - inside)))

@@ -20,7 +20,7 @@ void place_parts_of(Sample& s, const Body& b) {
   for_parts(s, b, [&](std::size_t d, std::size_t k) {
     const Vec2 arm = s.lever[k] = turned(s.part[d].place, by);
     DiskRecord& disk = s.record[k];
-    disk.place = b.place + arm + image_place(s, s.part[d].shift);
+    disk.place = b.place + arm + s.domain.way(s.part[d].shift);
     disk.velocity = b.seen.velocity + b.seen.omega * perpendicular(arm) + image_velocity(s, s.part[d].shift);
     s.velocity.put(k, disk.velocity);
     s.omega[k] = disk.omega = b.seen.omega;
