@@ -1,10 +1,9 @@
-#include <fmt/core.h>
-
-#include <charconv>
+#include <algorithm>
 #include <memory>
 
 #include "commands.hpp"
 #include "core/error.hpp"
+#include "core/text.hpp"
 #include "core/units.hpp"
 #include "options.hpp"
 #include "python_module.hpp"
@@ -34,40 +33,30 @@ std::vector<std::string> names() {
   return list;
 }
 
-/// An end of the scale in SI units, as text.
-std::string end_of_scale(const char* option, const std::string& text, const std::string& by) {
-  for (const Colouring& each : colourings)
-    if (by == each.name) return fmt::format("{}", option_value(option, [&] { return parse_si(text, each.dimension, each.unit); }));
-  return text;
+double end_of_scale(const char* option, const std::string& text, const std::string& by) {
+  const Colouring& scale = *std::ranges::find(colourings, by, &Colouring::name);
+  return option_value(option, [&] { return parse_si(text, scale.dimension, scale.unit); });
 }
 
-/// "1200x800" as "1200" and "800".
-std::vector<std::string> width_and_height(const std::string& text) {
+/// "1200x800" as 1200 and 800.
+std::vector<int> width_and_height(const std::string& text) {
   const std::size_t cross = text.find('x');
-  const auto is_number = [](const std::string& word) {
-    int value = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    return error == std::errc() && end == word.data() + word.size() && value > 0;
-  };
-  if (cross != std::string::npos && is_number(text.substr(0, cross)) && is_number(text.substr(cross + 1)))
-    return {text.substr(0, cross), text.substr(cross + 1)};
+  if (cross != std::string::npos) {
+    const auto width = parse_number<int>(text.substr(0, cross)), height = parse_number<int>(text.substr(cross + 1));
+    if (width.value_or(0) > 0 && height.value_or(0) > 0) return {*width, *height};
+  }
   throw InputError("--size: " + text + " is not a size; give pixels, e.g. 1200x800");
 }
 
 void film(const AnimateArguments& a) {
   refuse_no_result(a.result);
-  // Values stand behind = where they may begin with a minus.
-  std::vector<std::string> words{a.result, "--by", a.by, "--fps", fmt::format("{}", a.per_second)};
-  for (const auto& [option, value] : {std::pair{"--out", a.out}, {"--stage", a.stage}, {"--map", a.map}, {"--curve", a.curve}})
-    if (!value.empty()) words.push_back(fmt::format("{}={}", option, value));
-  for (const auto& [option, value] : {std::pair{"--low", a.low}, {"--high", a.high}})
-    if (!value.empty()) words.push_back(fmt::format("{}={}", option, end_of_scale(option, value, a.by)));
-  if (a.chains) words.emplace_back("--chains");
-  if (!a.size.empty()) {
-    words.emplace_back("--size");
-    for (auto& side : width_and_height(a.size)) words.push_back(std::move(side));
-  }
-  continue_in_python("animations", "arenite.animate", words);
+  Numbers options{{"result", a.result}, {"by", a.by}, {"fps", a.per_second}, {"chains", a.chains}};
+  for (const auto& [option, value] : {std::pair{"out", a.out}, {"stage", a.stage}, {"map", a.map}, {"curve", a.curve}})
+    if (!value.empty()) options[option] = value;
+  if (!a.low.empty()) options["low"] = end_of_scale("--low", a.low, a.by);
+  if (!a.high.empty()) options["high"] = end_of_scale("--high", a.high, a.by);
+  if (!a.size.empty()) options["size"] = width_and_height(a.size);
+  continue_in_python("animations", "arenite.animate", options);
 }
 
 }  // namespace

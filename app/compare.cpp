@@ -15,11 +15,10 @@ struct CompareArguments {
 void put_side_by_side(const CompareArguments& a) {
   refuse_no_result(a.a);
   refuse_no_result(a.b);
-  std::vector<std::string> words{a.a, a.b};
-  if (!a.out.empty()) words.insert(words.end(), {"--out", a.out});
-  if (!a.csv.empty()) words.insert(words.end(), {"--csv", a.csv});
-  if (a.all) words.emplace_back("--all");
-  continue_in_python("comparisons", "arenite.compare", words);
+  Numbers options{{"a", a.a}, {"b", a.b}, {"all", a.all}};
+  if (!a.out.empty()) options["out"] = a.out;
+  if (!a.csv.empty()) options["csv"] = a.csv;
+  continue_in_python("comparisons", "arenite.compare", options);
 }
 
 }  // namespace

@@ -1,5 +1,3 @@
-#include <fmt/core.h>
-
 #include <memory>
 
 #include "commands.hpp"
@@ -17,16 +15,11 @@ struct FiguresArguments {
 
 void draw(const FiguresArguments& a) {
   refuse_neither_result_nor_study(a.result);
-  std::vector<std::string> words{a.result, "--format"};
-  words.insert(words.end(), a.formats.begin(), a.formats.end());
-  if (!a.only.empty()) {
-    words.emplace_back("--only");
-    words.insert(words.end(), a.only.begin(), a.only.end());
-  }
-  if (!a.out.empty()) words.insert(words.end(), {"--out", a.out});
-  if (!a.width.empty())
-    words.insert(words.end(), {"--width", fmt::format("{}", 1e3 * option_value("--width", [&] { return parse_si(a.width, dimension::length, "mm"); }))});
-  continue_in_python("figures", "arenite.figures", words);
+  Numbers options{{"result", a.result}, {"formats", a.formats}};
+  if (!a.only.empty()) options["only"] = a.only;
+  if (!a.out.empty()) options["out"] = a.out;
+  if (!a.width.empty()) options["width"] = option_value("--width", [&] { return parse_si(a.width, dimension::length, "mm"); });
+  continue_in_python("figures", "arenite.figures", options);
 }
 
 }  // namespace

@@ -58,13 +58,12 @@ Module find_module(const char* what) {
 
 }  // namespace
 
-void continue_in_python(const char* what, const char* module, const std::vector<std::string>& words) {
+void continue_in_python(const char* what, const char* module, const Numbers& options) {
   const char* path = std::getenv("PYTHONPATH");
   const Module found = find_module(what);
   const std::string folders = found.folder.string() + (path && *path ? ":" + std::string(path) : "");
   setenv("PYTHONPATH", folders.c_str(), 1);
-  std::vector<std::string> line{found.interpreter, "-m", module};
-  line.insert(line.end(), words.begin(), words.end());
+  std::vector<std::string> line{found.interpreter, "-m", module, to_json(options)};
   std::vector<char*> arguments;
   for (auto& word : line) arguments.push_back(word.data());
   arguments.push_back(nullptr);

@@ -3,7 +3,7 @@
 ffmpeg, if installed, writes an MP4; Pillow, which comes with Matplotlib, a GIF.
 """
 
-import argparse
+import json
 import os
 import pathlib
 import sys
@@ -111,39 +111,22 @@ def palette_of(images, colour_map=None, scale=176):
     return palette
 
 
-def main(words=None):
-    """The command in Python: prints the path; status 2 and a message on stderr for bad input."""
-    parser = argparse.ArgumentParser(prog="arenite animate", description="A film of a run along its loading: MP4 by ffmpeg, or GIF.")
-    parser.add_argument("result", help="folder of a run, or a file of it")
-    parser.add_argument("--out", help="file to write, .mp4 or .gif (default: animation.mp4 in the result's folder)")
-    parser.add_argument("--by", default="material", choices=colourings)
-    parser.add_argument("--stage", help="only this stage; all if not given")
-    parser.add_argument("--chains", action="store_true", help="forces as bars over the grains")
-    parser.add_argument("--map", metavar="NAME", help="colour map of Matplotlib")
-    parser.add_argument("--low", type=float, help="lower end of the colour scale, in SI units")
-    parser.add_argument("--high", type=float, help="upper end of the colour scale, in SI units")
-    parser.add_argument("--fps", type=float, default=10, help="states per second")
-    parser.add_argument("--size", type=int, nargs=2, default=None, metavar=("WIDTH", "HEIGHT"), help="pixels (default: 800 800, with a curve 1200 800)")
-    parser.add_argument("--curve", metavar="X,Y", help="columns of a curve beside the grains, such as axial_strain,top_force, or test: q/p or mu against strain")
-    a = parser.parse_args(words)
+def main(result, out=None, by="material", stage=None, chains=False, map=None, low=None, high=None, fps=10, size=None, curve=None):
+    """What `arenite animate` does, whose options are declared by the program: prints the path; status 2 and a message on stderr for bad input."""
+    folder = pathlib.Path(result) if os.path.isdir(result) else pathlib.Path(result).parent
     try:
-        written = save(a.result, target(a), a.by, stage=a.stage, chains=a.chains, colour_map=a.map, low=a.low, high=a.high, fps=a.fps,
-                       size=a.size or (1200 if a.curve else 800, 800), curve=a.curve and pair(a.curve), progress=progress_on(sys.stderr))
+        written = save(result, out or folder / "animation.mp4", by, stage=stage, chains=chains, colour_map=map, low=low, high=high, fps=fps,
+                       size=size or (1200 if curve else 800, 800), curve=curve and pair(curve), progress=progress_on(sys.stderr))
     except ValueError as error:
         return said(str(error))
     except ImportError as error:
         return said(f"an animation needs Matplotlib and Pillow (Debian: apt-get install python3-matplotlib python3-pil): {error}")
     except OSError as error:
-        return said(f"{error.filename or a.out}: cannot be written ({error.strerror or error}); choose another file with --out")
-    if written.suffix == ".gif" and not (a.out or "").endswith(".gif"):
+        return said(f"{error.filename or out}: cannot be written ({error.strerror or error}); choose another file with --out")
+    if written.suffix == ".gif" and not (out or "").endswith(".gif"):
         print(f"arenite: {no_ffmpeg}", file=sys.stderr)
     print(written)
     return 0
-
-
-def target(arguments):
-    result = pathlib.Path(arguments.result)
-    return arguments.out or (result if result.is_dir() else result.parent) / "animation.mp4"
 
 
 def pair(text):
@@ -164,4 +147,4 @@ def progress_on(stream):
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(main(**json.loads(sys.argv[1])))

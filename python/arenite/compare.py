@@ -4,9 +4,9 @@ Every number of both, with its standard error if the result has one. A differenc
 differences of numbers without errors are listed but not judged.
 """
 
-import argparse
 import csv
 import dataclasses
+import json
 import math
 import os
 import pathlib
@@ -192,28 +192,21 @@ def name_of(result, given):
     return os.fspath(given) if isinstance(given, (str, os.PathLike)) else result.path or result.title or "a result"
 
 
-def main(words=None):
-    """The command's end in Python: prints what differs; 2 and a sentence on stderr for what is refused."""
-    parser = argparse.ArgumentParser(prog="arenite compare", description="Two results side by side: numbers, differences beyond their errors, curves.")
-    parser.add_argument("a", help="folder of a run or a film's result, or a file of it")
-    parser.add_argument("b", help="the other")
-    parser.add_argument("--out", default="compare.html", metavar="FILE", help="page to write")
-    parser.add_argument("--csv", metavar="FILE", help="all numbers as a table")
-    parser.add_argument("--all", action="store_true", help="print all numbers, not only those that differ beyond errors")
-    arguments = parser.parse_args(words)
+def main(a, b, out="compare.html", csv=None, all=False):
+    """What `arenite compare` does, whose options are declared by the program: prints what differs; 2 and a sentence on stderr for what is refused."""
     try:
-        one, other = opened(arguments.a), opened(arguments.b)
+        one, other = opened(a), opened(b)
         found = rows(one, other)
-        written = save_page(one, other, arguments.out, [arguments.a, arguments.b])
-        if arguments.csv:
-            save_table(found, arguments.csv)
+        written = save_page(one, other, out, [a, b])
+        if csv:
+            save_table(found, csv)
     except ValueError as error:
         return said(str(error))
     except ImportError as error:
         return said(f"the page's curves need Matplotlib (Debian: apt-get install python3-matplotlib): {error}")
     except OSError as error:
-        return said(f"{error.filename or arguments.out}: cannot be written ({error.strerror or error}); choose another file with --out or --csv")
-    shown = found if arguments.all else [row for row in found if row.verdict == beyond]
+        return said(f"{error.filename or out}: cannot be written ({error.strerror or error}); choose another file with --out or --csv")
+    shown = found if all else [row for row in found if row.verdict == beyond]
     if shown:
         print(text_table(shown))
     print(summary(found))
@@ -222,4 +215,4 @@ def main(words=None):
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(main(**json.loads(sys.argv[1])))

@@ -144,6 +144,6 @@ def test_bad_requests_are_refused_in_one_sentence(tmp_path, capsys):
         animate.save(film, tmp_path / "a.avi")
     with pytest.raises(ValueError, match="one stored state"):
         animate.save(a_result(a_packing()), tmp_path / "a.gif")
-    assert animate.main([str(tmp_path / "nothing"), "--curve", "a"]) == 2
+    assert animate.main(str(tmp_path / "nothing"), curve="a") == 2
     said = capsys.readouterr().err
     assert said.startswith("arenite: ") and said.count("\n") == 1

@@ -1,5 +1,6 @@
 """What arguments may be, and in which sentence they are refused."""
 
+import json
 import pathlib
 import subprocess
 import sys
@@ -128,7 +129,8 @@ def test_a_study_that_cannot_be_read_leaves_no_folder(tmp_path):
 
 def test_figures_that_cannot_be_made_say_why_in_one_sentence(result, tmp_path):
     (tmp_path / "file").write_text("")
-    run = [sys.executable, "-m", "arenite.figures", result.path, "--only", "coordination", "--out", str(tmp_path / "file" / "below")]
+    options = {"result": result.path, "only": ["coordination"], "out": str(tmp_path / "file" / "below")}
+    run = [sys.executable, "-m", "arenite.figures", json.dumps(options)]
     home = str(pathlib.Path(arenite.__file__).parents[1])
     refused = subprocess.run(run, capture_output=True, text=True, env={"PYTHONPATH": home})
     assert refused.returncode == 2 and refused.stderr.count("\n") == 1 and "--out" in refused.stderr

@@ -82,7 +82,7 @@ def test_curves_of_both_are_drawn(result, tmp_path):
 
 
 def test_the_command_prints_and_writes(result, tmp_path, capsys):
-    assert compare.main([result.path, result.path, "--out", str(tmp_path / "page.html"), "--csv", str(tmp_path / "t.csv")]) == 0
+    assert compare.main(result.path, result.path, str(tmp_path / "page.html"), str(tmp_path / "t.csv")) == 0
     assert "0 of 0 numbers" in capsys.readouterr().out and (tmp_path / "t.csv").exists()
-    assert compare.main([result.path, str(tmp_path)]) == 2
+    assert compare.main(result.path, str(tmp_path)) == 2
     assert capsys.readouterr().err.count("\n") == 1

@@ -1,4 +1,5 @@
 import html
+import json
 import logging
 import os
 import pathlib
@@ -103,7 +104,7 @@ def test_bad_requests_are_refused_in_one_sentence(result, tmp_path):
         figures.save_all(result, tmp_path, stage="nothing")
     with pytest.raises(ValueError, match="no stored state 99; this result has"):
         figures.save_all(result, tmp_path, state=99)
-    run = subprocess.run([sys.executable, "-m", "arenite.figures", str(tmp_path)], capture_output=True, text=True, env={**os.environ, "PYTHONPATH": os.environ["ARENITE_PYTHONPATH"]})
+    run = subprocess.run([sys.executable, "-m", "arenite.figures", json.dumps({"result": str(tmp_path)})], capture_output=True, text=True, env={**os.environ, "PYTHONPATH": os.environ["ARENITE_PYTHONPATH"]})
     assert run.returncode == 2 and run.stderr.count("\n") == 1 and "Traceback" not in run.stderr
 
 
@@ -295,7 +296,7 @@ def test_bars_of_certainty_are_few_whatever_the_numbers():
 def test_numbers_of_another_shape_are_one_sentence(tmp_path):
     packing = arenite.Packing([1, 2, 3], [1, 1, 1], [0.5, 0.5, 0.5], width=4, height=2)
     (file,) = arenite.save(packing, tmp_path)
-    program = "import sys, arenite.figures.catalogue as c\nc.save_all = lambda *a: {}['mean']\nsys.argv = ['figures', sys.argv[1]]\nimport runpy; runpy.run_module('arenite.figures', run_name='__main__')"
+    program = "import json, sys, arenite.figures.catalogue as c\nc.save_all = lambda *a: {}['mean']\nsys.argv = ['figures', json.dumps({'result': sys.argv[1]})]\nimport runpy; runpy.run_module('arenite.figures', run_name='__main__')"
     done = subprocess.run([sys.executable, "-c", program, file], capture_output=True, text=True, env={**os.environ, "PYTHONPATH": os.environ["ARENITE_PYTHONPATH"]})
     assert done.returncode == 2 and done.stderr.count("\n") == 1 and "compute the result again" in done.stderr, done.stderr
 
