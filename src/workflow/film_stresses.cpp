@@ -48,7 +48,7 @@ FilmStresses film_stresses(const FilmResult& result, const std::vector<std::uint
   const auto known = known_in_all(out.sources, grains);
   out.considered = known;
   for (std::size_t g = 0; g < grains; ++g) out.considered[g] = known[g] && considered[g];
-  if (std::ranges::count(out.considered, 1) == 0) out.considered = known;
+  if (std::ranges::count(out.considered, 1) < 3) out.considered = known;
   for (GrainStresses& source : out.sources) normalise(source, known, out.considered);
   return out;
 }

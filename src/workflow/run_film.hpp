@@ -59,7 +59,7 @@ struct FilmStresses {
   std::vector<GrainStresses> sources;
   std::vector<std::uint8_t> considered;  ///< 1 for grains that count; empty without sources
 };
-/// Of these grains those count that `considered` has, as the film's texture says; all of them where it has none.
+/// Of these grains those count that `considered` has, as the film's texture says; all of them where it has fewer than three.
 FilmStresses film_stresses(const FilmResult& result, const std::vector<std::uint8_t>& considered);
 
 /// How two stresses of the same grains agree.
