@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include "calls.hpp"
+#include "grains/dem/engine.hpp"
 #include "module.hpp"
 #include "report/page.hpp"
 #include "report/summary.hpp"

@@ -101,7 +101,7 @@ Numbers found_grains(const FilmResult& film, const std::vector<double>& truth) {
 
 /// With curves, but without values by grain.
 Numbers curves_of(const FilmResult& film) {
-  auto measured = workflow::texture_of(film);
+  auto measured = workflow::texture_of(film, false);
   measured.per_grain = {};
   return texture::numbers(measured, true);
 }

@@ -12,8 +12,8 @@ namespace arenite::campaign {
 /// The study whose films a claim is judged by; those of others are there to be looked at.
 inline constexpr const char* filmed_study = "thesis-film";
 
-/// Films the states of a run that the study's camera.toml names, with the run's seed, and measures the film. What came of it is a file in the run's folder and in the
-/// store, under the hash of all that it depends on; the film is not kept. False if `options` asked to stop.
+/// Films the states of a run that the study's camera.toml names, with the run's seed, and measures the film. What came of it is a file in the run's folder
+/// and in the store, under the hash of all that it depends on; the film is not kept. False if `options` asked to stop.
 bool make_film(const Study& study, const StudyFolder& folder, const StudyRun& run, const workflow::RunOptions& options);
 
 /// Whether a film of this run was made.

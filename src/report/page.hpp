@@ -6,7 +6,10 @@
 #include <vector>
 
 #include "model/film_result.hpp"
-#include "workflow/run.hpp"
+
+namespace arenite::workflow {
+struct KnownStatistics;
+}
 
 namespace arenite::report {
 

@@ -10,6 +10,7 @@
 #include "io/results/groups.hpp"
 #include "report/number_block.hpp"
 #include "report/page.hpp"
+#include "workflow/run.hpp"
 
 namespace arenite::report {
 

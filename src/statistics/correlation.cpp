@@ -48,6 +48,12 @@ std::vector<double> ranks(const std::vector<double>& values) {
   return rank;
 }
 
+double rms_difference(const std::vector<double>& x, const std::vector<double>& y) {
+  double squares = 0;
+  for (std::size_t k = 0; k < x.size(); ++k) squares += (x[k] - y[k]) * (x[k] - y[k]);
+  return std::sqrt(squares / static_cast<double>(x.size()));
+}
+
 double pearson(const std::vector<double>& x, const std::vector<double>& y) {
   const SecondMoments m = second_moments(x, y);
   return m.xx > 0 && m.yy > 0 ? m.xy / std::sqrt(m.xx * m.yy) : unknown;

@@ -30,6 +30,9 @@ double pearson(const std::vector<double>& x, const std::vector<double>& y);
 /// Spearman's: Pearson's of the ranks.
 double spearman(const std::vector<double>& x, const std::vector<double>& y);
 
+/// Root mean square of x - y, which are as many.
+double rms_difference(const std::vector<double>& x, const std::vector<double>& y);
+
 /// How y goes with x over independent samples, one a row: variance in large grains against the deviation of pores, say.
 struct Relation {
   std::size_t count = 0;       ///< rows in which both are known

@@ -43,7 +43,7 @@ std::vector<io::GrainField> derived_fields(const Packing& packing) {
 
 /// What a film says of every grain, peak to peak, with its error.
 std::vector<io::GrainField> derived_fields(const FilmResult& film) {
-  const texture::PerGrain rows = texture_of(film).per_grain;
+  const texture::PerGrain rows = texture_of(film, false).per_grain;
   return {{"contacts", "1", as_doubles(rows.contacts)},
           {"sigma_norm", "1", rows.sigma_norm},
           {"sigma_hyd", "Pa", film.peak_to_peak.sigma_hyd},

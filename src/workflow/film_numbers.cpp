@@ -140,7 +140,11 @@ void add_stresses(Numbers& j, const FilmResult& r, const texture::Texture& textu
 
 }  // namespace
 
-texture::Texture texture_of(const FilmResult& film) { return texture::measure(film.packing, {.grain_sigma_hyd = film.peak_to_peak.sigma_hyd}); }
+texture::Texture texture_of(const FilmResult& film, bool rev) {
+  texture::Options options{.grain_sigma_hyd = film.peak_to_peak.sigma_hyd};
+  if (!rev) options.rev_sizes = 0;
+  return texture::measure(film.packing, options);
+}
 
 Numbers film_numbers(const FilmResult& r, const texture::Texture& texture, const texture::Texture* simulation) {
   Numbers j{{"film", film_of(r)}, {"lockin", lockin_of(r)}, {"grains", grains_of(r)}, {"motion", motion_of(r)}, {"forces", forces_of(r)}};

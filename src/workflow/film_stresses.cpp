@@ -27,10 +27,9 @@ void normalise(GrainStresses& source, const std::vector<std::uint8_t>& known, co
   for (const double stress : source.sigma_hyd) source.sigma_norm.push_back(stress / source.mean);
 }
 
-double root_mean_square(const std::vector<double>& a, const std::vector<double>& b, double over_a, double over_b) {
-  double sum = 0;
-  for (std::size_t k = 0; k < a.size(); ++k) sum += std::pow(a[k] / over_a - b[k] / over_b, 2);
-  return std::sqrt(sum / static_cast<double>(a.size()));
+std::vector<double> over(std::vector<double> values, double mean) {
+  for (double& value : values) value /= mean;
+  return values;
 }
 
 }  // namespace
@@ -63,7 +62,7 @@ Agreement agreement(const std::vector<double>& film, const std::vector<double>& 
   }
   if (a.size() < 2) return {};
   const auto n = static_cast<double>(a.size());
-  return {statistics::relate(b, a), root_mean_square(a, b, 1, 1), root_mean_square(a, b, sum_a / n, sum_b / n)};
+  return {statistics::relate(b, a), statistics::rms_difference(a, b), statistics::rms_difference(over(a, sum_a / n), over(b, sum_b / n))};
 }
 
 Numbers agreement_of(const Packing& packing, const FilmStresses& stresses, const GrainStresses& simulation) {

@@ -7,12 +7,15 @@
 #include <string>
 #include <vector>
 
-#include "grains/dem/engine.hpp"
 #include "grains/texture/texture.hpp"
 #include "model/packing.hpp"
 #include "model/result.hpp"
 #include "recipe/recipe.hpp"
 #include "solid/stress/stress.hpp"
+
+namespace arenite::dem {
+class Engine;
+}
 
 namespace arenite::workflow {
 
@@ -87,8 +90,8 @@ struct MeasuredStage {
 /// Measures what was made of a stage by all that fields::stage_numbers knows, and says where it comes from.
 MeasuredStage measure_stage(const GrainStage& stage, StageResult made, const std::string& kernel = {});
 
-/// Takes the grains of an engine through a stage of loading and measures it. It is kept in the file `checkpoint` on its way, unless that is empty, and goes on from
-/// there; nothing if it was asked to stop.
+/// Takes the grains of an engine through a stage of loading and measures it. It is kept in the file `checkpoint` on its way, unless that is empty, and
+/// goes on from there; nothing if it was asked to stop.
 std::optional<MeasuredStage> load_stage(const GrainStage& stage, dem::Engine& engine, const std::filesystem::path& checkpoint, const RunOptions& options,
                                         Progress progress);
 

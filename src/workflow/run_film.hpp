@@ -37,8 +37,8 @@ FilmOutcome run_film(const std::filesystem::path& film, const recipe::FilmRecipe
 /// rim carries them, which is what pixels show. (A stress by branch vectors has arms shortened by the overlaps.)
 std::vector<double> stress_of_disks(const Packing& packing);
 
-/// Texture of a film's grains and contacts, with the stresses that the film gives.
-texture::Texture texture_of(const FilmResult& film);
+/// Texture of a film's grains and contacts, with the stresses that the film gives; `rev` says whether the REV study is wanted, which takes longest.
+texture::Texture texture_of(const FilmResult& film, bool rev = true);
 
 /// Statistics of what a film gave, as `arenite film --json` prints them: frequency, noise, grains by material, motion, sigma_norm (by the code that
 /// measures simulated packings), contact forces, contact orientations, stresses of grains by source, and how they agree. `texture` is the film's

@@ -58,11 +58,9 @@ Numbers agreement(std::vector<double> field, std::vector<double> contacts) {
   };
   if (field.size() < 3 || !over_mean(field) || !over_mean(contacts)) return j;
   const statistics::Relation relation = statistics::relate(contacts, field);
-  double squares = 0;
-  for (std::size_t k = 0; k < field.size(); ++k) squares += (field[k] - contacts[k]) * (field[k] - contacts[k]);
   put(j, "correlation", relation.pearson, "", "Pearson's correlation of both stresses");
   put(j, "slope", Estimate{relation.line.slope, relation.line.slope_error}, "", "Slope of the field's stress over its mean on that of the contacts");
-  put(j, "rms", std::sqrt(squares / static_cast<double>(field.size())), "", "Root mean square of their difference");
+  put(j, "rms", statistics::rms_difference(field, contacts), "", "Root mean square of their difference");
   return j;
 }
 

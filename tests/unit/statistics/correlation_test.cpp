@@ -63,5 +63,7 @@ TEST(Correlation, UnknownRowsAreLeftOutAndNothingIsFeigned) {
   EXPECT_THROW(relate({1, 2}, {1}), InputError);
 }
 
+TEST(Correlation, RootMeanSquareDifferenceByHand) { EXPECT_NEAR(rms_difference({1, 2, 3}, {1, 4, 7}), std::sqrt(20.0 / 3), 1e-15); }
+
 }  // namespace
 }  // namespace arenite::statistics
