@@ -16,7 +16,7 @@ if(ARENITE_WERROR)
 endif()
 if(ARENITE_SANITIZE)
   # Instrumented, std::regex looks to GCC 12 as if it read what it never wrote.
-  target_compile_options(arenite_options INTERFACE -fsanitize=${ARENITE_SANITIZE} -fno-omit-frame-pointer -g1 -Wno-maybe-uninitialized)
+  target_compile_options(arenite_options INTERFACE -fsanitize=${ARENITE_SANITIZE} -fno-omit-frame-pointer -g1 -Wno-uninitialized -Wno-maybe-uninitialized)
   target_link_options(arenite_options INTERFACE -fsanitize=${ARENITE_SANITIZE})
   target_compile_options(arenite_options INTERFACE -O1)  # at -O2 the sanitized inner loops take a minute each to compile
 endif()
