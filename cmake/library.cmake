@@ -24,23 +24,6 @@ function(with_includes headers out)
   set(${out} ${found} PARENT_SCOPE)
 endfunction()
 
-# Of files and flags to link, those that another machine's linker finds by itself become -lNAME.
-function(link_names libraries out)
-  set(names "")
-  foreach(library ${libraries})
-    get_filename_component(folder ${library} DIRECTORY)
-    get_filename_component(name ${library} NAME_WE)
-    if(folder IN_LIST CMAKE_CXX_IMPLICIT_LINK_DIRECTORIES)
-      string(REGEX REPLACE "^lib" "-l" library ${name})
-    elseif(NOT folder AND NOT library MATCHES "^-")
-      set(library -l${library})
-    endif()
-    list(APPEND names ${library})
-  endforeach()
-  list(REMOVE_DUPLICATES names)
-  set(${out} ${names} PARENT_SCOPE)
-endfunction()
-
 set(include_home ${CMAKE_INSTALL_INCLUDEDIR}/arenite)
 set(library_home ${CMAKE_INSTALL_LIBDIR})
 with_includes("${arenite_public_headers}" installed_headers)
@@ -55,10 +38,10 @@ file(CONFIGURE OUTPUT library/arenite.hpp CONTENT "#pragma once\n#include \"core
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/library/arenite.hpp DESTINATION ${include_home} COMPONENT development)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/generated/core/version.hpp DESTINATION ${include_home}/core COMPONENT development)
 
-get_target_property(fmt_library fmt::fmt LOCATION)
-link_names("${fmt_library};${PNG_LIBRARIES};${TIFF_LIBRARIES};${JPEG_LIBRARIES};${ZLIB_LIBRARIES};${HDF5_HL_LIBRARIES};${HDF5_LIBRARIES};\
-${XXHASH_LIBRARY};${CHOLMOD_LIBRARY};${AMD_LIBRARY};${CMAKE_DL_LIBS};-pthread" library_links)
-list(JOIN library_links " " library_link_line)
+# What no package or pkg-config file describes; the others are found where the library is used (AreniteConfig.cmake.in, arenite.pc.in).
+set(named_links xxhash cholmod amd)
+list(TRANSFORM named_links PREPEND -l OUTPUT_VARIABLE named_link_line)
+list(JOIN named_link_line " " named_link_line)
 file(RELATIVE_PATH prefix_from_pkgconfig /${library_home}/pkgconfig /)
 configure_file(cmake/arenite.pc.in library/arenite.pc @ONLY)
 configure_package_config_file(cmake/AreniteConfig.cmake.in library/AreniteConfig.cmake INSTALL_DESTINATION ${library_home}/cmake/Arenite

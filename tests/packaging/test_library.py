@@ -43,6 +43,14 @@ def test_headers_need_no_other_librarys(installed):
             assert re.fullmatch(r"[a-z_]+|sys/mman\.h", name), f"{header} includes <{name}>"
 
 
+def test_no_path_of_the_machine_that_built_it_is_in_its_package_files(installed):
+    files = [*installed.rglob("*.cmake"), *installed.rglob("*.pc")]
+    assert len(files) == 3
+    for file in files:
+        paths = re.findall(r"""(?:^|[\s"';=]|-[LI])(/\w[^\s"';]*)""", file.read_text(), re.M)
+        assert not paths, f"{file.name} names {paths}"
+
+
 def holds(said):
     assert re.search(r"matrix saturation 0\.\d+, modulus \d+\.\d+ GPa", said) and "sigma_yy, matrix: mean" in said
     return said
