@@ -22,26 +22,19 @@ std::filesystem::path default_folder(const ExportArguments& a) {
 
 void write_export(const ExportArguments& a) {
   refuse_no_result(a.result);
-  for (const auto& format : io::export_formats()) {
-    if (a.format != format.name) continue;
-    const auto folder = a.out.empty() ? default_folder(a) : std::filesystem::path(a.out);
-    const auto files = workflow::export_result(a.result, format, folder, a.last);
-    fmt::print("{} {} in {}; the last is {}\n", files.size(), files.size() == 1 ? "file" : "files", folder.string(), files.back().filename().string());
-  }
+  const auto folder = a.out.empty() ? default_folder(a) : std::filesystem::path(a.out);
+  const auto files = workflow::export_result(a.result, *io::format_named(io::exports::all, a.format), folder, a.last);
+  fmt::print("{} {} in {}; the last is {}\n", files.size(), files.size() == 1 ? "file" : "files", folder.string(), files.back().filename().string());
 }
 
 }  // namespace
 
 void add_export(Options& command, int&) {
   const auto arguments = std::make_shared<ExportArguments>();
-  std::vector<std::string> names;
   std::string sentences = "Format";
-  for (const auto& format : io::export_formats()) {
-    names.emplace_back(format.name);
-    sentences += fmt::format("; {}: {}", format.name, format.sentence);
-  }
+  for (const auto* format : io::exports::all) sentences += fmt::format("; {}: {}", format->name, format->sentence);
   command.add("result", arguments->result, "Stage file (.h5) or folder of a run").required().type("RESULT");
-  command.add("--to", arguments->format, sentences).required().among(names);
+  command.add("--to", arguments->format, sentences).required().among(io::words_of(io::exports::all, &io::ExportFormat::name));
   command.add("--out", arguments->out, "Folder to write to; default: one named after the format, beside the result").type("DIR");
   command.add("--last", arguments->last, "Export the last state only, not the whole loading");
   command.work = [arguments] { write_export(*arguments); };

@@ -56,7 +56,7 @@ int execute(const FilmArguments& a) {
 
 void add_film(Options& command, int& status) {
   const auto a = std::make_shared<FilmArguments>();
-  command.add("film", a->film, "Film of a cyclically loaded packing: .ptw, .sfmov, .hcc, TIFF, .npy, HDF5, text or raw frames").required().type("FILM");
+  command.add("film", a->film, "Film of a cyclically loaded packing: " + io::film_formats()).required().type("FILM");
   command.add("--recipe", a->recipe, "Recipe of the film (TOML); `arenite init film` writes one").required().type("RECIPE.toml");
   add_overrides(command, a->overrides);
   a->reading.add_to(command);

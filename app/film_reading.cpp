@@ -4,6 +4,8 @@
 
 #include <filesystem>
 
+#include "core/median.hpp"
+#include "io/film/formats.hpp"
 #include "workflow/result_folder.hpp"
 
 namespace arenite::app {
@@ -43,17 +45,29 @@ std::vector<std::string> FilmReading::overrides() const {
   return set;
 }
 
+std::string unit_of(const FilmInfo& film) { return film.quantity == FilmQuantity::kelvin ? "K" : "level"; }
+
+Numbers medians(const FilmMaps& maps, const FilmInfo& film) {
+  Numbers all = Numbers::tree();
+  for (const auto& [name, unit, values] : maps.maps) {
+    if (values->empty()) continue;
+    const std::string own = *unit == 'K' ? unit_of(film) + (unit + 1) : unit;
+    all[name] = statistics::described(median_of_finite(*values), own.c_str(), fmt::format("Median of the map \"{}\" over all pixels", name).c_str());
+  }
+  return all;
+}
+
 void write_maps(const std::string& folder, const std::string& format, const FilmMaps& maps) {
   workflow::make_folder(folder);
-  const char* ending = format == "hdf5" ? ".h5" : format == "npy" ? ".npy" : ".tif";
-  for (const auto& [name, map] : maps.named) {
-    if (map->empty()) continue;
+  const std::string ending(io::format_named(io::films::all, format)->endings[0]);
+  for (const auto& [name, unit, values] : maps.maps) {
+    if (values->empty()) continue;
     Film film;
     film.about.width = maps.width;
     film.about.height = maps.height;
     film.about.frames = 1;
     film.about.floating = true;
-    film.value = *map;
+    film.value = *values;
     io::write_film(std::filesystem::path(folder) / (std::string(name) + ending), film);
   }
 }

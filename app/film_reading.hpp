@@ -1,11 +1,11 @@
 #pragma once
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "core/units.hpp"
 #include "io/film/film.hpp"
 #include "options.hpp"
+#include "statistics/numbers.hpp"
 
 namespace arenite::app {
 
@@ -23,13 +23,23 @@ struct FilmReading {
   std::vector<std::string> overrides() const;
 };
 
-/// Maps of a film, one number a pixel, with the names of their files.
+/// "K" or "level".
+std::string unit_of(const FilmInfo& film);
+
+/// Maps of a film, one number a pixel, with the names of their files and their units for a film in kelvin.
 struct FilmMaps {
+  struct Map {
+    const char *name, *unit;
+    const std::vector<float>* values;
+  };
   int width = 0, height = 0;
-  std::vector<std::pair<const char*, const std::vector<float>*>> named;  ///< empty maps are left out
+  std::vector<Map> maps;  ///< empty ones are left out
 };
 
-/// Writes every map into the folder, which is made: NAME.tif, NAME.npy or NAME.h5 for the formats tiff, npy, hdf5.
+/// The median of every map over its pixels, in the unit of the film.
+Numbers medians(const FilmMaps& maps, const FilmInfo& film);
+
+/// Writes every map into the folder, which is made: NAME with the first ending of the format.
 void write_maps(const std::string& folder, const std::string& format, const FilmMaps& maps);
 
 }  // namespace arenite::app

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "commands.hpp"
+#include "io/image/image.hpp"
 #include "io/table/table.hpp"
 #include "report/found_grains.hpp"
 #include "workflow/measure_film.hpp"
@@ -98,7 +99,7 @@ void find_grains(const GrainsArguments& a) {
 
 void add_grains(Options& command, int&) {
   const auto a = std::make_shared<GrainsArguments>();
-  command.add("picture", a->picture, "Picture (PNG, JPEG, TIFF, HDF5) or film of the grains").required().type("IMAGE");
+  command.add("picture", a->picture, "Picture (" + io::picture_formats() + ") or film of the grains").required().type("IMAGE");
   command.add("--frame", a->frame, "Frame of a film, or slice of a stack, counted from 0; default: the mean of all frames").between(0, 1e12).type("N");
   command.add("--mean", a->mean, "Use the mean of all frames of a film (the default)").not_with("--frame");
   command.add("--radii", a->radii, "Grain radii expected in the picture, e.g. \"5.25 mm,8.2 mm\", or in pixels \"3.3,5.1\"; found automatically if not given")

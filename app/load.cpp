@@ -168,7 +168,9 @@ void add_loading(Options& command, LoadArguments& a) {
 
 void add_load(Options& command, int& status) {
   const auto a = std::make_shared<LoadArguments>();
-  command.add("map", a->map, "Phase map: PNG, TIFF or HDF5 picture of grey values, or a field file of Arenite (.h5)").required().type("PHASEMAP");
+  command.add("map", a->map, "Phase map: picture of grey values (" + io::picture_formats(true) + "), or a field file of Arenite (.h5)")
+      .required()
+      .type("PHASEMAP");
   add_reading(command, *a);
   add_loading(command, *a);
   command.add("--json", a->json, "Print all numbers as JSON");

@@ -7,13 +7,14 @@
 #include <numbers>
 
 #include "commands.hpp"
-#include "core/median.hpp"
 #include "film_reading.hpp"
 #include "progress.hpp"
 #include "workflow/measure_film.hpp"
 
 namespace arenite::app {
 namespace {
+
+using statistics::described;
 
 struct LockinArguments {
   std::string film, frequency, out, convention = "amplitude", format = "tiff", diffusivity = "0.1 mm^2/s", pixel, reference_phase;
@@ -27,7 +28,10 @@ constexpr double degrees = 180 / std::numbers::pi;
 /// `phase`: that of the maps, in degrees.
 FilmMaps maps_of(const LockinMaps& m, const std::vector<float>& phase) {
   FilmMaps maps{m.width, m.height, {}};
-  for (const auto& [name, unit, values] : lockin_maps) maps.named.emplace_back(name, values == &LockinMaps::phase ? &phase : &(m.*values));
+  for (const auto& [name, unit, values] : lockin_maps) {
+    const bool is_phase = values == &LockinMaps::phase;
+    maps.maps.push_back({name, is_phase ? "deg" : unit, is_phase ? &phase : &(m.*values)});
+  }
   return maps;
 }
 
@@ -46,8 +50,6 @@ double read_phase(const std::string& text) {
   return phase.value;
 }
 
-std::string unit_of(const FilmInfo& film) { return film.quantity == FilmQuantity::kelvin ? "K" : "level"; }
-
 thermography::Adiabatic adiabatic(const LockinArguments& a, double frequency) {
   thermography::Adiabatic check(above_zero("--diffusivity", a.diffusivity, dimension::area / dimension::time, "mm^2/s"), frequency);
   if (!a.pixel.empty()) check.pixel = above_zero("--pixel", a.pixel, dimension::length, "mm");
@@ -55,57 +57,35 @@ thermography::Adiabatic adiabatic(const LockinArguments& a, double frequency) {
 }
 
 Numbers numbers(const LockinMaps& m, const LockinArguments& a, const FilmInfo& film, const thermography::Adiabatic& heat) {
-  Numbers j;
-  j["frequency_Hz"] = m.frequency;
-  j["frequency_error_Hz"] = std::isfinite(m.frequency_error) ? Numbers(m.frequency_error) : Numbers();
-  j["method"] = a.nearest_bin ? "nearest_bin" : "least_squares";
-  j["frames"] = m.frames;
-  j["width"] = m.width;
-  j["height"] = m.height;
-  j["drift_order"] = m.drift_order;
-  j["harmonics"] = m.harmonics;
-  j["convention"] = name_of(m.convention);
-  j["unit"] = unit_of(film);
-  j["reference_phase_deg"] = m.reference_phase * degrees;
-  j["reference"] = a.by_lock_in_line           ? "the film's lock-in line"
-                   : a.options.reference_phase ? "given"
-                                               : "found on the film; its sign is such that pixels warm with the load on average";
-  const std::vector<float> phase = phase_in_degrees(m);
-  for (const auto& [name, map] : maps_of(m, phase).named)
-    if (!map->empty()) j["median"][name] = median_of_finite(*map);
-  j["noise_ratio"] = m.noise_ratio;
-  j["shows_load"] = thermography::shows_load(m);
-  j["chance_of_noise"] = m.chance;
-  j["share_in_one_phase"] = m.one_phase;
-  if (m.other_frequency > 0) j["other_frequency_Hz"] = m.other_frequency;
-  j["diffusion_length_m"] = heat.length;
-  if (heat.pixel > 0) {
-    j["adiabatic"] = heat.holds();
-    j["amplitude_lost_in_finest_detail"] = heat.lost();
-  }
-  return j;
-}
-
-void print(const LockinMaps& m, const LockinArguments& a, const FilmInfo& film, const thermography::Adiabatic& heat) {
   const std::string unit = unit_of(film);
-  fmt::print("frequency        {:.9g} Hz", m.frequency);
-  if (m.frequency_error > 0 && std::isfinite(m.frequency_error)) fmt::print(" +- {:.1e}", m.frequency_error);
-  else if (m.frequency_error > 0) fmt::print(", as given: the film does not show it");
-  fmt::print("\nframes           {} of {} x {} pixels\n", m.frames, m.width, m.height);
-  fmt::print("amplitude        {:.4g} {} ({}median)\n", median_of_finite(m.amplitude), unit,
-             m.convention == AmplitudeConvention::peak_to_peak ? "peak to peak, " : "");
-  fmt::print("standard error   {:.4g} {} (median)\nnoise floor      {:.4g} {} (median)\n", median_of_finite(m.standard_error), unit,
-             median_of_finite(m.noise_floor), unit);
-  if (!m.second_harmonic.empty()) fmt::print("second harmonic  {:.4g} {} (median)\n", median_of_finite(m.second_harmonic), unit);
-  fmt::print("residual         {:.4g} {} (median)\n", median_of_finite(m.residual), unit);
-  fmt::print("noise            {:.3g} times that of white noise at this frequency\n", std::sqrt(m.noise_ratio));
-  fmt::print("reference phase  {:.6g} deg{}\n", m.reference_phase * degrees,
-             a.by_lock_in_line           ? ", of the film's lock-in line"
-             : a.options.reference_phase ? ""
-                                         : ", found on the film up to its sign: pixels warm with the load on average");
-  fmt::print("diffusion length {:.4g} mm", 1e3 * heat.length);
-  if (heat.pixel > 0) fmt::print(", {:.3g} pixels: the finest detail loses {:.2g} % of its amplitude", heat.length / heat.pixel, 100 * heat.lost());
-  fmt::print("\n");
+  Numbers j{
+      {"frequency_Hz", described(m.frequency, "Hz", "Frequency of the load")},
+      {"frequency_error_Hz", described(m.frequency_error, "Hz", "Its standard error; unknown where the film does not show the load")},
+      {"method", a.nearest_bin ? "nearest_bin" : "least_squares"},
+      {"frames", described(m.frames, "", "Frames used")},
+      {"width", described(m.width, "", "Pixels along x")},
+      {"height", described(m.height, "", "Pixels along y")},
+      {"drift_order", described(m.drift_order, "", "Order of the polynomial that describes the drift of a pixel")},
+      {"harmonics", described(m.harmonics, "", "Harmonics of the load frequency that were fitted")},
+      {"convention", name_of(m.convention)},
+      {"unit", unit},
+      {"reference_phase_deg", described(m.reference_phase * degrees, "deg", "Phase of the load: the angle still to go to its maximum at the first frame")},
+      {"reference", a.by_lock_in_line           ? "the film's lock-in line"
+                    : a.options.reference_phase ? "given"
+                                                : "found on the film; its sign is such that pixels warm with the load on average"}};
+  const std::vector<float> phase = phase_in_degrees(m);
+  j["median"] = medians(maps_of(m, phase), film);
+  j["noise_ratio"] = described(m.noise_ratio, "", "Variance of the noise at this frequency over that of white noise of the same residual");
+  j["shows_load"] = described(thermography::shows_load(m), "", "Whether pixels oscillate in one phase, and more than noise does");
+  j["chance_of_noise"] = described(m.chance, "", "Probability that noise alone has as much amplitude in one phase");
+  j["share_in_one_phase"] = described(m.one_phase, "", "Share of the amplitude above the noise that has one phase, or its opposite");
+  if (m.other_frequency > 0)
+    j["other_frequency_Hz"] = described(m.other_frequency, "Hz", "Frequency at which the film oscillates where that of the load shows nothing");
+  j["diffusion_length_m"] = described(heat.length, "m", "Length over which heat diffuses within a cycle");
+  if (heat.pixel <= 0) return j;
+  j["adiabatic"] = described(heat.holds(), "", "Whether that is below a fifth of a pixel");
+  j["amplitude_lost_in_finest_detail"] = described(heat.lost(), "", "Share of its amplitude that the finest detail of the picture loses to it");
+  return j;
 }
 
 int execute(LockinArguments& a) {
@@ -137,8 +117,8 @@ int execute(LockinArguments& a) {
     fmt::print(stderr, "{}: the amplitude is larger at {:.4g} Hz than at {:.6g} Hz, a multiple of it\n", a.film, maps.other_frequency, maps.frequency);
   const thermography::Adiabatic heat = adiabatic(a, maps.frequency);
   if (heat.pixel > 0 && !heat.holds()) fmt::print(stderr, "{}\n", heat.sentence());
-  if (a.json) fmt::print("{}\n", to_json(numbers(maps, a, film->info(), heat), 2));
-  else print(maps, a, film->info(), heat);
+  const Numbers found = numbers(maps, a, film->info(), heat);
+  fmt::print("{}", a.json ? to_json(found, 2) + "\n" : to_text(found));
   return done;
 }
 
@@ -149,7 +129,7 @@ void add_lockin(Options& command, int& status) {
   command.add("film", a->film, "Film of a cyclically loaded sample").required().type("FILM");
   command.add("--frequency", a->frequency, "Frequency of the load, e.g. \"3 Hz\"; refined on the film").required().type("FREQUENCY");
   command.add("--out", a->out, "Folder for the maps; if not given, nothing is stored").type("DIR");
-  command.add("--format", a->format, "Format of the maps").among({"tiff", "npy", "hdf5"});
+  command.add("--format", a->format, "Format of the maps").among(io::film_formats_to_write(true));
   command.add("--drift", a->options.drift_order, "Order of the polynomial that describes the drift of pixels; default 4").type("N");
   command.add("--harmonics", a->options.harmonics, "Number of harmonics of the load frequency; default 2").type("N");
   command.add("--convention", a->convention, "Convention of the maps: the amplitude (default) or peak to peak, twice the amplitude")

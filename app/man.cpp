@@ -5,6 +5,10 @@
 #include "commands.hpp"
 #include "core/text.hpp"
 #include "core/version.hpp"
+#include "io/export/export.hpp"
+#include "io/film/formats.hpp"
+#include "io/image/image.hpp"
+#include "io/sample/sample.hpp"
 #include "recipe/film_recipe.hpp"
 #include "recipe/recipe.hpp"
 
@@ -61,16 +65,47 @@ void print_page(const std::vector<CommandText>& tree) {
       ".TP\n.B 1\nAnything else.\n");
 }
 
+/// A table in Markdown of a family of formats: the heads of its columns, and what each format has in them.
+template <class Family, class Row> void print_formats(const char* title, const std::vector<std::string>& heads, const Family& all, Row row) {
+  fmt::print("\n## {}\n\n| {} |\n|{}\n", title, list_of(heads, " | "), list_of(std::vector<std::string>(heads.size(), "---|"), ""));
+  for (const auto* format : all) fmt::print("| `{}` | {} |\n", format->name, list_of(row(*format), " | "));
+}
+
+void print_format_reference() {
+  using Cells = std::vector<std::string>;
+  const auto yes = [](bool holds) { return std::string(holds ? "yes" : ""); };
+  fmt::print(
+      "# File formats\n\nThis page is generated from the declarations of the formats: `arenite man --formats`. [extend.md](extend.md) adds one; results of "
+      "Arenite are\ndescribed in [hdf5.md](hdf5.md). Files are recognised by their content.\n");
+  print_formats("Films", {"format", "what it is", "endings of new films", "written", "temperatures", "several datasets"}, io::films::all,
+                [&](const io::FilmFormat& f) {
+                  const Cells endings = {std::string(f.endings[0]), std::string(f.endings[1])};
+                  return Cells{std::string(f.sentence), endings[1].empty() ? endings[0] : list_of(endings), yes(f.create != nullptr),
+                               yes(f.create != nullptr && !f.levels_only), yes(f.has_datasets)};
+                });
+  print_formats("Pictures", {"format", "what it is", "exact values", "several datasets"}, io::pictures::all, [&](const io::PictureFormat& f) {
+    return Cells{std::string(f.sentence), yes(!f.blurs), yes(f.has_datasets)};
+  });
+  print_formats("Grains and contacts", {"format", "grains", "contacts"}, io::samples::all, [](const io::SampleFormat& f) {
+    return Cells{std::string(f.grains_are), std::string(f.contacts_are)};
+  });
+  print_formats("Exports", {"format", "what for", "fields on nodes"}, io::exports::all, [&](const io::ExportFormat& f) {
+    return Cells{std::string(f.sentence), yes(f.of_field != nullptr)};
+  });
+}
+
 }  // namespace
 
 void add_man(Options& command, int&) {
-  const auto keys = std::make_shared<bool>(false), film_keys = std::make_shared<bool>(false);
+  const auto keys = std::make_shared<bool>(false), film_keys = std::make_shared<bool>(false), formats = std::make_shared<bool>(false);
   command.add("--keys", *keys, "Print the reference of all keys of a recipe instead (Markdown)");
   command.add("--film-keys", *film_keys, "Print the reference of all keys of a film's recipe instead (Markdown)");
+  command.add("--formats", *formats, "Print the reference of all file formats instead (Markdown)");
   command.footer = "To read the page: arenite man | man -l -";
-  command.work = [keys, film_keys] {
+  command.work = [keys, film_keys, formats] {
     if (*keys) fmt::print("{}", recipe::key_reference());
     else if (*film_keys) fmt::print("{}", recipe::film_key_reference());
+    else if (*formats) print_format_reference();
     else print_page(command_texts());
   };
 }

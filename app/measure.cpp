@@ -122,7 +122,7 @@ void add_frame(Options& command, MeasureArguments& a) {
 }
 
 void add_reading(Options& command, MeasureArguments& a) {
-  std::vector<std::string> formats = io::sample_formats();
+  auto formats = io::words_of(io::samples::all, &io::SampleFormat::name);
   formats.insert(formats.begin(), "auto");
   command.add("--format", a.format, "Format of the files; auto: by their first line").among(formats).type("NAME");
   command.add("--grain-columns", a.grain_columns, "Columns of a grain table without header, e.g. \"id,x,y,-,radius\"").type("NAMES");
@@ -173,13 +173,12 @@ void add_measure(Options& command, int&) {
   const auto a = std::make_shared<MeasureArguments>();
   command
       .add("grains", a->grains,
-           "Grains: table id,x,y,radius[,material], LAMMPS dump, YADE text, MercuryDPM .data; or the file of a load (.h5) for its stresses")
+           "Grains: " + list_of(io::words_of(io::samples::all, &io::SampleFormat::grains_are), "; ") + "; or the file of a load (.h5) for its stresses")
       .required()
       .type("GRAINS");
   command
       .add("contacts", a->contacts,
-           "Contacts: table i,j,fn,ft[,nx,ny] (force on j is fn n + ft t, n from i to j), LAMMPS local dump, "
-           "YADE interactions, MercuryDPM .fstat; none for a field, or with --touching")
+           "Contacts: " + list_of(io::words_of(io::samples::all, &io::SampleFormat::contacts_are), "; ") + "; none for a field, or with --touching")
       .type("CONTACTS");
   add_statistics(command, *a);
   add_frame(command, *a);

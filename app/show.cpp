@@ -31,9 +31,9 @@ bool is_study(const fs::path& folder) {
 
 bool holds_maps(const fs::path& folder) {
   std::error_code error;
-  for (const char* ending : {".tif", ".h5", ".npy"})
+  for (const std::string& ending : io::film_endings_to_write(true))
     for (const char* map : {"in_phase", "jump"})
-      if (fs::exists(folder / (std::string(map) + ending), error) && fs::exists(folder / (std::string("standard_error") + ending), error)) return true;
+      if (fs::exists(folder / (std::string(map) + ending), error) && fs::exists(folder / ("standard_error" + ending), error)) return true;
   return false;
 }
 

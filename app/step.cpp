@@ -1,16 +1,16 @@
 #include <fmt/core.h>
 
 #include <memory>
-#include <utility>
 
 #include "commands.hpp"
-#include "core/median.hpp"
 #include "film_reading.hpp"
 #include "progress.hpp"
 #include "thermal/thermography/step_load.hpp"
 
 namespace arenite::app {
 namespace {
+
+using statistics::described;
 
 struct StepArguments {
   std::string film, time, rise = "0 s", window, out, format = "tiff";
@@ -22,38 +22,27 @@ struct StepArguments {
 FilmMaps maps_of(const thermography::StepMaps& m) {
   return {m.width,
           m.height,
-          {{"jump", &m.jump},
-           {"standard_error", &m.standard_error},
-           {"level", &m.level},
-           {"drift_before", &m.drift_before},
-           {"drift_after", &m.drift_after},
-           {"residual", &m.residual}}};
+          {{"jump", "K", &m.jump},
+           {"standard_error", "K", &m.standard_error},
+           {"level", "K", &m.level},
+           {"drift_before", "K/s", &m.drift_before},
+           {"drift_after", "K/s", &m.drift_after},
+           {"residual", "K", &m.residual}}};
 }
 
-void tell(const thermography::StepMaps& m, const StepArguments& a, const FilmInfo& film) {
-  const std::string unit = film.quantity == FilmQuantity::kelvin ? "K" : "level";
-  if (!a.json) {
-    fmt::print("step             {:.6g} s after the first frame{}\n", m.time, a.time.empty() ? ", found on the film" : "");
-    fmt::print("frames           {} before, {} after, of {} x {} pixels\n", m.before, m.after, m.width, m.height);
-    for (const auto& [side, time] : {std::pair{"before", m.relaxation_before}, std::pair{"after", m.relaxation_after}})
-      if (time > 0) fmt::print("relaxation       {:.4g} s, exponential, {} the step\n", time, side);
-    fmt::print("jump             {:.4g} {} (median)\nstandard error   {:.4g} {} (median)\nresidual         {:.4g} {} (median)\n", median_of_finite(m.jump),
-               unit, median_of_finite(m.standard_error), unit, median_of_finite(m.residual), unit);
-    return;
-  }
-  Numbers j{{"time_s", m.time},
-            {"time", a.time.empty() ? "found on the film" : "given"},
-            {"frames_before", m.before},
-            {"frames_after", m.after},
-            {"width", m.width},
-            {"height", m.height},
-            {"drift_order", m.drift_order},
-            {"unit", unit}};
-  const auto relaxation = [](double time) { return time > 0 ? Numbers(time) : Numbers(); };
-  j["relaxation_before_s"] = relaxation(m.relaxation_before);
-  j["relaxation_after_s"] = relaxation(m.relaxation_after);
-  for (const auto& [name, map] : maps_of(m).named) j["median"][name] = median_of_finite(*map);
-  fmt::print("{}\n", to_json(j, 2));
+Numbers numbers(const thermography::StepMaps& m, const StepArguments& a, const FilmInfo& film) {
+  const auto relaxation = [](double time, const char* sentence) { return described(time > 0 ? Numbers(time) : Numbers(), "s", sentence); };
+  return {{"time_s", described(m.time, "s", "Middle of the step after the first frame")},
+          {"time", a.time.empty() ? "found on the film" : "given"},
+          {"frames_before", described(m.before, "", "Frames used before the step")},
+          {"frames_after", described(m.after, "", "Frames used after it")},
+          {"width", described(m.width, "", "Pixels along x")},
+          {"height", described(m.height, "", "Pixels along y")},
+          {"drift_order", described(m.drift_order, "", "Order of the polynomial that describes the drift of a pixel on each side")},
+          {"unit", unit_of(film)},
+          {"relaxation_before_s", relaxation(m.relaxation_before, "Time of the exponential by which pixels relax before the step")},
+          {"relaxation_after_s", relaxation(m.relaxation_after, "Time of the exponential by which pixels relax after the step")},
+          {"median", medians(maps_of(m), film)}};
 }
 
 int execute(StepArguments& a) {
@@ -75,7 +64,8 @@ int execute(StepArguments& a) {
     return other_failure;
   }
   if (!a.out.empty()) write_maps(a.out, a.format, maps_of(maps));
-  tell(maps, a, film->info());
+  const Numbers found = numbers(maps, a, film->info());
+  fmt::print("{}", a.json ? to_json(found, 2) + "\n" : to_text(found));
   return done;
 }
 
@@ -89,7 +79,7 @@ void add_step(Options& command, int& status) {
   command.add("--window", a->window, "Time before and after the step that is used; default: the whole film").type("TIME");
   command.add("--drift", a->options.drift_order, "Order of the polynomial that describes the drift of pixels on each side; default 1").type("N");
   command.add("--out", a->out, "Folder for the maps; if not given, nothing is stored").type("DIR");
-  command.add("--format", a->format, "Format of the maps").among({"tiff", "npy", "hdf5"});
+  command.add("--format", a->format, "Format of the maps").among(io::film_formats_to_write(true));
   a->reading.add_to(command);
   command.add("--threads", a->options.threads, "Threads (default: 1)").between(1, 256).type("N");
   command.add("--json", a->json, "Print all numbers as JSON");

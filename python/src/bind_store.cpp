@@ -47,12 +47,8 @@ std::vector<std::string> names_of(const std::vector<Path>& files) {
 }
 
 const io::ExportFormat& format_of(const std::string& name) {
-  std::string known;
-  for (const auto& format : io::export_formats()) {
-    if (name == format.name) return format;
-    known += (known.empty() ? "" : ", ") + std::string(format.name);
-  }
-  throw InputError(fmt::format("format \"{}\" is not known; there are {}", name, known));
+  if (const auto* format = io::format_named(io::exports::all, name)) return *format;
+  throw refusal("format \"{}\" is not known; there are {}", name, list_of(io::words_of(io::exports::all, &io::ExportFormat::name)));
 }
 
 /// A folder that goes with the object.

@@ -6,7 +6,8 @@
 #include <deque>
 #include <optional>
 
-#include "core/error.hpp"
+#include "core/problems.hpp"
+#include "core/text.hpp"
 #include "grains/fields/coarse_grained.hpp"
 #include "grains/texture/texture.hpp"
 #include "io/disk/file.hpp"
@@ -214,7 +215,8 @@ std::vector<fs::path> export_result(const fs::path& result, const io::ExportForm
     if (io::stored_kind(file) == "field") {
       if (!format.of_field) {
         if (files.size() == 1)
-          throw InputError(file.string(), 0, fmt::format("holds a field on nodes, and {} holds grains only; choose vtk or csv", format.name));
+          refuse(file.string(), "holds a field on nodes, and {} holds grains only; choose {}", format.name,
+                 list_of(io::words_of(io::exports::all, &io::ExportFormat::name, [](const auto& other) { return other.of_field != nullptr; }), " or "));
         continue;
       }
       const FieldResult field = io::read_field(file);

@@ -58,8 +58,8 @@ void ResultFolder::put_aside(const fs::path& path) {
 std::string ResultFolder::what_was_put_aside() const {
   if (put_aside_.empty()) return {};
   std::string stale;
-  std::vector<std::string> exports{"figures"};
-  for (const auto& format : io::export_formats()) exports.emplace_back(format.name);
+  auto exports = io::words_of(io::exports::all, &io::ExportFormat::name);
+  exports.emplace_back("figures");
   for (const auto& name : exports)
     if (std::error_code error; fs::is_directory(out_ / name, error)) stale += (stale.empty() ? "" : ", ") + (out_ / name).string();
   const bool is_old = is_of_version_0_1(out_ / "earlier" / put_aside_.front());

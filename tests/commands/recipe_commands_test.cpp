@@ -151,6 +151,10 @@ TEST(Output, FullDiskBehindStdoutIsReported) {
   }
 }
 
+TEST(Man, ThePageOfFileFormatsIsWhatTheFormatsSay) {
+  EXPECT_EQ(slurp(ARENITE_SOURCE_DIR "/docs/formats.md"), arenite("man --formats").out) << "write it anew: build/arenite man --formats > docs/formats.md";
+}
+
 TEST(CommandLine, WithoutArgumentsEveryCommandHasItsLine) {
   const auto overview = arenite("");
   EXPECT_EQ(overview.status, 0);

@@ -1,3 +1,5 @@
-# Film formats and what reads them, each a fuzz target and a replayed corpus.
-set(ARENITE_FILM_READERS ptw:ptw_format.open sfmov:sfmov_format.open hcc:hcc_format.open npy:npy_format.open tiff:tiff_format.open
-  hdf5:hdf5_format.open raw:raw_format.open text:text_format.open)
+# Film formats, as src/io/formats.hpp lists them: each a fuzz target and a replayed corpus.
+file(STRINGS ${CMAKE_SOURCE_DIR}/src/io/formats.hpp listed REGEX "^#define ARENITE_FILM_FORMATS")
+string(REGEX MATCHALL "each\\([a-z0-9_]+\\)" ARENITE_FILM_READERS "${listed}")
+list(TRANSFORM ARENITE_FILM_READERS REPLACE "each\\((.*)\\)" "\\1")
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/io/formats.hpp)

@@ -43,7 +43,8 @@ void read(char format, const Files& files) {
   io::SampleOptions options;
   options.merge_doubled = true;
   if (bare) options.grain_columns = "id,x,y,radius", options.contact_columns = "i,j,fn,ft";
-  const io::SampleFormat& of = format == 'l' ? io::lammps_sample : format == 'y' ? io::yade_sample : format == 'm' ? io::mercury_sample : io::csv_sample;
+  const auto* known = io::first_format(io::samples::all, [&](const io::SampleFormat& one) { return one.name.front() == format; });
+  const io::SampleFormat& of = bare || known == nullptr ? io::samples::csv : *known;
   io::RawGrains grains = of.grains(files.grains, options, grain_problems);
   const io::RawContacts contacts = of.contacts(files.contacts, grains, options, contact_problems);
   io::Sample sample;
@@ -54,8 +55,8 @@ void read(char format, const Files& files) {
 
 }  // namespace
 
-/// Any bytes are grains and contacts or an InputError. The first letter says the format: c table, h table without
-/// header, l LAMMPS, y YADE, m MercuryDPM.
+/// Any bytes are grains and contacts or an InputError. The first letter says the format by its name's, or h: table without
+/// header.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
   const std::string_view text(reinterpret_cast<const char*>(data), size);

@@ -33,12 +33,12 @@ void examine(FilmSource& film) {
 
 }  // namespace
 
-/// Any bytes are a film or an InputError. ARENITE_FILM_OPEN is the reader of one format, or open_film for all of them.
+/// Any bytes are a film of the format ARENITE_FILM_FORMAT or an InputError.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   io::FilmChoice choice;
   choice.most_pixels = most_pixels;
   try {
-    examine(*io::ARENITE_FILM_OPEN(io::bytes_in_memory(std::string(reinterpret_cast<const char*>(data), size), "film"), choice));
+    examine(*io::films::ARENITE_FILM_FORMAT.open(io::bytes_in_memory(std::string(reinterpret_cast<const char*>(data), size), "film"), choice));
   } catch (const InputError& error) {
     if (error.problems().empty()) std::abort();
   }

@@ -34,7 +34,7 @@ inline std::vector<DrawnDisk> packing_in_pixels(const std::string& name, double 
   Problems problems(path.string());
   const std::string text = io::read_file(path);
   std::vector<DrawnDisk> disks;
-  for (const io::RawGrain& row : io::csv_sample.grains(text, {}, problems).rows)
+  for (const io::RawGrain& row : io::samples::csv.grains(text, {}, problems).rows)
     disks.push_back({left + row.centre.x / pixel, floor_row - row.centre.y / pixel, row.radius / pixel, 1, row.material == "POM" ? 0 : 1});
   problems.raise();
   return disks;

@@ -122,8 +122,6 @@ std::string curve_table(const History& curve) {
   return table_of(columns, curve.columns.front().values.size());
 }
 
-}  // namespace
-
 std::vector<NamedBytes> csv_frame(const ExportFrame& frame) {
   return {{fmt::format("grains_{:04}.csv", frame.number), grain_table(frame)}, {fmt::format("contacts_{:04}.csv", frame.number), contact_table(frame)}};
 }
@@ -135,5 +133,12 @@ std::vector<NamedBytes> csv_field(const ExportField& from) {
   if (!r.curve.columns.empty()) files.push_back({r.name + "_curve.csv", curve_table(r.curve)});
   return files;
 }
+
+}  // namespace
+
+const ExportFormat exports::csv{.name = "csv",
+                                .sentence = "Tables of grains and contacts that `arenite measure` reads, too; of nodes and mean stresses of grains",
+                                .of_frame = csv_frame,
+                                .of_field = csv_field};
 
 }  // namespace arenite::io

@@ -6,20 +6,6 @@
 
 namespace arenite::io {
 
-const std::vector<ExportFormat>& export_formats() {
-  static const std::vector<ExportFormat> formats{
-      {"vtk", "ParaView: open loading.pvd, which has grains, contacts and walls of all states; fields on nodes (.vti), broken bonds of a failure (-cracks.vtp)",
-       vtk_frame, vtk_index, vti_field},
-      {"fields", "ParaView: coarse-grained fields of all states (solid fraction, density, velocity, stress), open fields.pvd", fields_frame, fields_index,
-       nullptr, nullptr, true},
-      {"lammps", "OVITO and LAMMPS tools: dump custom of grains, dump local of contacts", lammps_frame, nullptr, nullptr},
-      {"extxyz", "OVITO and ASE: extended XYZ of grains", extxyz_frame, nullptr, nullptr},
-      {"netcdf", "xarray and netCDF tools: all states in one file, arrays over (time, grain)", nullptr, nullptr, nullptr, netcdf_loading},
-      {"csv", "Tables of grains and contacts that `arenite measure` reads, too; of nodes and mean stresses of grains", csv_frame, nullptr, csv_field},
-  };
-  return formats;
-}
-
 int contact_type(const Packing& packing, std::size_t contact) {
   if (packing.contacts.is_wall(contact)) return -1;
   const auto of = [&](std::int32_t grain) { return packing.grains.material[static_cast<std::size_t>(grain)]; };

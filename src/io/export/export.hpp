@@ -1,7 +1,9 @@
 #pragma once
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "io/formats.hpp"
 #include "model/result.hpp"
 
 namespace arenite::io {
@@ -43,20 +45,19 @@ struct NamedBytes {
   std::string name, bytes;
 };
 
-/// A format: what it makes of one frame. Files of the same name from successive frames are joined into one; `index` (or nullptr) makes the files that
-/// list all frames by their times. A format of whole loadings has `of_loading` instead, which gets all frames and what made the last.
+/// A format: what it makes of one frame. Files of the same name from successive frames are joined into one; `index` makes the files that list all
+/// frames by their times. A format of whole loadings has `of_loading` instead, which gets all frames and what made the last.
 struct ExportFormat {
-  const char* name;
-  const char* sentence;
-  std::vector<NamedBytes> (*of_frame)(const ExportFrame&);
-  std::vector<NamedBytes> (*index)(const std::vector<double>& times);
-  std::vector<NamedBytes> (*of_field)(const ExportField&);  ///< nullptr: holds grains only
-  std::vector<NamedBytes> (*of_loading)(const std::vector<ExportFrame>&, const Provenance&) = nullptr;
+  std::string_view name, sentence;
   bool wants_grid = false;  ///< coarse-grained fields, ExportFrame::grid
+  std::vector<NamedBytes> (*of_frame)(const ExportFrame&) = nullptr;
+  std::vector<NamedBytes> (*index)(const std::vector<double>& times) = nullptr;
+  std::vector<NamedBytes> (*of_field)(const ExportField&) = nullptr;  ///< of a result on nodes; null: holds grains only
+  std::vector<NamedBytes> (*of_loading)(const std::vector<ExportFrame>&, const Provenance&) = nullptr;
 };
-
-/// All formats: one file and one row each.
-const std::vector<ExportFormat>& export_formats();
+namespace exports {
+ARENITE_FAMILY(ExportFormat, ARENITE_EXPORT_FORMATS)
+}
 
 /// The contact's kind: -1 with a wall, else the place of the pair of materials in 00, 01, .., 0m, 11, 12, .. .
 int contact_type(const Packing& packing, std::size_t contact);
@@ -66,16 +67,5 @@ Vec2 far_end(const Packing& packing, std::size_t contact);
 
 /// The class of the grain at every node of a map; 0 where there is none.
 std::vector<std::uint8_t> class_of_node(const PhaseMap& map);
-
-std::vector<NamedBytes> vtk_frame(const ExportFrame& frame);
-std::vector<NamedBytes> vtk_index(const std::vector<double>& times);
-std::vector<NamedBytes> lammps_frame(const ExportFrame& frame);
-std::vector<NamedBytes> extxyz_frame(const ExportFrame& frame);
-std::vector<NamedBytes> csv_frame(const ExportFrame& frame);
-std::vector<NamedBytes> netcdf_loading(const std::vector<ExportFrame>& frames, const Provenance& provenance);
-std::vector<NamedBytes> fields_frame(const ExportFrame& frame);
-std::vector<NamedBytes> fields_index(const std::vector<double>& times);
-std::vector<NamedBytes> vti_field(const ExportField& field);
-std::vector<NamedBytes> csv_field(const ExportField& field);
 
 }  // namespace arenite::io

@@ -197,8 +197,6 @@ void put_contacts(NetcdfFile& file, const Frames& frames) {
   file.variable("contact_glued", {"contact"}, joined(frames, &Contacts::glued), {"1", "1 where adhesion acts"});
 }
 
-}  // namespace
-
 std::vector<NamedBytes> netcdf_loading(const Frames& frames, const Provenance& provenance) {
   NetcdfFile file;
   file.attribute("source", "Arenite " + provenance.version);
@@ -214,5 +212,10 @@ std::vector<NamedBytes> netcdf_loading(const Frames& frames, const Provenance& p
   put_contacts(file, frames);
   return {{"loading.nc", file.bytes()}};
 }
+
+}  // namespace
+
+const ExportFormat exports::netcdf{
+    .name = "netcdf", .sentence = "xarray and netCDF tools: all states in one file, arrays over (time, grain)", .of_loading = netcdf_loading};
 
 }  // namespace arenite::io

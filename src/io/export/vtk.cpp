@@ -141,14 +141,6 @@ std::vector<float> stress_of(const StressField& field) {
 
 std::string numbered(const char* what, int number) { return fmt::format("{}_{:04}.vtp", what, number); }
 std::string state_file(int number) { return fmt::format("state_{:04}.vtm", number); }
-std::string fields_file(int number) { return fmt::format("fields_{:04}.vti", number); }
-
-/// The list of the files of all states, by their times.
-template <class NameOf> std::string listed(const std::vector<double>& times, NameOf name_of) {
-  std::vector<std::pair<double, std::string>> list;
-  for (const double time : times) list.emplace_back(time, name_of(static_cast<int>(list.size())));
-  return pvd_bytes(list);
-}
 
 struct Part {
   const char* name;
@@ -167,8 +159,6 @@ VtkPolyData cracks_of(const std::vector<Crack>& cracks) {
   return data;
 }
 
-}  // namespace
-
 std::vector<NamedBytes> vtk_frame(const ExportFrame& frame) {
   std::vector<NamedBytes> files;
   std::vector<std::pair<std::string, std::string>> blocks;
@@ -185,26 +175,11 @@ std::vector<NamedBytes> vtk_frame(const ExportFrame& frame) {
 /// loading.pvd opens everything, as blocks with names; grains.pvd, contacts.pvd and walls.pvd one thing each, which filters like better.
 std::vector<NamedBytes> vtk_index(const std::vector<double>& times) {
   auto files = mapped(parts, [&](const Part& part) {
-    return NamedBytes{fmt::format("{}.pvd", part.name), listed(times, [&](int f) { return numbered(part.name, f); })};
+    return NamedBytes{fmt::format("{}.pvd", part.name), pvd_bytes(times, [&](int f) { return numbered(part.name, f); })};
   });
-  files.push_back({"loading.pvd", listed(times, state_file)});
+  files.push_back({"loading.pvd", pvd_bytes(times, state_file)});
   return files;
 }
-
-/// Points of ImageData with `velocity`, `stress` (xx, yy, zz, xy, yz, xz) and the scalars. Nothing for a state without a box.
-std::vector<NamedBytes> fields_frame(const ExportFrame& from) {
-  const GridFields& g = from.grid;
-  if (g.columns == 0) return {};
-  VtkImage image{g.columns, g.rows, g.dx, {}, g.dy, g.left, g.bottom};
-  for (const GrainField& field : g.scalars) image.point_arrays.push_back({field.name, field.values});
-  image.point_arrays.push_back({"velocity", in_space(g.velocity), 3});
-  std::vector<double> stress;
-  for (std::size_t k = 0; k < g.stress_xx.size(); ++k) stress.insert(stress.end(), {g.stress_xx[k], g.stress_yy[k], 0, g.stress_xy[k], 0, 0});
-  image.point_arrays.push_back({"stress", stress, 6});
-  return {{fields_file(from.number), vti_bytes(image)}};
-}
-
-std::vector<NamedBytes> fields_index(const std::vector<double>& times) { return {{"fields.pvd", listed(times, fields_file)}}; }
 
 /// The nodes as a picture (NAME.vti); of a pull to failure the broken bonds too, NAME-cracks.vtp.
 std::vector<NamedBytes> vti_field(const ExportField& from) {
@@ -224,5 +199,15 @@ std::vector<NamedBytes> vti_field(const ExportField& from) {
   if (!r.cracks.empty()) files.push_back({r.name + "-cracks.vtp", vtp_bytes(cracks_of(r.cracks))});
   return files;
 }
+
+}  // namespace
+
+const ExportFormat exports::vtk{
+    .name = "vtk",
+    .sentence =
+        "ParaView: open loading.pvd, which has grains, contacts and walls of all states; fields on nodes (.vti), broken bonds of a failure (-cracks.vtp)",
+    .of_frame = vtk_frame,
+    .index = vtk_index,
+    .of_field = vti_field};
 
 }  // namespace arenite::io

@@ -147,9 +147,10 @@ std::string vtm_bytes(const std::vector<std::pair<std::string, std::string>>& bl
   return text + "</vtkMultiBlockDataSet>\n</VTKFile>\n";
 }
 
-std::string pvd_bytes(const std::vector<std::pair<double, std::string>>& files) {
+std::string pvd_bytes(const std::vector<double>& times, const std::function<std::string(int number)>& file) {
   std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n<Collection>\n";
-  for (const auto& [time, file] : files) text += fmt::format("<DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", time, escaped(file));
+  for (std::size_t k = 0; k < times.size(); ++k)
+    text += fmt::format("<DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", times[k], escaped(file(static_cast<int>(k))));
   return text + "</Collection>\n</VTKFile>\n";
 }
 

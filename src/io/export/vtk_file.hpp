@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -42,8 +43,8 @@ struct VtkImage {
 /// The bytes of a .vti file (VTK XML ImageData, appended raw data, zlib).
 std::string vti_bytes(const VtkImage& image);
 
-/// The bytes of a .pvd file: which files belong together at which time (s).
-std::string pvd_bytes(const std::vector<std::pair<double, std::string>>& files);
+/// The bytes of a .pvd file: which files belong together at which time (s), by their numbers.
+std::string pvd_bytes(const std::vector<double>& times, const std::function<std::string(int number)>& file);
 
 /// The bytes of a .vtm file: blocks by name, each a file beside it.
 std::string vtm_bytes(const std::vector<std::pair<std::string, std::string>>& blocks);

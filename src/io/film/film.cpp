@@ -17,9 +17,6 @@ namespace {
 
 using namespace std::string_view_literals;
 
-/// In the order in which they are tried: text last, for it has no mark.
-constexpr const FilmFormat* formats[] = {&tiff_format, &npy_format, &hdf5_format, &sfmov_format, &ptw_format, &hcc_format, &raw_format, &text_format};
-
 constexpr std::string_view by_flir = "FLIR's program (Research Studio, ResearchIR, Thermal Studio)";
 constexpr std::string_view levels = "as a stack of TIFF, .sfmov or CSV of levels or temperatures";
 
@@ -70,6 +67,11 @@ const Recording* with_ending(std::string_view ending) {
 
 constexpr std::size_t head_size = 65536;
 
+const FilmFormat* format_of(const ByteSource& bytes) {
+  const std::string head = bytes.text(0, head_size);
+  return first_format(films::all, [&](const FilmFormat& format) { return format.is(head); });
+}
+
 /// The sidecar of raw frames: their name with another ending, or with one more.
 std::filesystem::path sidecar_of(const std::filesystem::path& raw) {
   std::error_code error;
@@ -77,25 +79,26 @@ std::filesystem::path sidecar_of(const std::filesystem::path& raw) {
     auto beside = raw;
     beside.replace_extension(ending);
     for (const auto& path : {beside, std::filesystem::path(raw.string() + ending)})
-      if (path != raw && std::filesystem::is_regular_file(path, error) && raw_format.is(open_bytes(path)->text(0, head_size))) return path;
+      if (path != raw && std::filesystem::is_regular_file(path, error))
+        if (const FilmFormat* format = format_of(*open_bytes(path)); format != nullptr && !format->sidecar.empty()) return path;
   }
   return {};
 }
 
-const FilmFormat* format_of(const ByteSource& bytes) {
-  const std::string head = bytes.text(0, head_size);
-  for (const FilmFormat* format : formats)
-    if (format->is(head)) return format;
-  return nullptr;
-}
+bool can_be_written(const FilmFormat& format) { return format.create != nullptr; }
 
 }  // namespace
 
-std::vector<std::string> film_formats_to_write() {
-  std::vector<std::string> names;
-  for (const FilmFormat* format : formats)
-    if (format->create != nullptr) names.emplace_back(format->name);
-  return names;
+std::string film_formats() { return list_of(words_of(films::all, &FilmFormat::sentence)); }
+
+std::vector<std::string> film_formats_to_write(bool of_temperatures) {
+  return words_of(films::all, &FilmFormat::name, [&](const FilmFormat& f) { return can_be_written(f) && !(of_temperatures && f.levels_only); });
+}
+
+std::vector<std::string> film_endings_to_write(bool of_temperatures) {
+  return words_of(
+      films::all, [](const FilmFormat& f) { return f.endings[0]; },
+      [&](const FilmFormat& f) { return can_be_written(f) && !(of_temperatures && f.levels_only); });
 }
 
 void refuse_other_recording(const std::filesystem::path& path) {
@@ -109,10 +112,14 @@ void refuse_other_recording(const std::filesystem::path& path) {
 
 std::unique_ptr<FilmSource> open_film(const Bytes& bytes, const FilmChoice& choice) {
   if (bytes->size() == 0) refuse(bytes->name(), "is empty; copy it again");
-  if (const FilmFormat* format = format_of(*bytes)) return scaled_film(format->open(bytes, choice), choice);
-  refuse(bytes->name(),
-         "is not a film in a known format (.ptw, .sfmov, .hcc, .npy, TIFF, HDF5, frames as text); "
-         "describe raw frames in a text beside it, NAME.txt with the lines width = .., height = .. and type = ..");
+  const FilmFormat* format = format_of(*bytes);
+  if (format == nullptr) {
+    const auto sidecars = words_of(films::all, &FilmFormat::sidecar, [](const FilmFormat& known) { return !known.sidecar.empty(); });
+    refuse(bytes->name(), "is not a film in a known format ({}); {}", film_formats(), list_of(sidecars));
+  }
+  FilmPointer film = format->open(bytes, choice);
+  film->is_of(format->name);
+  return scaled_film(std::move(film), choice);
 }
 
 std::unique_ptr<FilmSource> open_film(const std::filesystem::path& path, const FilmChoice& choice) {
@@ -150,19 +157,22 @@ std::string other_recording(const std::filesystem::path& path, std::string_view 
   return fmt::format("{}; export it with {} {}", is->what, is->program, is->as);
 }
 
-std::string film_format_of(const std::filesystem::path& path) {
-  const std::string ending = path.extension().string();
-  for (const FilmFormat* format : formats)
-    if (!ending.empty() && std::ranges::count(format->endings, ending) > 0) return std::string(format->name);
-  return {};
+std::unique_ptr<FilmWriter> create_film(const std::filesystem::path& path, const FilmInfo& info, const std::string& format) {
+  const FilmFormat* known = format.empty() ? format_ending(films::all, path) : format_named(films::all, format);
+  if (known == nullptr || !can_be_written(*known))
+    refuse(path.string(), "asks for no format that films are written in; they are {} (name it so, or {})", list_of(film_formats_to_write()),
+           list_of(film_endings_to_write()));
+  if (known->levels_only && info.floating)
+    refuse(path.string(), "cannot hold temperatures: a {} film is of levels; write {}", known->endings[0], list_of(film_endings_to_write(true)));
+  return known->create(path, info);
 }
 
-std::unique_ptr<FilmWriter> create_film(const std::filesystem::path& path, const FilmInfo& info, const std::string& format) {
-  const std::string name = format.empty() ? film_format_of(path) : format;
-  for (const FilmFormat* known : formats)
-    if (known->create != nullptr && known->name == name) return known->create(path, info);
-  refuse(path.string(), "asks for no format that films are written in; they are {} (name it so, or .tif, .npy, .h5, .sfmov, .ptw)",
-         list_of(film_formats_to_write()));
+std::vector<double> lock_in_line(const std::filesystem::path& film) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(film, error)) return {};
+  const Bytes bytes = open_bytes(film);
+  const FilmFormat* format = format_of(*bytes);
+  return format != nullptr && format->lock_in_line != nullptr ? format->lock_in_line(*bytes) : std::vector<double>();
 }
 
 bool write_film(const std::filesystem::path& path, FilmSource& film, const std::string& format, const std::function<bool(double share)>& progress) {

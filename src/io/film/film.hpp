@@ -20,9 +20,8 @@ struct FilmChoice {
   std::int64_t most_pixels = 100'000'000;         ///< in a frame; larger ones are refused before memory is asked for
 };
 
-/// A film that is read part by part: Cedip .ptw, FLIR .sfmov, Telops .hcc, .npy, TIFF with a page a frame, HDF5, frames of numbers as text, raw
-/// frames with a sidecar (the sidecar's name or that of the file beside it). A folder, or a name with *, is a series of such files in the order of
-/// the numbers in their names. InputError for anything else.
+/// A film that is read part by part, in any of the formats (docs/formats.md); raw frames have a sidecar (its name is given, or that of the file beside
+/// it). A folder, or a name with *, is a series of such files in the order of the numbers in their names. InputError for anything else.
 std::unique_ptr<FilmSource> open_film(const std::filesystem::path& path, const FilmChoice& choice = {});
 
 /// The same from bytes.
@@ -44,23 +43,23 @@ class FilmWriter {
   virtual void finish() = 0;
 };
 
-/// Names of the formats that can be written: "tiff", "npy", "hdf5", "sfmov", "ptw".
-std::vector<std::string> film_formats_to_write();
+/// The formats that can be read, for a sentence: "TIFF or BigTIFF, NumPy .npy, ..".
+std::string film_formats();
 
-/// The format that a name's ending asks for (.tif, .tiff, .npy, .h5, .hdf5, .sfmov, .ptw); empty for any other.
-std::string film_format_of(const std::filesystem::path& path);
+/// Names of the formats that can be written, "tiff", "npy" .., and the endings that ask for them; all, or those that have a place for temperatures.
+std::vector<std::string> film_formats_to_write(bool of_temperatures = false);
+std::vector<std::string> film_endings_to_write(bool of_temperatures = false);
 
 /// A new film; the format of the name's ending unless another is given. `info` says size, kind of pixel and what the film is to say about itself, so
 /// far as the format has a place for it; the number of frames is that of the frames appended, and times must be there for as many. TIFF is
-/// BigTIFF where `info` does not announce fewer than 4 GiB. InputError where the format has no place for such pixels (ptw is for levels), or the file
-/// cannot be written.
+/// BigTIFF where `info` does not announce fewer than 4 GiB. InputError where the format has no place for such pixels, or the file cannot be written.
 std::unique_ptr<FilmWriter> create_film(const std::filesystem::path& path, const FilmInfo& info, const std::string& format = {});
 
 /// Writes a whole film, some frames at a time; false where `progress`, called with the share that is written, stopped it.
 bool write_film(const std::filesystem::path& path, FilmSource& film, const std::string& format = {}, const std::function<bool(double share)>& progress = {});
 
-/// The load's signal that a camera writes into the first line of a .ptw lock-in film: one number a frame, the mean of those words of the line (after
-/// the four that mark it) which change over the film. Empty for any other file, and for a line in which nothing changes.
+/// The load's signal that a camera writes into the first line of a lock-in film (.ptw): one number a frame. Empty for any other file, and for a line
+/// in which nothing changes.
 std::vector<double> lock_in_line(const std::filesystem::path& film);
 
 /// What the stamps of a film say.

@@ -6,23 +6,44 @@
 #include <string_view>
 
 #include "io/film/film.hpp"
+#include "io/formats.hpp"
 
-// The formats of films, each in a file of its name, and what they share.
+// What the formats of films share.
 namespace arenite::io {
 
-using FilmPointer = std::unique_ptr<FilmSource>;
+/// A film that knows what it is before its frames are read.
+class KnownFilm : public FilmSource {
+ public:
+  const FilmInfo& info() const override { return info_; }
+  /// Throws std::out_of_range unless the film has these frames.
+  void read(std::int64_t first, std::size_t count, FrameBlock& block) final;
+  void is_of(std::string_view format) { info_.format = format; }
+
+ protected:
+  /// The same into a block that has its size already.
+  virtual void fill(std::int64_t first, std::size_t count, FrameBlock& block) = 0;
+  FilmInfo info_;
+};
+
+using FilmPointer = std::unique_ptr<KnownFilm>;
 using FilmWriterPointer = std::unique_ptr<FilmWriter>;
 
-/// How a format is known by the beginning of a file, read and written.
+/// How a format is known, read and written.
 struct FilmFormat {
-  std::string_view name;
-  bool marked = false;  ///< begins with a mark that nothing else begins with
+  std::string_view name, sentence;
+  std::array<std::string_view, 2> endings = {};  ///< of names of films that are to be written in it
+  bool marked = false;                           ///< begins with a mark that nothing else begins with
+  bool has_datasets = false;                     ///< may hold several films, of which FilmChoice::dataset names one
+  bool levels_only = false;                      ///< has no place for temperatures
+  std::string_view sidecar = {};                 ///< of a text beside a file of frames: how it is written
   bool (*is)(std::string_view head);
   FilmPointer (*open)(const Bytes& bytes, const FilmChoice& choice);
-  std::array<std::string_view, 2> endings = {};  ///< of names of films that are to be written in it
   FilmWriterPointer (*create)(const std::filesystem::path& path, const FilmInfo& info) = nullptr;
+  std::vector<double> (*lock_in_line)(const ByteSource& bytes) = nullptr;  ///< io::lock_in_line
 };
-extern const FilmFormat tiff_format, npy_format, hdf5_format, sfmov_format, ptw_format, hcc_format, raw_format, text_format;
+namespace films {
+ARENITE_FAMILY(FilmFormat, ARENITE_FILM_FORMATS)
+}
 
 /// A film whose numbers are temperatures, if the choice says so; the film itself otherwise.
 FilmPointer scaled_film(FilmPointer film, const FilmChoice& choice);
@@ -33,19 +54,6 @@ FilmPointer open_series(const std::filesystem::path& pattern, const FilmChoice& 
 /// What a recording is that cannot be read as a film, by its first bytes or the ending of its name, and what to export instead, as a sentence after
 /// its name; empty for anything else.
 std::string other_recording(const std::filesystem::path& path, std::string_view head);
-
-/// A film that knows what it is before its frames are read.
-class KnownFilm : public FilmSource {
- public:
-  const FilmInfo& info() const override { return info_; }
-  /// Throws std::out_of_range unless the film has these frames.
-  void read(std::int64_t first, std::size_t count, FrameBlock& block) final;
-
- protected:
-  /// The same into a block that has its size already.
-  virtual void fill(std::int64_t first, std::size_t count, FrameBlock& block) = 0;
-  FilmInfo info_;
-};
 
 /// Where the pixels of a film lie: frame i begins at offset + i stride.
 struct PlainLayout {

@@ -57,7 +57,6 @@ bool is_hcc(std::string_view head) {
 FilmPointer open_hcc(const Bytes& bytes, const FilmChoice& choice) {
   const std::string header = header_of(*bytes, 0, 0);
   FilmInfo info;
-  info.format = "hcc";
   info.width = number_at<std::uint16_t>(header, 32);
   info.height = number_at<std::uint16_t>(header, 34);
   info.frame_rate = 1e-3 * number_at<std::uint32_t>(header, 44);
@@ -80,6 +79,6 @@ FilmPointer open_hcc(const Bytes& bytes, const FilmChoice& choice) {
 }  // namespace
 
 /// Telops: every frame with a header that begins with "TC" and says size, scale and time.
-const FilmFormat hcc_format{"hcc", false, is_hcc, open_hcc};
+const FilmFormat films::hcc{.name = "hcc", .sentence = "Telops .hcc", .is = is_hcc, .open = open_hcc};
 
 }  // namespace arenite::io

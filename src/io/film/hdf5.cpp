@@ -144,7 +144,6 @@ class Hdf5Film : public KnownFilm {
     name_ = facts.name;
     layout_.pixel = facts.pixel;
     layout_.big_endian = facts.big_endian;
-    info_.format = "hdf5";
     take_shape(info_, bytes_->name(), facts.shape, facts.pixel, choice);
     take_notes(facts.notes, info_);
     if (info_.frame_rate == 0) info_.frame_rate = facts.frame_rate;
@@ -244,11 +243,14 @@ class Hdf5FilmWriter : public FilmWriter {
 }  // namespace
 
 /// HDF5: a dataset of frames x height x width, perhaps with times beside it and attributes.
-const FilmFormat hdf5_format{"hdf5",
-                             true,
-                             is_hdf5,
-                             [](const Bytes& bytes, const FilmChoice& choice) -> FilmPointer { return std::make_unique<Hdf5Film>(bytes, choice); },
-                             {".h5", ".hdf5"},
-                             [](const std::filesystem::path& path, const FilmInfo& info) -> FilmWriterPointer { return std::make_unique<Hdf5FilmWriter>(path, info); }};
+const FilmFormat films::hdf5{
+    .name = "hdf5",
+    .sentence = "HDF5",
+    .endings = {".h5", ".hdf5"},
+    .marked = true,
+    .has_datasets = true,
+    .is = is_hdf5,
+    .open = [](const Bytes& bytes, const FilmChoice& choice) -> FilmPointer { return std::make_unique<Hdf5Film>(bytes, choice); },
+    .create = [](const auto& path, const FilmInfo& info) -> FilmWriterPointer { return std::make_unique<Hdf5FilmWriter>(path, info); }};
 
 }  // namespace arenite::io

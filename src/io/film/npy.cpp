@@ -80,7 +80,6 @@ FilmPointer open_npy(const Bytes& bytes, const FilmChoice& choice) {
   if (order.starts_with("True")) refuse(file, "holds its columns first; save it with numpy.ascontiguousarray");
   const auto shape = shape_in(value_of(header, "shape", file), file);
   FilmInfo info;
-  info.format = "npy";
   take_shape(info, file, shape, *pixel, choice);
   PlainLayout layout;
   layout.pixel = *pixel;
@@ -90,11 +89,15 @@ FilmPointer open_npy(const Bytes& bytes, const FilmChoice& choice) {
   return plain_film(bytes, std::move(info), layout, choice);
 }
 
-FilmWriterPointer create_npy_film(const std::filesystem::path& path, const FilmInfo& info) { return create_plain_film(path, info, {npy_header}); }
-
 }  // namespace
 
 /// NumPy: frames x height x width (or one frame), numbers of 1 to 8 bytes.
-const FilmFormat npy_format{"npy", true, is_npy, open_npy, {".npy"}, create_npy_film};
+const FilmFormat films::npy{.name = "npy",
+                            .sentence = "NumPy .npy",
+                            .endings = {".npy"},
+                            .marked = true,
+                            .is = is_npy,
+                            .open = open_npy,
+                            .create = [](const auto& path, const FilmInfo& info) { return create_plain_film(path, info, {npy_header}); }};
 
 }  // namespace arenite::io

@@ -4,11 +4,14 @@
 #include <array>
 #include <cmath>
 
+#include "core/mapped.hpp"
 #include "core/problems.hpp"
 #include "io/film/formats.hpp"
 
 namespace arenite::io {
 namespace {
+
+constexpr std::size_t main_header = 3476, frame_header = 1016;  // bytes, as cameras write them
 
 /// A text of at most `size` bytes that ends at the first zero, without what is not printable.
 std::string name_at(std::string_view header, std::size_t at, std::size_t size) {
@@ -30,6 +33,7 @@ struct Sizes {
 };
 
 Sizes sizes_of(std::string_view header, const std::string& file) {
+  if (header.size() < 411) refuse(file, "is a .ptw film that ends within its header; copy it again");
   Sizes s{number_at<std::int32_t>(header, 11), number_at<std::int32_t>(header, 15),  number_at<std::int32_t>(header, 23),
           number_at<std::int32_t>(header, 27), number_at<std::int16_t>(header, 377), number_at<std::int16_t>(header, 379)};
   if (s.main < 411 || s.main > (1 << 24) || s.frame_header < 0 || s.frame_header > (1 << 24))
@@ -80,7 +84,6 @@ constexpr Number numbers[] = {
 
 FilmInfo info_of(std::string_view header, const Sizes& s) {
   FilmInfo info;
-  info.format = "ptw";
   info.quantity = FilmQuantity::digital_level;
   info.width = static_cast<int>(s.width);
   info.height = static_cast<int>(s.height);
@@ -96,8 +99,6 @@ FilmInfo info_of(std::string_view header, const Sizes& s) {
   info.bits = bits > 0 && bits <= 16 ? bits : 16;
   return info;
 }
-
-constexpr std::size_t main_header = 3476, frame_header = 1016;
 
 std::string ptw_header(const FilmInfo& info, std::size_t frames) {
   std::string h(main_header, '\0');
@@ -140,8 +141,7 @@ std::string stamp(const FilmInfo& info, std::size_t frame) {
 bool is_ptw(std::string_view head) { return head.starts_with("CED") && head.size() > 11 && (head[3] == '\0' || head[3] == ' '); }
 
 FilmPointer open_ptw(const Bytes& bytes, const FilmChoice& choice) {
-  const std::string header = bytes->text(0, 3476);
-  if (header.size() < 411) refuse(bytes->name(), "is a .ptw film that ends within its header; copy it again");
+  const std::string header = bytes->text(0, main_header);
   const Sizes s = sizes_of(header, bytes->name());
   FilmInfo info = info_of(header, s);
   check_film_size(bytes->name(), s.width, s.height, s.frames, choice);
@@ -160,48 +160,45 @@ FilmPointer open_ptw(const Bytes& bytes, const FilmChoice& choice) {
   return plain_film(bytes, std::move(info), layout, choice);
 }
 
-FilmWriterPointer create_ptw_film(const std::filesystem::path& path, const FilmInfo& info) {
-  if (info.floating) refuse(path.string(), "cannot hold temperatures: a .ptw film is of levels; write .tif, .npy, .h5 or .sfmov");
-  return create_plain_film(path, info, {ptw_header, stamp});
+/// One number a frame: the mean of those words of the first line, after those that mark it, which change over the film.
+std::vector<double> signal_of(const ByteSource& bytes) {
+  const Sizes s = sizes_of(bytes.text(0, main_header), bytes.name());
+  if (!is_lock_in(bytes, s)) return {};
+  const std::size_t words = static_cast<std::size_t>(s.width) - mark.size();
+  std::vector<std::string> lines;
+  std::vector<char> changes(words, 0);
+  for (std::int64_t frame = 0; frame < s.frames; ++frame) {
+    lines.push_back(
+        bytes.text(static_cast<std::uint64_t>(s.main + s.frame_header + frame * (s.frame_header + 2 * s.frame_words)) + 2 * mark.size(), 2 * words));
+    if (lines.back().size() != 2 * words) return {};  // cut short, which reading it as a film says
+    for (std::size_t i = 0; i < words; ++i)
+      if (lines.back().compare(2 * i, 2, lines.front(), 2 * i, 2) != 0) changes[i] = 1;
+  }
+  const auto counted = static_cast<double>(std::count(changes.begin(), changes.end(), 1));
+  if (counted == 0) return {};
+  return mapped(lines, [&](const std::string& line) {
+    double sum = 0;
+    for (std::size_t i = 0; i < words; ++i)
+      if (changes[i] != 0) sum += number_at<std::uint16_t>(line, 2 * i);
+    return sum / counted;
+  });
 }
 
 }  // namespace
 
 /// Cedip/FLIR: a main header, then frames with headers of their own, whose stamps give the times. A lock-in film holds the lock-in signal in the
 /// first line of its frames, which is left out.
-const FilmFormat ptw_format{"ptw", true, is_ptw, open_ptw, {".ptw"}, create_ptw_film};
-
-std::vector<double> lock_in_line(const std::filesystem::path& film) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(film, error)) return {};
-  const Bytes bytes = open_bytes(film);
-  const std::string header = bytes->text(0, 3476);
-  if (!is_ptw(header) || header.size() < 411) return {};
-  const Sizes s = sizes_of(header, bytes->name());
-  if (!is_lock_in(*bytes, s)) return {};
-  const std::size_t words = static_cast<std::size_t>(s.width) - mark.size();
-  const auto line_of = [&](std::int64_t frame) {
-    return bytes->text(static_cast<std::uint64_t>(s.main + s.frame_header + frame * (s.frame_header + 2 * s.frame_words)) + 2 * mark.size(), 2 * words);
-  };
-  const std::string first = line_of(0);
-  std::vector<char> changes(words, 0);
-  std::vector<std::string> lines;
-  for (std::int64_t frame = 0; frame < s.frames; ++frame) {
-    lines.push_back(line_of(frame));
-    if (lines.back().size() != first.size()) return {};  // cut short, which reading it as a film says
-    for (std::size_t i = 0; i < words; ++i)
-      changes[i] = changes[i] != 0 || number_at<std::uint16_t>(lines.back(), 2 * i) != number_at<std::uint16_t>(first, 2 * i);
-  }
-  const auto counted = static_cast<double>(std::count(changes.begin(), changes.end(), 1));
-  if (counted == 0) return {};
-  std::vector<double> signal;
-  for (const std::string& line : lines) {
-    double sum = 0;
-    for (std::size_t i = 0; i < words; ++i)
-      if (changes[i] != 0) sum += number_at<std::uint16_t>(line, 2 * i);
-    signal.push_back(sum / counted);
-  }
-  return signal;
-}
+const FilmFormat films::ptw{.name = "ptw",
+                            .sentence = "Cedip or FLIR .ptw",
+                            .endings = {".ptw"},
+                            .marked = true,
+                            .levels_only = true,
+                            .is = is_ptw,
+                            .open = open_ptw,
+                            .create =
+                                [](const auto& path, const FilmInfo& info) {
+                                  return create_plain_film(path, info, {ptw_header, stamp});
+                                },
+                            .lock_in_line = signal_of};
 
 }  // namespace arenite::io

@@ -132,7 +132,6 @@ FilmPointer open_sidecar(const Bytes& bytes, const FilmChoice& choice) {
   Problems problems(bytes->name());
   Sidecar sidecar(bytes->text(0, std::size_t{1} << 16), problems);
   FilmInfo info;
-  info.format = "raw";
   const std::int64_t width = sidecar.count("width", 1, true), height = sidecar.count("height", 1, true);
   PlainLayout layout;
   layout.pixel = sidecar.pixel();
@@ -170,6 +169,10 @@ FilmPointer open_sidecar(const Bytes& bytes, const FilmChoice& choice) {
 }  // namespace
 
 /// Raw frames, described by a text of lines "key = value" beside them, without sections: a film's recipe is none.
-const FilmFormat raw_format{"raw", false, is_sidecar, open_sidecar};
+const FilmFormat films::raw{.name = "raw",
+                            .sentence = "raw frames with a sidecar",
+                            .sidecar = "describe raw frames in a text beside it, NAME.txt with the lines width = .., height = .. and type = ..",
+                            .is = is_sidecar,
+                            .open = open_sidecar};
 
 }  // namespace arenite::io

@@ -88,7 +88,7 @@ class Series : public KnownFilm {
 
   std::vector<fs::path> members_;
   FilmChoice choice_;
-  FilmPointer current_;
+  std::unique_ptr<FilmSource> current_;
   std::size_t number_ = 0;
   std::int64_t each_ = 0;
   FrameBlock part_;

@@ -97,7 +97,6 @@ FilmPointer open_sfmov(const Bytes& bytes, const FilmChoice& choice) {
   if (data == std::string::npos) refuse(file, "is a .sfmov film that ends within its header; copy it again");
   Keys keys = keys_of(std::string_view(header).substr(0, data));
   FilmInfo info;
-  info.format = "sfmov";
   const std::int64_t width = count_of(keys, "xPixls", file), height = count_of(keys, "yPixls", file), frames = count_of(keys, "NumDPs", file);
   PlainLayout layout;
   take_shape(info, file, {frames, height, width}, layout.pixel, choice);
@@ -115,11 +114,15 @@ FilmPointer open_sfmov(const Bytes& bytes, const FilmChoice& choice) {
   return plain_film(bytes, std::move(info), layout, choice);
 }
 
-FilmWriterPointer create_sfmov_film(const std::filesystem::path& path, const FilmInfo& info) { return create_plain_film(path, info, {sfmov_header}); }
-
 }  // namespace
 
 /// FLIR ResearchIR: lines "key value", the word DATA, then frames.
-const FilmFormat sfmov_format{"sfmov", true, is_sfmov, open_sfmov, {".sfmov"}, create_sfmov_film};
+const FilmFormat films::sfmov{.name = "sfmov",
+                              .sentence = "FLIR ResearchIR .sfmov",
+                              .endings = {".sfmov"},
+                              .marked = true,
+                              .is = is_sfmov,
+                              .open = open_sfmov,
+                              .create = [](const auto& path, const FilmInfo& info) { return create_plain_film(path, info, {sfmov_header}); }};
 
 }  // namespace arenite::io

@@ -107,7 +107,6 @@ struct Place {
 class TextFilm : public KnownFilm {
  public:
   TextFilm(Bytes bytes, const FilmChoice& choice) : bytes_(std::move(bytes)) {
-    info_.format = "text";
     info_.floating = true;
     FileLines lines(*bytes_, 0, 0);
     std::string_view line;
@@ -185,7 +184,9 @@ bool is_text_film(std::string_view head) {
 }  // namespace
 
 /// Numbers as text, a line a row; frames are parted by empty lines or lines that are no numbers.
-const FilmFormat text_format{"text", false, is_text_film,
-                             [](const Bytes& bytes, const FilmChoice& choice) -> FilmPointer { return std::make_unique<TextFilm>(bytes, choice); }};
+const FilmFormat films::text{
+    .name = "text", .sentence = "frames of numbers as text", .is = is_text_film, .open = [](const Bytes& bytes, const FilmChoice& choice) -> FilmPointer {
+      return std::make_unique<TextFilm>(bytes, choice);
+    }};
 
 }  // namespace arenite::io

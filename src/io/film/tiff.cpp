@@ -77,7 +77,6 @@ class TiffFilm : public KnownFilm {
     turn_to(0);
     page_ = page_of(tiff_.get(), source_);
     layout_.pixel = page_.pixel;
-    info_.format = "tiff";
     take_shape(info_, source_.file(), {static_cast<std::int64_t>(places_.size()), page_.height, page_.width}, page_.pixel, choice);
     const std::string notes = description_of(tiff_.get());
     take_notes(notes, info_);
@@ -184,12 +183,13 @@ class TiffFilmWriter : public FilmWriter {
 }  // namespace
 
 /// TIFF and BigTIFF: a page a frame, grey, 8 or 16 bits or floating.
-const FilmFormat tiff_format{
-    "tiff",
-    true,
-    is_tiff,
-    [](const Bytes& bytes, const FilmChoice& choice) -> FilmPointer { return std::make_unique<TiffFilm>(bytes, choice); },
-    {".tif", ".tiff"},
-    [](const std::filesystem::path& path, const FilmInfo& info) -> FilmWriterPointer { return std::make_unique<TiffFilmWriter>(path, info); }};
+const FilmFormat films::tiff{
+    .name = "tiff",
+    .sentence = "TIFF or BigTIFF",
+    .endings = {".tif", ".tiff"},
+    .marked = true,
+    .is = is_tiff,
+    .open = [](const Bytes& bytes, const FilmChoice& choice) -> FilmPointer { return std::make_unique<TiffFilm>(bytes, choice); },
+    .create = [](const auto& path, const FilmInfo& info) -> FilmWriterPointer { return std::make_unique<TiffFilmWriter>(path, info); }};
 
 }  // namespace arenite::io

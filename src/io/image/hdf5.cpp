@@ -39,10 +39,8 @@ Image decode(const std::string& bytes, const std::string& file, const ImageChoic
   return image;
 }
 
-}  // namespace
-
 /// HDF5 trusts what it reads: it is used in a process of its own, which a damaged file may bring down.
-Image read_hdf5_image(const std::string& bytes, const std::string& file, const ImageChoice& choice) {
+Image decode_hdf5(const std::string& bytes, const std::string& file, const ImageChoice& choice) {
   prepare_hdf5();
   const auto packed = [&] {
     const Image image = decode(bytes, file, choice);
@@ -62,5 +60,11 @@ Image read_hdf5_image(const std::string& bytes, const std::string& file, const I
   std::memcpy(image.value.data(), made.data() + sizeof image.width, pixels * sizeof(std::int32_t));
   return image;
 }
+
+}  // namespace
+
+/// A two-dimensional dataset of whole numbers, or a slice along the first axis of a three-dimensional one; rows point down, as NumPy and HDF5 viewers
+/// store and show pictures.
+const PictureFormat pictures::hdf5{.name = "hdf5", .sentence = "HDF5", .has_datasets = true, .is = is_hdf5, .read = decode_hdf5};
 
 }  // namespace arenite::io

@@ -8,23 +8,10 @@
 
 #include "core/mapped.hpp"
 #include "core/problems.hpp"
+#include "core/text.hpp"
 
 namespace arenite::io {
 namespace {
-
-using namespace std::string_view_literals;
-
-struct Format {
-  bool (*is)(std::string_view bytes);
-  Image (*read)(const std::string& bytes, const std::string& file, const ImageChoice& choice);
-};
-
-constexpr Format formats[] = {
-    {[](std::string_view b) { return b.starts_with("\x89PNG\r\n\x1a\n"sv); }, read_png},
-    {is_tiff, read_tiff},
-    {[](std::string_view b) { return b.starts_with("\xff\xd8\xff"sv); }, read_jpeg},
-    {is_hdf5, read_hdf5_image},
-};
 
 constexpr std::pair<const char*, Channel> channels[] = {
     {"red", Channel::red}, {"green", Channel::green}, {"blue", Channel::blue}, {"mean", Channel::mean}, {"grey", Channel::grey}};
@@ -62,11 +49,19 @@ Channel parse_channel(const std::string& name) {
   throw InputError("there is no channel \"" + name + "\"" + (near.empty() ? "; choose red, green, blue, mean or grey" : "; did you mean \"" + near + "\"?"));
 }
 
+std::string picture_formats(bool exact) {
+  return list_of(words_of(pictures::all, &PictureFormat::sentence, [&](const PictureFormat& format) { return !(exact && format.blurs); }));
+}
+
 Image decode_image(const std::string& bytes, const std::string& file, const ImageChoice& choice) {
-  for (const Format& format : formats)
-    if (format.is(bytes)) return format.read(bytes, file, choice);
   if (bytes.empty()) refuse(file, "is empty; copy it again");
-  refuse(file, "is neither PNG, TIFF, JPEG nor HDF5; save the picture as one of these");
+  const PictureFormat* format = first_format(pictures::all, [&](const PictureFormat& known) { return known.is(bytes); });
+  if (format == nullptr) refuse(file, "is no picture in a known format; save it as one of {}", picture_formats());
+  if (!choice.dataset.empty() && !format->has_datasets)
+    refuse(file, "is {}, which holds no datasets; leave out the dataset \"{}\"", format->sentence, choice.dataset);
+  if (format->blurs && choice.channel == Channel::none)
+    refuse(file, "is a {} picture, which blurs values across edges; save the phases as one of {}", format->sentence, picture_formats(true));
+  return format->read(bytes, file, choice);
 }
 
 Image read_image(const std::filesystem::path& path, const ImageChoice& choice) { return decode_image(read_file(path), path.string(), choice); }

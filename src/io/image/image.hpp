@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "io/disk/byte_source.hpp"
+#include "io/formats.hpp"
 #include "model/image.hpp"
 
 namespace arenite::io {
@@ -27,20 +28,27 @@ struct ImageChoice {
 };
 
 /// A grey picture with 1 to 32 bits a pixel, its stored values unchanged. Without a channel, colour is accepted where red, green and blue are equal,
-/// a palette where its entries are grey (the pixel is then what it shows), and JPEG not at all, as it blurs values across edges; with one, any
+/// a palette where its entries are grey (the pixel is then what it shows), and what blurs values across edges not at all; with one, any
 /// colour. Transparency is accepted where there is none; otherwise InputError, as for a file that is no picture, is cut short or too large.
 Image read_image(const std::filesystem::path& path, const ImageChoice& choice = {});
 
 /// The same from the bytes of a file of this name.
 Image decode_image(const std::string& bytes, const std::string& file, const ImageChoice& choice = {});
 
-/// The formats, each in a file of its name; the list is in image.cpp. Of JPEG four inks and what the decoder had to guess are refused, too. Of HDF5 a
-/// two-dimensional dataset of whole numbers is read, or a slice along the first axis of a three-dimensional one; rows point down, as NumPy and HDF5
-/// viewers store and show pictures.
-Image read_png(const std::string& bytes, const std::string& file, const ImageChoice& choice);
-Image read_tiff(const std::string& bytes, const std::string& file, const ImageChoice& choice);
-Image read_jpeg(const std::string& bytes, const std::string& file, const ImageChoice& choice);
-Image read_hdf5_image(const std::string& bytes, const std::string& file, const ImageChoice& choice);
+/// The formats that can be read, for a sentence: "PNG, TIFF, .."; all, or those whose values are exact.
+std::string picture_formats(bool exact = false);
+
+/// How a format is known and read.
+struct PictureFormat {
+  std::string_view name, sentence;
+  bool has_datasets = false;  ///< may hold several pictures, of which ImageChoice::dataset names one
+  bool blurs = false;         ///< values across edges: not for phases, so it is read only where a channel is chosen
+  bool (*is)(std::string_view bytes);
+  Image (*read)(const std::string& bytes, const std::string& file, const ImageChoice& choice);
+};
+namespace pictures {
+ARENITE_FAMILY(PictureFormat, ARENITE_PICTURE_FORMATS)
+}
 
 /// How the samples of a row of pixels lie in memory, in this machine's byte order.
 struct PixelLayout {

@@ -74,10 +74,7 @@ bool read_rows(JpegDecoder& d, std::uint8_t* samples, std::size_t stride) {
   refuse(file, "is a JPEG picture that is cut short or damaged ({}); copy it again", std::string_view(d.message));
 }
 
-}  // namespace
-
-Image read_jpeg(const std::string& bytes, const std::string& file, const ImageChoice& choice) {
-  if (choice.channel == Channel::none) refuse(file, "is a JPEG picture, which blurs values across edges; save the phases as PNG or TIFF");
+Image decode_jpeg(const std::string& bytes, const std::string& file, const ImageChoice& choice) {
   JpegDecoder d(bytes);
   if (!read_header(d)) refuse_damaged(d, file);
   check_size(file, d.jpeg.image_width, d.jpeg.image_height, choice);
@@ -97,5 +94,11 @@ Image read_jpeg(const std::string& bytes, const std::string& file, const ImageCh
   if (!read_rows(d, samples.data(), layout.bytes_a_row())) refuse_damaged(d, file);
   return image_of(layout, samples, layout.bytes_a_row());
 }
+
+}  // namespace
+
+/// Four inks and what the decoder had to guess are refused.
+const PictureFormat pictures::jpeg{
+    .name = "jpeg", .sentence = "JPEG", .blurs = true, .is = [](std::string_view b) { return b.starts_with("\xff\xd8\xff"); }, .read = decode_jpeg};
 
 }  // namespace arenite::io

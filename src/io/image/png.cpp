@@ -86,9 +86,7 @@ PixelLayout layout_of(const PngDecoder& d, const std::string& file, Channel chan
   return layout;
 }
 
-}  // namespace
-
-Image read_png(const std::string& bytes, const std::string& file, const ImageChoice& choice) {
+Image decode_png(const std::string& bytes, const std::string& file, const ImageChoice& choice) {
   PngDecoder d(bytes);
   if (!read_header(d)) refuse_damaged(d, file);
   check_size(file, png_get_image_width(d.png, d.info), png_get_image_height(d.png, d.info), choice);
@@ -101,6 +99,11 @@ Image read_png(const std::string& bytes, const std::string& file, const ImageCho
   if (!read_rows(d, rows.data())) refuse_damaged(d, file);
   return image_of(layout, samples, stride);
 }
+
+}  // namespace
+
+const PictureFormat pictures::png{
+    .name = "png", .sentence = "PNG", .is = [](std::string_view b) { return b.starts_with("\x89PNG\r\n\x1a\n"); }, .read = decode_png};
 
 void write_png(const std::filesystem::path& path, const ColourPicture& picture) {
   png_image header{};

@@ -108,9 +108,7 @@ TiffOptions options_with(TIFFErrorHandlerExtR on_error, TiffSource* to) {
   return options;
 }
 
-}  // namespace
-
-Image read_tiff(const std::string& bytes, const std::string& file, const ImageChoice& choice) {
+Image decode_tiff(const std::string& bytes, const std::string& file, const ImageChoice& choice) {
   TiffSource source(bytes_kept(bytes, file));
   const Tiff tiff = open_tiff(source);
   if (!tiff) source.refuse_damaged();
@@ -118,6 +116,10 @@ Image read_tiff(const std::string& bytes, const std::string& file, const ImageCh
   if (TIFFSetDirectory(tiff.get(), static_cast<tdir_t>(slice)) != 1) source.refuse_damaged();
   return read_page(tiff.get(), source, choice);
 }
+
+}  // namespace
+
+const PictureFormat pictures::tiff{.name = "tiff", .sentence = "TIFF", .is = is_tiff, .read = decode_tiff};
 
 void TiffSource::refuse(const std::string& message) const { throw InputError(file(), 0, message); }
 

@@ -11,42 +11,37 @@
 namespace arenite::io {
 namespace {
 
-/// One column of numbers: where it is and its factor to SI.
+/// A column of numbers, which need not be there: its value in a row in SI.
 struct Field {
-  std::optional<std::size_t> index;
+  const Table::Column* column = nullptr;
+  std::size_t at = 0;
   double factor = 1;
-  explicit operator bool() const { return index.has_value(); }
+  Problems* problems = nullptr;
+  explicit operator bool() const { return column != nullptr; }
+  double operator()(const Table::Row& row) const { return number_or_problem(row.cells[at], column->name, factor, row.line, *problems); }
 };
 
 Field find_field(const Table& table, std::initializer_list<std::string_view> names, Dimension dimension, double by_default, Problems& problems) {
-  const auto index = table.find(names);
-  if (!index) return {};
-  const auto& column = table.columns[*index];
-  return {index, factor_or_problem(column.unit, column.name, dimension, by_default, table.header_line, problems)};
+  const auto at = table.find(names);
+  if (!at) return {};
+  const auto& column = table.columns[*at];
+  return {&column, *at, factor_or_problem(column.unit, column.name, dimension, by_default, table.header_line, problems), &problems};
 }
 
-/// Columns of a picture's grains, which `arenite grains` writes in pixels where their width is not given.
-bool in_pixels(const Table& table) {
-  const auto has_px = [](const auto& column) { return column.unit == "px"; };
-  return std::any_of(table.columns.begin(), table.columns.end(), has_px);
-}
+bool is_in_pixels(const Table::Column& column) { return column.unit == "px"; }
 
-/// A length; one in pixels has their width for a factor.
+/// A length; one in pixels, as `arenite grains` writes it where their width is not given, has their width for a factor.
 Field find_length(const Table& table, std::initializer_list<std::string_view> names, const SampleOptions& options, Problems& problems) {
-  if (const Field field{table.find(names), options.pixel}; field && table.columns[*field.index].unit == "px") return field;
+  if (const auto at = table.find(names); at && is_in_pixels(table.columns[*at])) return {&table.columns[*at], *at, options.pixel, &problems};
   return find_field(table, names, dimension::length, options.length(), problems);
 }
 
-double number(const Table& table, const Table::Row& row, const Field& field, Problems& problems) {
-  return number_or_problem(row.cells[*field.index], table.columns[*field.index].name, field.factor, row.line, problems);
-}
-
 /// Says so where SI was assumed, since a factor of 1000 is easily overlooked.
-void note_assumed_unit(const Table& table, const Field& field, bool chosen, const char* what, const char* si, const char* option,
+void note_assumed_unit(const Table& table, const char* column, bool chosen, const char* what, const char* si, const char* option,
                        std::vector<std::string>& notes) {
-  if (field && !chosen && table.columns[*field.index].unit.empty())
-    notes.push_back(fmt::format("The file names no unit of {}, so {} was taken; {} or a header such as \"{} [...]\" says otherwise.", what, si, option,
-                                table.columns[*field.index].name));
+  if (const auto at = table.find({column}); at && !chosen && table.columns[*at].unit.empty())
+    notes.push_back(
+        fmt::format("The file names no unit of {}, so {} was taken; {} or a header such as \"{} [...]\" says otherwise.", what, si, option, column));
 }
 
 void require(const Table& table, bool found, const char* column, const char* kind, Problems& problems) {
@@ -78,34 +73,14 @@ RawGrains read_grains_csv(std::string_view text, const SampleOptions& options, P
   const Table table = read_table(text, options.grain_columns, problems);
   RawGrains grains;
   if (table.columns.empty()) return grains;
-  if (in_pixels(table) && options.pixel == 0) {
+  if (std::ranges::any_of(table.columns, is_in_pixels) && options.pixel == 0) {
     problems.add(table.header_line,
                  "lengths are in pixels (px), whose width on the sample is not known; give it to `arenite measure` by --pixel, "
                  "for example --pixel \"1.6 mm\", or to `arenite grains`, which then writes the table in mm");
     return grains;
   }
-  const auto id = table.find({"id", "grain"});
-  const Field x = find_length(table, {"x"}, options, problems);
-  const Field y = find_length(table, {"y"}, options, problems);
-  const Field radius = find_length(table, {"radius", "r"}, options, problems);
-  const Field diameter = find_length(table, {"diameter", "d"}, options, problems);
-  const auto material = table.find({"material"}), zone = table.find({"zone"});
-  constexpr const char* kind = "grains need id, x, y, radius and may have material, zone";
-  require(table, x.index.has_value(), "x", kind, problems);
-  require(table, y.index.has_value(), "y", kind, problems);
-  require(table, radius || diameter, "radius", kind, problems);
-  if (!x || !y || (!radius && !diameter)) return grains;
-  note_assumed_unit(table, x, options.length_unit.has_value(), "length", "m", "--length-unit", grains.notes);
-  for (const auto& row : table.rows) {
-    RawGrain grain;
-    grain.line = row.line;
-    grain.id = id ? integer_or_problem(row.cells[*id], "id", row.line, problems) : static_cast<std::int64_t>(grains.rows.size());
-    grain.centre = {number(table, row, x, problems), number(table, row, y, problems)};
-    grain.radius = radius ? number(table, row, radius, problems) : 0.5 * number(table, row, diameter, problems);
-    if (material) grain.material = row.cells[*material];
-    if (zone) grain.zone = integer_or_problem(row.cells[*zone], "zone", row.line, problems);
-    grains.rows.push_back(std::move(grain));
-  }
+  grains = grains_in(table, "grains need id, x, y, radius and may have material, zone", options, problems);
+  note_assumed_unit(table, "x", options.length_unit.has_value(), "length", "m", "--length-unit", grains.notes);
   return grains;
 }
 
@@ -127,7 +102,7 @@ RawContacts read_contacts_csv(std::string_view text, const RawGrains&, const Sam
   require(table, fn || vector, "fn", kind, problems);
   if (nx && !ny) problems.add(table.header_line, "there is a column nx but no ny; give both or neither");
   if (!i || !j || (!fn && !vector)) return contacts;
-  note_assumed_unit(table, fn ? fn : fx, options.force_unit.has_value(), "force", "N", "--force-unit", contacts.notes);
+  note_assumed_unit(table, fn ? "fn" : "fx", options.force_unit.has_value(), "force", "N", "--force-unit", contacts.notes);
   for (const auto& row : table.rows) {
     RawContact contact;
     contact.line = row.line;
@@ -135,12 +110,12 @@ RawContacts read_contacts_csv(std::string_view text, const RawGrains&, const Sam
     if (const auto wall = wall_by_name(row.cells[*j])) contact.wall = *wall;
     else contact.j = integer_or_problem(row.cells[*j], "j", row.line, problems);
     if (vector) {
-      contact.force_on_j = Vec2{number(table, row, fx, problems), number(table, row, fy, problems)};
+      contact.force_on_j = Vec2{fx(row), fy(row)};
     } else {
-      contact.fn = number(table, row, fn, problems);
-      if (ft) contact.ft = number(table, row, ft, problems);
+      contact.fn = fn(row);
+      if (ft) contact.ft = ft(row);
     }
-    if (nx && ny) contact.normal = Vec2{number(table, row, nx, problems), number(table, row, ny, problems)};
+    if (nx && ny) contact.normal = Vec2{nx(row), ny(row)};
     contacts.rows.push_back(std::move(contact));
   }
   return contacts;
@@ -150,7 +125,35 @@ RawContacts read_contacts_csv(std::string_view text, const RawGrains&, const Sam
 
 /// Grains from a table with columns id, x, y, radius (or diameter) and perhaps material and zone; units in the header win over those of the options.
 /// Contacts from one with columns i, j and fn, ft (or fx, fy: the force on j) and perhaps nx, ny; j may name a wall: left, right, bottom, top.
-const SampleFormat csv_sample{"csv", [](std::string_view) { return true; }, [](std::string_view) { return true; }, read_grains_csv, read_contacts_csv};
+const SampleFormat samples::csv{.name = "csv",
+                                .grains_are = "table id,x,y,radius[,material,zone]",
+                                .contacts_are = "table i,j,fn,ft[,nx,ny] or i,j,fx,fy (force on j is fn n + ft t, n from i to j)",
+                                .is_grains = [](std::string_view) { return true; },
+                                .is_contacts = [](std::string_view) { return true; },
+                                .grains = read_grains_csv,
+                                .contacts = read_contacts_csv};
+
+RawGrains grains_in(const Table& table, const char* needed, const SampleOptions& options, Problems& problems) {
+  RawGrains grains;
+  const auto id = table.find({"id", "grain"}), material = table.find({"material"}), zone = table.find({"zone"});
+  const Field x = find_length(table, {"x"}, options, problems), y = find_length(table, {"y"}, options, problems);
+  const Field radius = find_length(table, {"radius", "r"}, options, problems), diameter = find_length(table, {"diameter", "d"}, options, problems);
+  require(table, bool(x), "x", needed, problems);
+  require(table, bool(y), "y", needed, problems);
+  require(table, radius || diameter, "radius", needed, problems);
+  if (!x || !y || (!radius && !diameter)) return grains;
+  for (const auto& row : table.rows) {
+    RawGrain grain;
+    grain.line = row.line;
+    grain.id = id ? integer_or_problem(row.cells[*id], "id", row.line, problems) : static_cast<std::int64_t>(grains.rows.size());
+    grain.centre = {x(row), y(row)};
+    grain.radius = radius ? radius(row) : 0.5 * diameter(row);
+    if (material) grain.material = row.cells[*material];
+    if (zone) grain.zone = integer_or_problem(row.cells[*zone], "zone", row.line, problems);
+    grains.rows.push_back(std::move(grain));
+  }
+  return grains;
+}
 
 Grains read_placed_grains(const std::filesystem::path& path, const Materials& materials, const Domain& domain) {
   Problems problems(path.string());

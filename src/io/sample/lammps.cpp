@@ -42,13 +42,11 @@ void name_columns(Table& table, const std::vector<std::string_view>& names) {
   table.columns = mapped(names, [](std::string_view name) { return Table::Column{std::string(name), {}, {}}; });
 }
 
-/// Rows with as many cells as columns; the others are problems.
-template <class Use> void for_each_row(const Table& table, Problems& problems, Use use) {
-  for (const auto& [line, cells] : table.rows) {
+/// Rows that have not as many cells as there are columns are problems.
+void check_rows(const Table& table, Problems& problems) {
+  for (const auto& [line, cells] : table.rows)
     if (cells.size() != table.columns.size())
       problems.add(line, fmt::format("this row has {} values, but there are {} columns; the dump is cut off or damaged", cells.size(), table.columns.size()));
-    else use(line, cells);
-  }
 }
 
 void check_count(std::vector<Item>& items, const Table& table, std::string_view title, Problems& problems) {
@@ -127,30 +125,23 @@ RawGrains read_lammps_atoms(std::string_view text, const SampleOptions& options,
   check_count(items, atoms, "NUMBER OF ATOMS", problems);
   read_box(items, options.length(), grains, problems);
   name_columns(atoms, split_blanks(item->title.substr(5)));
-  const auto column = [&](std::initializer_list<std::string_view> names) {
-    const auto found = atoms.find(names);
-    if (!found) problems.add(atoms.header_line, fmt::format("there is no column \"{}\"; dump id type x y radius", *names.begin()));
-    return found.value_or(0);
-  };
-  const std::size_t id = column({"id"}), x = column({"x", "xu", "xs"}), y = column({"y", "yu", "ys"}), r = column({"radius", "diameter"});
-  const auto type = atoms.find({"type"});
-  if (problems.any()) return grains;
-  const bool scaled = atoms.columns[x].name == "xs";
-  const double half = atoms.columns[r].name == "diameter" ? 0.5 : 1.0;
-  for_each_row(atoms, problems, [&](int line, const auto& cells) {
-    const auto length = [&](std::size_t c, double unit) { return number_or_problem(cells[c], atoms.columns[c].name, unit, line, problems); };
-    RawGrain g;
-    g.line = line;
-    g.id = integer_or_problem(cells[id], "id", line, problems);
-    g.centre = {length(x, scaled ? 1 : options.length()), length(y, scaled ? 1 : options.length())};
-    if (scaled) {
-      const Vec2 size = grains.cell.size();
-      g.centre = grains.cell.corner() + Vec2{g.centre.x * size.x + g.centre.y * grains.cell.tilt, g.centre.y * size.y};
-    }
-    g.radius = half * length(r, options.length());
-    if (type) g.material = cells[*type];
-    grains.rows.push_back(std::move(g));
-  });
+  check_rows(atoms, problems);
+  const auto is_there = [&](const char* name) { return atoms.find({name}).has_value(); };
+  const bool scaled = !is_there("x") && !is_there("xu") && is_there("xs");
+  const std::pair<const char*, std::optional<std::size_t>> wanted[] = {
+      {"id", atoms.find({"id"})},         {"x", atoms.find({"x", "xu", "xs"})},   {"y", atoms.find({"y", "yu", "ys"})},
+      {"radius", atoms.find({"radius"})}, {"diameter", atoms.find({"diameter"})}, {"material", atoms.find({"type"})}};
+  name_columns(atoms, std::vector<std::string_view>(atoms.columns.size()));
+  for (const auto& [name, at] : wanted)
+    if (at) atoms.columns[*at] = {name, scaled && *name != 'r' && *name != 'd' ? "m" : "", {}};
+  constexpr const char* needed = "dump id type x y radius";
+  if (!is_there("id")) problems.add(atoms.header_line, "there is no column \"id\"; {}", needed);
+  if (problems.any()) atoms.rows.clear();
+  RawGrains read = grains_in(atoms, needed, options, problems);
+  if (scaled)
+    for (RawGrain& g : read.rows)
+      g.centre = grains.cell.corner() + Vec2{g.centre.x * grains.cell.size().x + g.centre.y * grains.cell.tilt, g.centre.y * grains.cell.size().y};
+  grains.rows = std::move(read.rows);
   return grains;
 }
 
@@ -177,15 +168,19 @@ RawContacts read_lammps_pairs(std::string_view text, const RawGrains& grains, co
     problems.add(entries.header_line, missing_columns(titles));
     return contacts;
   }
-  for_each_row(entries, problems, [&](int line, const auto& cells) {
-    const auto force = [&](std::size_t c) { return number_or_problem(cells[c], entries.columns[c].name, options.force(), line, problems); };
+  check_rows(entries, problems);
+  if (problems.any()) return contacts;
+  for (const auto& [line, cells] : entries.rows) {
+    const auto force = [&, at = line, &row = cells](std::size_t c) {
+      return number_or_problem(row[c], entries.columns[c].name, options.force(), at, problems);
+    };
     RawContact c;
     c.line = line;
     c.i = integer_or_problem(cells[*i], "patom1", line, problems);
     c.j = integer_or_problem(cells[*j], "patom2", line, problems);
     c.force_on_j = -Vec2{force(*fx) + (whole ? 0 : force(*px)), force(*fy) + (whole ? 0 : force(*py))};
     contacts.rows.push_back(c);
-  });
+  }
   return contacts;
 }
 
@@ -195,6 +190,12 @@ RawContacts read_lammps_pairs(std::string_view text, const RawGrains& grains, co
 /// and tilt; and that of a `dump local` of `property/local patom1 patom2` and `pair/local fx fy [fz] p1 p2 [p3]` of a granular pair style: (fx, fy) is
 /// the normal and (p1, p2) the tangential force, both on atom 1. Its columns are known by these names, or by `contact_columns`, or where LAMMPS names
 /// them c_ID[n], by what they hold or by this order.
-const SampleFormat lammps_sample{"lammps", is_dump, is_dump, read_lammps_atoms, read_lammps_pairs};
+const SampleFormat samples::lammps{.name = "lammps",
+                                   .grains_are = "LAMMPS dump custom of id type x y radius",
+                                   .contacts_are = "LAMMPS dump local of property/local patom1 patom2 and pair/local fx fy p1 p2",
+                                   .is_grains = is_dump,
+                                   .is_contacts = is_dump,
+                                   .grains = read_lammps_atoms,
+                                   .contacts = read_lammps_pairs};
 
 }  // namespace arenite::io

@@ -16,7 +16,6 @@ bool all_numbers(std::string_view line, std::size_t count) {
 
 void read_header(const std::vector<std::string_view>& cells, int line, double length, RawGrains& grains, Problems& problems) {
   const auto bound = [&](std::size_t c) { return number_or_problem(cells[c], "box bound", length, line, problems); };
-  grains.rows.clear();
   const Vec2 low{bound(2), bound(3)}, high{bound(4), bound(5)};
   grains.lay_box(low, high);
   grains.has_box = high.x > low.x && high.y > low.y;
@@ -24,41 +23,36 @@ void read_header(const std::vector<std::string_view>& cells, int line, double le
 
 RawGrains read_mercury_data(std::string_view text, const SampleOptions& options, Problems& problems) {
   RawGrains grains;
+  Table table;
+  for (const char* name : {"x", "y", "", "", "radius", "", "", "material"}) table.columns.push_back({name, {}, {}});
   Lines lines(text);
   std::string_view line;
-  std::int64_t expected = 0, header_line = 0;
+  std::int64_t expected = 0, found = 0;
   while (lines.next(line)) {
-    const auto cells = split_blanks(line);
+    auto cells = split_blanks(line);
     if (cells.empty()) continue;
     const int at = lines.number();
-    if (static_cast<std::int64_t>(grains.rows.size()) == expected) {
+    if (found == expected) {
       const auto count = to_integer(cells.front());
       if (cells.size() != 6 || !count || *count < 0) {
-        problems.add(at, fmt::format("expected \"N time xmin ymin xmax ymax\" of a plane simulation, found {} values; write the "
-                                     "file with system dimension 2",
-                                     cells.size()));
+        problems.add(at, "expected \"N time xmin ymin xmax ymax\" of a plane simulation, found {} values; write the file with system dimension 2",
+                     cells.size());
         return grains;
       }
       expected = *count;
-      header_line = at;
+      found = 0;
+      table.header_line = at;
+      table.rows.clear();
       read_header(cells, at, options.length(), grains, problems);
       continue;
     }
-    RawGrain g;
-    g.line = at;
-    g.id = static_cast<std::int64_t>(grains.rows.size());
-    if (cells.size() != 8) {
-      problems.add(at, fmt::format("expected 8 values \"x y vx vy radius angle omega info\", found {}", cells.size()));
-    } else {
-      g.centre = {number_or_problem(cells[0], "x", options.length(), at, problems), number_or_problem(cells[1], "y", options.length(), at, problems)};
-      g.radius = number_or_problem(cells[4], "radius", options.length(), at, problems);
-      g.material = cells[7];
-    }
-    grains.rows.push_back(std::move(g));
+    ++found;
+    if (cells.size() == table.columns.size()) table.rows.push_back({at, std::move(cells)});
+    else problems.add(at, "expected 8 values \"x y vx vy radius angle omega info\", found {}", cells.size());
   }
-  if (header_line == 0) problems.add("the file is empty; give a .data file with at least one time step");
-  if (static_cast<std::int64_t>(grains.rows.size()) < expected)
-    problems.add(static_cast<int>(header_line), fmt::format("{} grains are announced, but {} follow; the file is cut off", expected, grains.rows.size()));
+  if (table.header_line == 0) problems.add("the file is empty; give a .data file with at least one time step");
+  if (found < expected) problems.add(table.header_line, "{} grains are announced, but {} follow; the file is cut off", expected, found);
+  grains.rows = grains_in(table, "", options, problems).rows;
   return grains;
 }
 
@@ -111,7 +105,12 @@ RawContacts read_mercury_fstat(std::string_view text, const RawGrains&, const Sa
 /// The last time step of a MercuryDPM .data file of a plane simulation: a line "N time xmin ymin xmax ymax", then N lines "x y vx vy radius angle
 /// omega info"; info is the species. Grains are numbered from 0 in their order. And that of a .fstat file: lines "time i j x y z overlap
 /// tangential_overlap fn ft nx ny nz tx ty tz", n pointing to grain i; j < 0 is a wall. Contacts of two grains are listed once for each of them.
-const SampleFormat mercury_sample{"mercury", [](std::string_view line) { return all_numbers(line, 6); },
-                                  [](std::string_view line) { return line.starts_with('#') || all_numbers(line, 16); }, read_mercury_data, read_mercury_fstat};
+const SampleFormat samples::mercury{.name = "mercury",
+                                    .grains_are = "MercuryDPM .data of a plane system",
+                                    .contacts_are = "MercuryDPM .fstat",
+                                    .is_grains = [](std::string_view line) { return all_numbers(line, 6); },
+                                    .is_contacts = [](std::string_view line) { return line.starts_with('#') || all_numbers(line, 16); },
+                                    .grains = read_mercury_data,
+                                    .contacts = read_mercury_fstat};
 
 }  // namespace arenite::io

@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "core/mapped.hpp"
 #include "core/problems.hpp"
 #include "io/disk/file.hpp"
 #include "io/table/table.hpp"
@@ -18,13 +17,10 @@ std::string_view first_line(std::string_view text) {
   return {};
 }
 
-/// In the order in which they are tried.
-constexpr const SampleFormat* formats[] = {&lammps_sample, &yade_sample, &mercury_sample, &csv_sample};
-
 const SampleFormat& format_of(std::string_view grains, const SampleOptions& options) {
-  for (const SampleFormat* format : formats)
-    if (options.format == "auto" ? options.grain_columns.empty() && format->is_grains(first_line(grains)) : options.format == format->name) return *format;
-  return csv_sample;
+  if (const SampleFormat* named = format_named(samples::all, options.format)) return *named;
+  if (!options.grain_columns.empty()) return samples::csv;
+  return *first_format(samples::all, [&](const SampleFormat& format) { return format.is_grains(first_line(grains)); });  // what is no other is a table
 }
 
 /// Image rows point down; from here on y points up.
@@ -62,10 +58,6 @@ std::string read_text(const std::filesystem::path& path) {
 
 }  // namespace
 
-std::vector<std::string> sample_formats() {
-  return mapped<std::string>(formats, [](const SampleFormat* format) { return format->name; });
-}
-
 Sample read_sample(const std::filesystem::path& grains_path, const std::filesystem::path& contacts_path, const SampleOptions& options) {
   const std::string grains_text = read_text(grains_path), contacts_text = contacts_path.empty() ? std::string() : read_text(contacts_path);
   Problems grain_problems(grains_path.string()), contact_problems(contacts_path.string());
@@ -76,7 +68,7 @@ Sample read_sample(const std::filesystem::path& grains_path, const std::filesyst
   if (!grain_problems.any()) apply_box(options, grains, grain_problems);
   const bool own = format.is_contacts(first_line(contacts_text)) || options.format == format.name;
   RawContacts contacts;
-  if (!contacts_path.empty()) contacts = (own ? format : csv_sample).contacts(contacts_text, grains, options, contact_problems);
+  if (!contacts_path.empty()) contacts = (own ? format : samples::csv).contacts(contacts_text, grains, options, contact_problems);
   if (options.y_down) turn_rows_up(contacts);
 
   Sample sample;

@@ -8,13 +8,15 @@
 #include <vector>
 
 #include "core/problems.hpp"
+#include "io/formats.hpp"
+#include "io/table/table.hpp"
 #include "model/packing.hpp"
 
 namespace arenite::io {
 
 /// What the files of a sample do not say themselves. SI.
 struct SampleOptions {
-  std::string format = "auto";                    ///< name of a format (sample_formats), or "auto": by content
+  std::string format = "auto";                    ///< name of a format (samples::all), or "auto": by content
   std::string grain_columns, contact_columns;     ///< for files without header: "id,x,y,-,radius"
   std::optional<double> length_unit, force_unit;  ///< factors to SI of columns without unit; else SI is taken, with a note
   double pixel = 0;                               ///< m, width of a pixel on the sample, for tables in pixels; 0: not known
@@ -37,9 +39,6 @@ struct Sample {
   std::size_t doubled_rows = 0;  ///< rows merged into earlier ones
   std::vector<std::string> notes;
 };
-
-/// Names of the formats that can be read, for help texts: "csv", "lammps", "yade", "mercury".
-std::vector<std::string> sample_formats();
 
 /// Reads and checks both files; without a name of contacts there are none. Throws InputError with every problem found, up to 20 a file.
 Sample read_sample(const std::filesystem::path& grains, const std::filesystem::path& contacts, const SampleOptions& options);
@@ -111,16 +110,22 @@ void assemble(const RawGrains& grains, const RawContacts& contacts, const Sample
 /// columns id and material, for grains whose file has no material.
 void assign_materials(const RawGrains& raw, const std::optional<std::filesystem::path>& file, Packing& packing, Problems& problems);
 
-/// A program's files: how they are recognised by their first line that is not empty, and read; what is wrong goes to the problems. Contacts of every
-/// format are also accepted as a table, since many codes have no format of their own for them.
+/// A program's files: what they are, how they are recognised by their first line that is not empty, and read; what is wrong goes to the problems.
+/// Contacts of every format are also accepted as a table, since many codes have no format of their own for them.
 struct SampleFormat {
-  const char* name;
+  std::string_view name, grains_are, contacts_are;
   bool (*is_grains)(std::string_view first_line);
   bool (*is_contacts)(std::string_view first_line);
   RawGrains (*grains)(std::string_view text, const SampleOptions& options, Problems& problems);
   RawContacts (*contacts)(std::string_view text, const RawGrains& grains, const SampleOptions& options, Problems& problems);
 };
-extern const SampleFormat lammps_sample, yade_sample, mercury_sample, csv_sample;
+namespace samples {
+ARENITE_FAMILY(SampleFormat, ARENITE_SAMPLE_FORMATS)
+}
+
+/// The rows of a table with columns x, y, radius (or diameter) and perhaps id, material and zone; without ids grains are numbered from 0. `needed` goes
+/// on in the problem of a column that lacks. A column's own unit wins over that of the options.
+RawGrains grains_in(const Table& table, const char* needed, const SampleOptions& options, Problems& problems);
 
 /// Places of the columns that a file of contacts needs.
 struct PairColumns {

@@ -215,7 +215,12 @@ RawContacts read_yade_interactions(std::string_view text, const RawGrains& grain
 /// by VTKExporter.exportInteractions with what = {'normalForce': 'i.phys.normalForce', 'shearForce': 'i.phys.shearForce'}: both centres of every
 /// interaction and the force on the second body. The file has no ids, so ends are matched with the centres of the grains; an end that is no grain's
 /// centre is a wall.
-const SampleFormat yade_sample{"yade", [](std::string_view line) { return line.starts_with("#format"); },
-                               [](std::string_view line) { return line.starts_with("# vtk DataFile"); }, read_yade_spheres, read_yade_interactions};
+const SampleFormat samples::yade{.name = "yade",
+                                 .grains_are = "YADE export.textExt",
+                                 .contacts_are = "YADE VTKExporter.exportInteractions of normalForce and shearForce",
+                                 .is_grains = [](std::string_view line) { return line.starts_with("#format"); },
+                                 .is_contacts = [](std::string_view line) { return line.starts_with("# vtk DataFile"); },
+                                 .grains = read_yade_spheres,
+                                 .contacts = read_yade_interactions};
 
 }  // namespace arenite::io

@@ -14,8 +14,7 @@ namespace {
 using namespace arenite;
 
 const io::ExportFormat& format(const std::string& name) {
-  for (const auto& each : io::export_formats())
-    if (name == each.name) return each;
+  if (const auto* known = io::format_named(io::exports::all, name)) return *known;
   throw std::logic_error(name);
 }
 

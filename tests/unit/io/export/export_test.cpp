@@ -47,9 +47,9 @@ TEST(ExportFrame, ContactTypesNumberThePairsOfMaterialsWhateverTheirOrder) {
 TEST(ExportFrame, LammpsBoundsOfATiltedCellEncloseIt) {
   Frame frame;
   frame.packing = sheared_pair();
-  const auto dump = io::lammps_frame({0, "shear", &frame, {}}).front().bytes;
+  const auto dump = io::exports::lammps.of_frame({0, "shear", &frame, {}}).front().bytes;
   EXPECT_NE(dump.find("ITEM: BOX BOUNDS xy xz yz pp pp pp\n0 13 3\n0 8 0\n"), std::string::npos) << dump;
-  const auto xyz = io::extxyz_frame({0, "shear", &frame, {}}).front().bytes;
+  const auto xyz = io::exports::extxyz.of_frame({0, "shear", &frame, {}}).front().bytes;
   EXPECT_NE(xyz.find("Lattice=\"10 0 0 3 8 0 0 0 1\""), std::string::npos) << xyz;
   EXPECT_NE(xyz.find("pbc=\"T T F\""), std::string::npos) << xyz;
 }
@@ -57,7 +57,8 @@ TEST(ExportFrame, LammpsBoundsOfATiltedCellEncloseIt) {
 TEST(ExportFrame, EveryFormatTakesASampleWithoutContactsOrGrains) {
   Frame frame;
   frame.packing.materials = {{"A", 1, 1, 0}};
-  for (const auto& format : io::export_formats()) {
+  for (const auto* known : io::exports::all) {
+    const io::ExportFormat& format = *known;
     std::set<std::string> names;
     io::ExportFrame one{0, "", &frame, {}};
     if (format.wants_grid) one.grid = {0, 0, 1, 1, 1, 1, {}, {{0, 0}}, {0}, {0}, {0}};
@@ -72,22 +73,22 @@ TEST(ExportFrame, EveryFormatTakesASampleWithoutContactsOrGrains) {
 TEST(ExportFrame, FieldsAreAnImageOfTheBoxWithVectorsAndTensors) {
   io::ExportFrame one;
   one.number = 7;
-  EXPECT_TRUE(io::fields_frame(one).empty());
+  EXPECT_TRUE(io::exports::fields.of_frame(one).empty());
   one.grid = {1, 2, 0.5, 0.25, 2, 1, {{"density", "kg/m^3", {3, 4}}}, {{1, 0}, {2, 0}}, {-1, -1}, {-2, -2}, {0.5, 0.5}};
-  const auto files = io::fields_frame(one);
+  const auto files = io::exports::fields.of_frame(one);
   ASSERT_EQ(files.size(), 1u);
   EXPECT_EQ(files[0].name, "fields_0007.vti");
   for (const char* part : {"WholeExtent=\"0 1 0 0 0 0\" Origin=\"1.25 2.125 0\" Spacing=\"0.5 0.25 0.5\"", "Name=\"density\" NumberOfComponents=\"1\"",
                            "Name=\"velocity\" NumberOfComponents=\"3\"", "Name=\"stress\" NumberOfComponents=\"6\""})
     EXPECT_NE(files[0].bytes.find(part), std::string::npos) << part;
-  EXPECT_NE(io::fields_index({0, 0.5}).front().bytes.find("timestep=\"0.5\" part=\"0\" file=\"fields_0001.vti\""), std::string::npos);
+  EXPECT_NE(io::exports::fields.index({0, 0.5}).front().bytes.find("timestep=\"0.5\" part=\"0\" file=\"fields_0001.vti\""), std::string::npos);
 }
 
 TEST(ExportFrame, UnknownNumbersAreEmptyCellsAndNamesWithCommasAreQuotedInTables) {
   Frame frame;
   frame.packing = test::row_of_grains(2);
   frame.packing.materials[0].name = "POM, \"black\"";
-  const auto files = io::csv_frame({3, "load", &frame, {{"sigma_norm", "1", {0.5, std::nan("")}}}});
+  const auto files = io::exports::csv.of_frame({3, "load", &frame, {{"sigma_norm", "1", {0.5, std::nan("")}}}});
   ASSERT_EQ(files.size(), 2u);
   EXPECT_EQ(files[0].name, "grains_0003.csv");
   EXPECT_TRUE(files[0].bytes.starts_with("id,x [m],y [m],radius [m],material,zone,angle [rad],vx [m/s],vy [m/s],omega [rad/s],sigma_norm\n")) << files[0].bytes;

@@ -41,7 +41,7 @@ TEST(JpegImage, ReadsGreyAndTheChannelsOfColourRowByRowFromTheTop) {
 
 TEST(JpegImage, IsNoPhaseMap) {
   EXPECT_EQ(complaint([] { decode(jpeg(8, 8, 1, slopes(8, 8, 1)), io::Channel::none); }),
-            "a.jpg: is a JPEG picture, which blurs values across edges; save the phases as PNG or TIFF");
+            "a.jpg: is a JPEG picture, which blurs values across edges; save the phases as one of PNG, TIFF, HDF5");
 }
 
 TEST(JpegImage, RefusesAFileCutShortAtAnyByte) {

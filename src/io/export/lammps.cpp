@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "core/mapped.hpp"
 #include "io/export/export.hpp"
 #include "io/results/groups.hpp"
 
@@ -68,39 +67,11 @@ std::string contact_dump(const ExportFrame& from) {
   return text + '\n' + rows;
 }
 
-/// A word: what would break a line or a quoted value becomes "_".
-std::string word(std::string text) {
-  for (char& c : text)
-    if (c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '"' || c == '=' || c == ':') c = '_';
-  return text.empty() ? "_" : text;
-}
-
-std::string comment_line(const ExportFrame& from) {
-  const Domain& d = from.frame->packing.domain;
-  std::string text = fmt::format("Lattice=\"{} 0 0 {} {} 0 0 0 {}\" Origin=\"{} {} {}\" pbc=\"{} {} F\"", d.width(), d.tilt, d.height(), d.thickness,
-                                 d.wall[left].position, d.wall[bottom].position, -0.5 * d.thickness, d.periodic[0] ? "T" : "F", d.periodic[1] ? "T" : "F");
-  fmt::format_to(Text(text), " Time={} Step={} Stage={} Label=\"{}\" Properties=species:S:1:pos:R:3:radius:R:1:id:I:1:zone:I:1:velo:R:3:angle:R:1:omega:R:1",
-                 from.frame->time, from.frame->step, word(from.stage), word(from.frame->label));
-  for (const auto& field : from.fields) text += ":" + word(field.name) + ":R:1";
-  return text;
-}
+std::vector<NamedBytes> lammps_frame(const ExportFrame& frame) { return {{"grains.dump", grain_dump(frame)}, {"contacts.dump", contact_dump(frame)}}; }
 
 }  // namespace
 
-std::vector<NamedBytes> lammps_frame(const ExportFrame& frame) { return {{"grains.dump", grain_dump(frame)}, {"contacts.dump", contact_dump(frame)}}; }
-
-std::vector<NamedBytes> extxyz_frame(const ExportFrame& from) {
-  const Packing& packing = from.frame->packing;
-  const Grains& g = packing.grains;
-  const auto species = mapped(packing.materials, [](const Material& material) { return word(material.name); });
-  std::string text = fmt::format("{}\n{}\n", g.size(), comment_line(from));
-  for (std::size_t i = 0; i < g.size(); ++i) {
-    fmt::format_to(Text(text), "{} {} {} 0 {} {} {} {} {} 0 {} {}", species[static_cast<std::size_t>(g.material[i])], g.position[i].x, g.position[i].y,
-                   g.radius[i], g.id[i], int{g.zone[i]}, g.velocity[i].x, g.velocity[i].y, g.angle[i], g.omega[i]);
-    for (const auto& field : from.fields) fmt::format_to(Text(text), " {}", field.values[i]);
-    text += '\n';
-  }
-  return {{"grains.extxyz", text}};
-}
+const ExportFormat exports::lammps{
+    .name = "lammps", .sentence = "OVITO and LAMMPS tools: dump custom of grains, dump local of contacts", .of_frame = lammps_frame};
 
 }  // namespace arenite::io

@@ -1,0 +1,51 @@
+#pragma once
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <iterator>
+#include <string>
+#include <string_view>
+#include <vector>
+
+// All file formats that are read or written, but for our own (io/results): a word a format, in the order in which a file is tried. Each is one file
+// of its name in its family's folder (film, image, sample, export), which ends with its record: name, sentence, how a file is recognised, what reads
+// and writes it. Choices by name, ending and content, messages, help texts, docs/formats.md and fuzz targets follow from these lists.
+#define ARENITE_FILM_FORMATS(each) each(tiff) each(npy) each(hdf5) each(sfmov) each(ptw) each(hcc) each(raw) each(text)
+#define ARENITE_PICTURE_FORMATS(each) each(png) each(tiff) each(jpeg) each(hdf5)
+#define ARENITE_SAMPLE_FORMATS(each) each(lammps) each(yade) each(mercury) each(csv)
+#define ARENITE_EXPORT_FORMATS(each) each(vtk) each(fields) each(lammps) each(extxyz) each(netcdf) each(csv)
+
+/// Declares the records of a family, and `all` of them in the order of its list.
+#define ARENITE_FORMAT_DECLARED(name) extern const Known name;
+#define ARENITE_FORMAT_ADDRESS(name) &name,
+#define ARENITE_FAMILY(Record, formats) \
+  using Known = Record;                 \
+  formats(ARENITE_FORMAT_DECLARED) inline constexpr const Known* all[] = {formats(ARENITE_FORMAT_ADDRESS)};
+
+namespace arenite::io {
+
+/// The first format of a family for which something holds, or null.
+template <class Family, class Fits> auto first_format(const Family& all, Fits fits) {
+  const auto found = std::find_if(std::begin(all), std::end(all), [&](const auto* format) { return fits(*format); });
+  return found != std::end(all) ? *found : nullptr;
+}
+template <class Family> auto format_named(const Family& all, std::string_view name) {
+  return first_format(all, [&](const auto& format) { return format.name == name; });
+}
+template <class Family> auto format_ending(const Family& all, const std::filesystem::path& path) {
+  const std::string ending = path.extension().string();
+  return first_format(all, [&](const auto& format) { return !ending.empty() && std::ranges::count(format.endings, ending) > 0; });
+}
+
+/// Names or sentences of all formats of a family, or of those that fit.
+template <class Family, class Word, class Fits> std::vector<std::string> words_of(const Family& all, Word word, Fits fits) {
+  std::vector<std::string> words;
+  for (const auto* format : all)
+    if (fits(*format)) words.emplace_back(std::invoke(word, *format));
+  return words;
+}
+template <class Family, class Word> std::vector<std::string> words_of(const Family& all, Word word) {
+  return words_of(all, word, [](const auto&) { return true; });
+}
+
+}  // namespace arenite::io
