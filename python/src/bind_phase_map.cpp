@@ -124,7 +124,8 @@ void bind_phase_map(py::module_& m) {
   m.def("read_phase_map", &read_map, py::arg("file"), py::kw_only(), py::arg("dx"), py::arg("labels") = "components", py::arg("smoothing") = 1.0,
         py::arg("phases") = "", py::arg("slice") = py::none(), py::arg("crop") = py::none(), py::arg("dataset") = "", py::arg("label_slice") = py::none(),
         py::arg("label_dataset") = "",
-        "A phase map from a picture (PNG, TIFF, HDF5), as `arenite load` reads it. `dx`: side of a pixel (m, or text with a unit). `labels`: grains are "
+        "A phase map from a picture with exact values (docs/formats.md), as `arenite load` reads it. `dx`: side of a pixel (m, or text with a unit). `labels`: "
+        "grains are "
         "\"components\", cut at necks "
         "by \"watershed\" (`smoothing`: depth of a neck that is not cut, pixels), \"none\" (all one), or numbered by the values of a picture. `phases`: which "
         "grey value is what, "

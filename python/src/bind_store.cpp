@@ -4,6 +4,8 @@
 #include <unistd.h>
 
 #include "calls.hpp"
+#include "core/problems.hpp"
+#include "core/text.hpp"
 #include "grains/dem/engine.hpp"
 #include "module.hpp"
 #include "report/page.hpp"
@@ -169,10 +171,11 @@ void bind_store(py::module_& m) {
       "Stores a Result, Stage, Field, FilmResult or Packing as result files in a folder, which `open`, `arenite show`, `arenite export` and "
       "`arenite figures` "
       "read; returns the files. Other results in the folder are moved to earlier/.");
-  m.def("export", &exported, py::arg("result"), py::arg("folder"), py::arg("format") = "vtk", py::kw_only(), py::arg("last") = false,
-        "Writes a result (its folder or file, a Result, Stage, Field, FilmResult or Packing) as `arenite export` does, in one of `export_formats`; "
-        "returns the files. `last`: the "
-        "last state only.");
+  m.def(
+      "export", &exported, py::arg("result"), py::arg("folder"), py::arg("format") = "vtk", py::kw_only(), py::arg("last") = false,
+      "Writes a result (its folder or file, a Result, Stage, Field, FilmResult or Packing) as `arenite export` does, in one of the formats in docs/formats.md; "
+      "returns the files. `last`: the "
+      "last state only.");
   m.def(
       "page",
       [](const py::object& what, const Path& file) {

@@ -37,15 +37,15 @@ template <class Family> auto format_ending(const Family& all, const std::filesys
   return first_format(all, [&](const auto& format) { return !ending.empty() && std::ranges::count(format.endings, ending) > 0; });
 }
 
+struct Any {
+  bool operator()(const auto&) const { return true; }
+};
 /// Names or sentences of all formats of a family, or of those that fit.
-template <class Family, class Word, class Fits> std::vector<std::string> words_of(const Family& all, Word word, Fits fits) {
+template <class Family, class Word, class Fits = Any> std::vector<std::string> words_of(const Family& all, Word word, Fits fits = {}) {
   std::vector<std::string> words;
   for (const auto* format : all)
     if (fits(*format)) words.emplace_back(std::invoke(word, *format));
   return words;
-}
-template <class Family, class Word> std::vector<std::string> words_of(const Family& all, Word word) {
-  return words_of(all, word, [](const auto&) { return true; });
 }
 
 }  // namespace arenite::io

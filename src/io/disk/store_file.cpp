@@ -43,20 +43,18 @@ std::string own_name() {
 
 /// Throws unless `bytes` are one whole file of that kind.
 void check_header(std::string_view bytes, std::string_view kind, const fs::path& path) {
-  const auto refuse = [&path](const std::string& message) { arenite::refuse(path.string(), "{}", message); };
-  const auto damaged = [&path](std::string message) { throw DamagedFile(path.string(), 0, std::move(message)); };
+  const std::string file = path.string();
+  const auto damaged = [&](const std::string& message) { throw DamagedFile(file, 0, message); };
   if (bytes.empty()) damaged(fmt::format("is empty; a {} of Arenite is written by \"arenite run\"", kind));
   const auto head = bytes.substr(0, header_size);
-  if (head.starts_with(hdf5_signature)) refuse(fmt::format("is an HDF5 file of another program, not a {} of Arenite", kind));
+  if (head.starts_with(hdf5_signature)) refuse(file, "is an HDF5 file of another program, not a {} of Arenite", kind);
   const std::string beginning = fmt::format("arenite {} format ", kind);
-  const auto shorter = std::min(head.size(), beginning.size());
-  if (head.substr(0, shorter) != std::string_view(beginning).substr(0, shorter)) {
-    if (head.starts_with("arenite ")) refuse(fmt::format("is another file of Arenite, not a {}; check its name", kind));
-    refuse(fmt::format("is not a {} of Arenite; give a .h5 file written by \"arenite run\"", kind));
+  if (!std::string_view(beginning).starts_with(head.substr(0, beginning.size()))) {
+    if (head.starts_with("arenite ")) refuse(file, "is another file of Arenite, not a {}; check its name", kind);
+    refuse(file, "is not a {} of Arenite; give a .h5 file written by \"arenite run\"", kind);
   }
   const int format = parse_number<int>(after(head, beginning)).value_or(0);
-  if (format > file_format)
-    refuse(fmt::format("was written by a newer Arenite (file format {}, this one reads up to {}); update Arenite", format, file_format));
+  if (format > file_format) refuse(file, "was written by a newer Arenite (file format {}, this one reads up to {}); update Arenite", format, file_format);
   if (after(head, "\nbytes ") != std::to_string(bytes.size()))
     damaged(
         fmt::format("does not have its original length (it has {} bytes): it was truncated or extended; remove it and compute it again with \"arenite run\"",

@@ -50,7 +50,8 @@ std::string title(const std::string& name, const std::string& unit) { return uni
 template <class Real = double, class Declared, class Owner> void add(Columns& to, const Declared& declared, const Owner& owner) {
   for (const auto& c : declared) to.push_back(column(title(c.name, c.unit), [&](std::size_t row) { return static_cast<Real>(c.at(owner, row)); }));
 }
-void add(Columns& to, const std::vector<GrainField>& fields) {
+/// Fields of an export, or columns of a curve.
+template <class Field> void add(Columns& to, const std::vector<Field>& fields) {
   for (const auto& field : fields) to.push_back(column(title(field.name, field.unit), [&](std::size_t row) { return field.values[row]; }));
 }
 
@@ -73,7 +74,7 @@ std::string name_of_other(const Packing& packing, std::size_t k) {
   const Contacts& c = packing.contacts;
   if (c.is_boundary(k)) return packing.domain.boundaries[static_cast<std::size_t>(packing.domain.boundary_of(c.element(k)))].name;
   if (c.is_wall(k)) return side_names[static_cast<std::size_t>(c.wall_side(k))];
-  return std::to_string(packing.grains.id[static_cast<std::size_t>(c.j[k])]);
+  return std::to_string(id_of_j(packing, k));
 }
 
 /// The normal in these tables points from i to j, so it is the opposite of ours; fn and ft stay as they are.
@@ -84,8 +85,7 @@ std::string contact_table(const ExportFrame& from) {
   Contacts opposite;
   opposite.normal = mapped(c.normal, [](Vec2 n) { return Vec2{0 - n.x, 0 - n.y}; });
   const std::span declared(contact_columns);
-  Columns columns{column("i", [&](std::size_t k) { return packing.grains.id[static_cast<std::size_t>(c.i[k])]; }),
-                  column("j", [&](std::size_t k) { return name_of_other(packing, k); })};
+  Columns columns{column("i", [&](std::size_t k) { return id_of_i(packing, k); }), column("j", [&](std::size_t k) { return name_of_other(packing, k); })};
   add(columns, declared.subspan(2, 2), c);  // forces
   add(columns, declared.first(2), opposite);
   columns.push_back(column("type", [&](std::size_t k) { return contact_type(packing, k); }));
@@ -118,7 +118,7 @@ std::string field_grain_table(const ExportField& from) {
 
 std::string curve_table(const History& curve) {
   Columns columns;
-  for (const auto& c : curve.columns) columns.push_back(column(title(c.name, c.unit), [&](std::size_t row) { return c.values[row]; }));
+  add(columns, curve.columns);
   return table_of(columns, curve.columns.front().values.size());
 }
 

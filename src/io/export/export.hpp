@@ -1,8 +1,11 @@
 #pragma once
+#include <algorithm>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/mapped.hpp"
 #include "io/formats.hpp"
 #include "model/result.hpp"
 
@@ -59,13 +62,39 @@ namespace exports {
 ARENITE_FAMILY(ExportFormat, ARENITE_EXPORT_FORMATS)
 }
 
+/// `value` of every contact of a packing, by its place.
+template <class Value> auto by_contact(const Packing& packing, Value value) {
+  std::vector<std::decay_t<decltype(value(std::size_t{}))>> values;
+  for (std::size_t c = 0; c < packing.contacts.size(); ++c) values.push_back(value(c));
+  return values;
+}
+
 /// The contact's kind: -1 with a wall, else the place of the pair of materials in 00, 01, .., 0m, 11, 12, .. .
-int contact_type(const Packing& packing, std::size_t contact);
+inline std::int32_t contact_type(const Packing& packing, std::size_t contact) {
+  if (packing.contacts.is_wall(contact)) return -1;
+  const auto of = [&](std::int32_t grain) { return packing.grains.material[static_cast<std::size_t>(grain)]; };
+  const auto [low, high] = std::minmax({of(packing.contacts.i[contact]), of(packing.contacts.j[contact])});
+  const int kinds = static_cast<int>(packing.materials.size());
+  return low * kinds - low * (low - 1) / 2 + (high - low);
+}
 
 /// The centre of j, or of its periodic image, as seen from i; for a wall the contact point.
-Vec2 far_end(const Packing& packing, std::size_t contact);
+inline Vec2 far_end(const Packing& packing, std::size_t contact) {
+  const auto& contacts = packing.contacts;
+  const Vec2 from = packing.grains.position[static_cast<std::size_t>(contacts.i[contact])];
+  if (contacts.is_wall(contact)) return from + contacts.lever_i(contact);
+  return from + packing.domain.nearest_image(packing.grains.position[static_cast<std::size_t>(contacts.j[contact])] - from);
+}
+
+/// Ids of the grains of a contact; the second is below 0 where it is none.
+inline std::int64_t id_of_i(const Packing& p, std::size_t c) { return p.grains.id[static_cast<std::size_t>(p.contacts.i[c])]; }
+inline std::int64_t id_of_j(const Packing& p, std::size_t c) {
+  return p.contacts.is_wall(c) ? p.contacts.j[c] : p.grains.id[static_cast<std::size_t>(p.contacts.j[c])];
+}
 
 /// The class of the grain at every node of a map; 0 where there is none.
-std::vector<std::uint8_t> class_of_node(const PhaseMap& map);
+inline std::vector<std::uint8_t> class_of_node(const PhaseMap& map) {
+  return mapped(map.grain, [&](std::int32_t g) { return static_cast<std::uint8_t>(g < 0 ? GrainClass::none : map.grain_class[static_cast<std::size_t>(g)]); });
+}
 
 }  // namespace arenite::io

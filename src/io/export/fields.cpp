@@ -15,9 +15,7 @@ std::vector<NamedBytes> fields_frame(const ExportFrame& from) {
   VtkImage image{g.columns, g.rows, g.dx, {}, g.dy, g.left, g.bottom};
   for (const GrainField& field : g.scalars) image.point_arrays.push_back({field.name, field.values});
   image.point_arrays.push_back({"velocity", in_space(g.velocity), 3});
-  std::vector<double> stress;
-  for (std::size_t k = 0; k < g.stress_xx.size(); ++k) stress.insert(stress.end(), {g.stress_xx[k], g.stress_yy[k], 0, g.stress_xy[k], 0, 0});
-  image.point_arrays.push_back({"stress", stress, 6});
+  image.point_arrays.push_back({"stress", symmetric(g.stress_xx, g.stress_yy, g.stress_xy), 6});
   return {{fields_file(from.number), vti_bytes(image)}};
 }
 

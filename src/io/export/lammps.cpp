@@ -54,9 +54,8 @@ std::string contact_dump(const ExportFrame& from) {
   for (std::size_t k = 0; k < c.size(); ++k) {
     if (c.is_wall(k)) continue;
     const Vec2 n = c.normal[k], normal = c.fn[k] * n, tangential = c.ft[k] * perpendicular(n);
-    fmt::format_to(Text(rows), "{} {} {} {} 0 {} {} 0 {} {} {} {}", packing.grains.id[static_cast<std::size_t>(c.i[k])],
-                   packing.grains.id[static_cast<std::size_t>(c.j[k])], normal.x, normal.y, tangential.x, tangential.y, contact_type(packing, k),
-                   c.fn[k] > mean ? 1 : 0, int{c.glued[k]}, c.arm_i[k] + c.arm_j[k]);
+    fmt::format_to(Text(rows), "{} {} {} {} 0 {} {} 0 {} {} {} {}", id_of_i(packing, k), id_of_j(packing, k), normal.x, normal.y, tangential.x, tangential.y,
+                   contact_type(packing, k), c.fn[k] > mean ? 1 : 0, int{c.glued[k]}, c.arm_i[k] + c.arm_j[k]);
     for (const auto& column : contact_columns) fmt::format_to(Text(rows), " {}", column.at(c, k));
     rows += '\n';
     ++count;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 
 #include "core/mapped.hpp"
 #include "core/text.hpp"
@@ -41,7 +42,7 @@ class NetcdfFile {
 
   void variable(const std::string& name, const std::string& dimension, const std::vector<std::string>& values, const About& about) {
     auto texts = mapped(values, [](const auto& value) { return value.c_str(); });
-    const auto type = text_type(), set = put(name, {dimension}, *type, texts.size(), false, texts.data());
+    const auto type = text_type(std::nullopt), set = put(name, {dimension}, *type, texts.size(), false, texts.data());
     attribute(*set, "long_name", about.long_name);
     done(H5DSattach_scale(*set, *scale_.at(dimension), 0));
   }
@@ -52,15 +53,8 @@ class NetcdfFile {
   std::string bytes() const { return bytes_of_file(*file_); }
 
  private:
-  static Hdf5Handle text_type() {
-    auto type = made(H5Tcopy(H5T_C_S1), H5Tclose);
-    done(H5Tset_size(*type, H5T_VARIABLE));
-    done(H5Tset_cset(*type, H5T_CSET_UTF8));
-    return type;
-  }
-
   static void attribute(hid_t owner, const std::string& name, const std::string& text) {
-    const auto type = text_type();
+    const auto type = text_type(std::nullopt);
     const char* pointer = text.c_str();
     write_attribute(owner, name, *type, static_cast<const void*>(&pointer));
   }
@@ -178,21 +172,17 @@ void put_grains(NetcdfFile& file, const Frames& frames) {
 }
 
 void put_contacts(NetcdfFile& file, const Frames& frames) {
-  std::vector<std::int32_t> number, state;
-  std::vector<std::int64_t> i, j;
-  for (std::size_t t = 0; t < frames.size(); ++t) {
-    const Packing& p = frames[t].frame->packing;
-    for (std::size_t c = 0; c < p.contacts.size(); ++c) {
-      number.push_back(static_cast<std::int32_t>(number.size()));
-      state.push_back(static_cast<std::int32_t>(t));
-      i.push_back(p.grains.id[static_cast<std::size_t>(p.contacts.i[c])]);
-      j.push_back(p.contacts.is_wall(c) ? p.contacts.j[c] : p.grains.id[static_cast<std::size_t>(p.contacts.j[c])]);
-    }
-  }
+  std::vector<std::int32_t> state;
+  for (std::size_t t = 0; t < frames.size(); ++t) state.resize(state.size() + frames[t].frame->packing.contacts.size(), static_cast<std::int32_t>(t));
+  std::vector<std::int32_t> number(state.size());
+  std::iota(number.begin(), number.end(), 0);
+  const auto ids = [&](std::int64_t (*id_of)(const Packing&, std::size_t)) {
+    return joined(frames, [&](const ExportFrame& f) { return by_contact(f.frame->packing, [&](std::size_t c) { return id_of(f.frame->packing, c); }); });
+  };
   file.dimension("contact", number, {"1", "contacts of all states, one after the other"});
   file.variable("contact_state", {"contact"}, state, {"1", "index along time of the state that the contact belongs to"});
-  file.variable("contact_i", {"contact"}, i, {"1", "id of the grain"});
-  file.variable("contact_j", {"contact"}, j, {"1", "id of the other grain; walls are -1 left, -2 right, -3 bottom, -4 top"});
+  file.variable("contact_i", {"contact"}, ids(id_of_i), {"1", "id of the grain"});
+  file.variable("contact_j", {"contact"}, ids(id_of_j), {"1", "id of the other grain; walls are -1 left, -2 right, -3 bottom, -4 top"});
   for (const auto& column : contact_columns) file.variable(std::string("contact_") + column.name, {"contact"}, joined(frames, column), {column.unit, ""});
   file.variable("contact_glued", {"contact"}, joined(frames, &Contacts::glued), {"1", "1 where adhesion acts"});
 }

@@ -12,18 +12,15 @@
 namespace arenite::io {
 namespace {
 
-/// The components of `what` as one tensor of nine, row by row; nothing where they are not there.
+/// The stress of every grain as one tensor of nine, row by row; nothing where a component is not there.
 std::vector<double> stress_of(const ExportFrame& from) {
-  const auto of = [&](const char* name) {
+  constexpr std::pair<const char*, std::size_t> components[] = {{"sigma_xx", 0}, {"sigma_xy", 1}, {"sigma_yx", 3}, {"sigma_yy", 4}};
+  std::vector<double> tensor;
+  for (const auto& [name, place] : components) {
     const auto at = std::ranges::find(from.fields, name, &GrainField::name);
-    return at == from.fields.end() ? nullptr : &at->values;
-  };
-  const auto *xx = of("sigma_xx"), *xy = of("sigma_xy"), *yx = of("sigma_yx"), *yy = of("sigma_yy");
-  if (!xx || !xy || !yx || !yy) return {};
-  std::vector<double> tensor(9 * xx->size());
-  for (std::size_t k = 0; k < xx->size(); ++k) {
-    tensor[9 * k] = (*xx)[k], tensor[9 * k + 1] = (*xy)[k];
-    tensor[9 * k + 3] = (*yx)[k], tensor[9 * k + 4] = (*yy)[k];
+    if (at == from.fields.end()) return {};
+    tensor.resize(9 * at->values.size());
+    for (std::size_t k = 0; k < at->values.size(); ++k) tensor[9 * k + place] = at->values[k];
   }
   return tensor;
 }
@@ -56,24 +53,19 @@ VtkPolyData contacts_of(const ExportFrame& from) {
   const double mean = mean_compressive_force(contacts);
   VtkPolyData data = lines_at(from);
   std::vector<double> force_at_ends;
-  std::vector<std::int64_t> id_i, id_j;
-  std::vector<std::int32_t> type;
-  std::vector<std::uint8_t> strong;
-  std::vector<Vec2> forces;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
-    const auto i = static_cast<std::size_t>(contacts.i[c]);
-    const Vec2 a = packing.grains.position[i], b = far_end(packing, c);
+    const Vec2 a = packing.grains.position[static_cast<std::size_t>(contacts.i[c])], b = far_end(packing, c);
     data.points.insert(data.points.end(), {a.x, a.y, 0, b.x, b.y, 0});
     force_at_ends.insert(force_at_ends.end(), 2, contacts.fn[c]);
-    id_i.push_back(packing.grains.id[i]);
-    id_j.push_back(contacts.is_wall(c) ? contacts.j[c] : packing.grains.id[static_cast<std::size_t>(contacts.j[c])]);
-    type.push_back(contact_type(packing, c));
-    strong.push_back(contacts.fn[c] > mean ? 1 : 0);
-    forces.push_back(contacts.force_on_i(c));
   }
+  const auto of_each = [&](auto value) { return by_contact(packing, value); };
   data.point_arrays = {{"fn", force_at_ends}};  // on points as well: ParaView's tubes take their radius from there
-  data.cell_arrays = {
-      {"i", id_i}, {"j", id_j}, {"type", type}, {"strong", strong}, {"glued", contacts.glued}, {"force", in_space(forces), 3}};  // on i, the line's first end
+  data.cell_arrays = {{"i", of_each([&](std::size_t c) { return id_of_i(packing, c); })},
+                      {"j", of_each([&](std::size_t c) { return id_of_j(packing, c); })},
+                      {"type", of_each([&](std::size_t c) { return contact_type(packing, c); })},
+                      {"strong", of_each([&](std::size_t c) { return std::uint8_t{contacts.fn[c] > mean}; })},
+                      {"glued", contacts.glued},
+                      {"force", in_space(of_each([&](std::size_t c) { return contacts.force_on_i(c); })), 3}};  // on i, the line's first end
   for (const auto& column : contact_columns) data.cell_arrays.push_back({column.name, column.of(contacts)});
   return data;
 }
@@ -127,17 +119,6 @@ VtkPolyData rims_of(const ExportFrame& from) {
 }
 
 std::vector<float> single(const std::vector<double>& values) { return {values.begin(), values.end()}; }
-
-/// VTK's order of a symmetric tensor: xx, yy, zz, xy, yz, xz.
-std::vector<float> stress_of(const StressField& field) {
-  std::vector<float> tensor(6 * field.size());
-  for (std::size_t i = 0; i < field.size(); ++i) {
-    tensor[6 * i] = static_cast<float>(field.xx[i]);
-    tensor[6 * i + 1] = static_cast<float>(field.yy[i]);
-    tensor[6 * i + 3] = static_cast<float>(field.xy[i]);
-  }
-  return tensor;
-}
 
 std::string numbered(const char* what, int number) { return fmt::format("{}_{:04}.vtp", what, number); }
 std::string state_file(int number) { return fmt::format("state_{:04}.vtm", number); }
@@ -193,7 +174,7 @@ std::vector<NamedBytes> vti_field(const ExportField& from) {
     image.point_arrays.push_back({"displacement", single(in_space(displacement)), 3});
     for (const auto& c : field_columns)
       if (std::string_view(c.name).starts_with("sigma")) image.point_arrays.push_back({c.name, single(r.field.*c.numbers)});
-    image.point_arrays.push_back({"stress", stress_of(r.field), 6});
+    image.point_arrays.push_back({"stress", single(symmetric(r.field.xx, r.field.yy, r.field.xy)), 6});
   }
   std::vector<NamedBytes> files{{r.name + ".vti", vti_bytes(image)}};
   if (!r.cracks.empty()) files.push_back({r.name + "-cracks.vtp", vtp_bytes(cracks_of(r.cracks))});

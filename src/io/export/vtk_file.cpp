@@ -108,6 +108,12 @@ std::vector<double> in_space(const std::vector<Vec2>& plane) {
   return vectors;
 }
 
+std::vector<double> symmetric(const std::vector<double>& xx, const std::vector<double>& yy, const std::vector<double>& xy) {
+  std::vector<double> tensors;
+  for (std::size_t k = 0; k < xx.size(); ++k) tensors.insert(tensors.end(), {xx[k], yy[k], 0, xy[k], 0, 0});
+  return tensors;
+}
+
 std::string vtp_bytes(const VtkPolyData& data) {
   const std::size_t points = data.points.size() / 3;
   const bool lines = data.lines;

@@ -19,6 +19,8 @@ struct VtkArray {
 
 /// Vectors of the plane as VTK wants them: three components, the last 0.
 std::vector<double> in_space(const std::vector<Vec2>& plane);
+/// Symmetric tensors of the plane in VTK's order: xx, yy, zz, xy, yz, xz.
+std::vector<double> symmetric(const std::vector<double>& xx, const std::vector<double>& yy, const std::vector<double>& xy);
 
 /// Points with either one vertex each or straight lines between pairs of them: all that disks, contacts and walls need.
 struct VtkPolyData {

@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "core/median.hpp"
@@ -20,50 +19,31 @@ using namespace std::string_view_literals;
 constexpr std::string_view by_flir = "FLIR's program (Research Studio, ResearchIR, Thermal Studio)";
 constexpr std::string_view levels = "as a stack of TIFF, .sfmov or CSV of levels or temperatures";
 
+/// A recording that cannot be read as a film, known by its ending, or by the bytes at a place of its beginning.
 struct Recording {
-  std::string_view ending, what, program, as;
+  std::string_view ending, what, program = {}, as = {};
+  std::size_t at = 0;
+  std::string_view mark = {};
 };
 
-constexpr std::array recordings{
-    Recording{".seq", "is a FLIR sequence (.seq), whose frames are packed in a form of FLIR's own", by_flir, levels},
-    Recording{".csq", "is a packed FLIR sequence (.csq), in a form of FLIR's own", by_flir, levels},
-    Recording{".fcf", "is a FLIR public image or sequence (.fcf), in a form of FLIR's own", by_flir, levels},
-    Recording{".ats", "is a FLIR ATS film (.ats), in a form of FLIR's own", by_flir, levels},
-    Recording{".irb", "is an InfraTec film (.irb), in a form of InfraTec's own", "IRBIS", "as a stack of TIFF or as text, in temperatures"},
-    Recording{".ravi", "is an Optris film (.ravi), in a form of Optris' own", "PIX Connect", "as CSV or TIFF, in temperatures"},
-    Recording{".is2", "is a Fluke picture (.is2), in a form of Fluke's own", "SmartView", "as CSV, in temperatures"},
-    Recording{".is3", "is a Fluke film (.is3), in a form of Fluke's own", "SmartView", "as CSV, in temperatures"},
-    Recording{".mp4", "is a video (MPEG-4)", {}, {}},
-    Recording{".m4v", "is a video (MPEG-4)", {}, {}},
-    Recording{".mov", "is a video (QuickTime)", {}, {}},
-    Recording{".h264", "is a video (H.264)", {}, {}},
-    Recording{".h265", "is a video (H.265)", {}, {}},
-    Recording{".mkv", "is a video (Matroska)", {}, {}},
-    Recording{".avi", "is a video (AVI)", {}, {}},
-    Recording{".wmv", "is a video (Windows Media)", {}, {}},
+constexpr Recording recordings[] = {
+    {".seq", "is a FLIR sequence (.seq), whose frames are packed in a form of FLIR's own", by_flir, levels, 1, "FF\0"sv},  // FFF and AFF
+    {".csq", "is a packed FLIR sequence (.csq), in a form of FLIR's own", by_flir, levels},
+    {".fcf", "is a FLIR public image or sequence (.fcf), in a form of FLIR's own", by_flir, levels},
+    {".ats", "is a FLIR ATS film (.ats), in a form of FLIR's own", by_flir, levels},
+    {".irb", "is an InfraTec film (.irb), in a form of InfraTec's own", "IRBIS", "as a stack of TIFF or as text, in temperatures", 0, "\xffIRB"sv},
+    {".ravi", "is an Optris film (.ravi), in a form of Optris' own", "PIX Connect", "as CSV or TIFF, in temperatures"},
+    {".is2", "is a Fluke picture (.is2), in a form of Fluke's own", "SmartView", "as CSV, in temperatures"},
+    {".is3", "is a Fluke film (.is3), in a form of Fluke's own", "SmartView", "as CSV, in temperatures"},
+    {".mp4", "is a video (MPEG-4)", {}, {}, 4, "ftyp"sv},
+    {".m4v", "is a video (MPEG-4)"},
+    {".mov", "is a video (QuickTime)", {}, {}, 4, "moov"sv},
+    {".h264", "is a video (H.264)", {}, {}, 0, "\0\0\0\1\x67"sv},
+    {".h265", "is a video (H.265)"},
+    {".mkv", "is a video (Matroska)", {}, {}, 0, "\x1a\x45\xdf\xa3"sv},
+    {".avi", "is a video (AVI)", {}, {}, 8, "AVI "sv},
+    {".wmv", "is a video (Windows Media)", {}, {}, 0, "\x30\x26\xb2\x75"sv},
 };
-
-struct Mark {
-  std::size_t at;
-  std::string_view bytes, ending;
-};
-
-constexpr std::array marks{
-    Mark{0, "FFF\0"sv, ".seq"},
-    Mark{0, "AFF\0"sv, ".seq"},
-    Mark{0, "\xffIRB"sv, ".irb"},
-    Mark{4, "ftyp"sv, ".mp4"},
-    Mark{4, "moov"sv, ".mov"},
-    Mark{8, "AVI "sv, ".avi"},
-    Mark{0, "\x1a\x45\xdf\xa3"sv, ".mkv"},
-    Mark{0, "\0\0\0\1\x67"sv, ".h264"},
-    Mark{0, "\x30\x26\xb2\x75"sv, ".wmv"},
-};
-
-const Recording* with_ending(std::string_view ending) {
-  const auto* found = std::find_if(recordings.begin(), recordings.end(), [&](const Recording& r) { return r.ending == ending; });
-  return found != recordings.end() ? found : nullptr;
-}
 
 constexpr std::size_t head_size = 65536;
 
@@ -85,20 +65,20 @@ std::filesystem::path sidecar_of(const std::filesystem::path& raw) {
   return {};
 }
 
-bool can_be_written(const FilmFormat& format) { return format.create != nullptr; }
+struct CanBeWritten {
+  bool of_temperatures = false;
+  bool operator()(const FilmFormat& format) const { return format.create != nullptr && !(of_temperatures && format.levels_only); }
+};
 
 }  // namespace
 
 std::string film_formats() { return list_of(words_of(films::all, &FilmFormat::sentence)); }
 
-std::vector<std::string> film_formats_to_write(bool of_temperatures) {
-  return words_of(films::all, &FilmFormat::name, [&](const FilmFormat& f) { return can_be_written(f) && !(of_temperatures && f.levels_only); });
-}
+std::vector<std::string> film_formats_to_write(bool of_temperatures) { return words_of(films::all, &FilmFormat::name, CanBeWritten{of_temperatures}); }
 
 std::vector<std::string> film_endings_to_write(bool of_temperatures) {
   return words_of(
-      films::all, [](const FilmFormat& f) { return f.endings[0]; },
-      [&](const FilmFormat& f) { return can_be_written(f) && !(of_temperatures && f.levels_only); });
+      films::all, [](const FilmFormat& f) { return f.endings[0]; }, CanBeWritten{of_temperatures});
 }
 
 void refuse_other_recording(const std::filesystem::path& path) {
@@ -147,10 +127,11 @@ bool looks_like_film(const std::filesystem::path& path) {
 }
 
 std::string other_recording(const std::filesystem::path& path, std::string_view head) {
-  const Recording* is = with_ending(lower_case(path.extension().string()));
-  for (const Mark& mark : marks)
-    if (is == nullptr && head.size() > mark.at && head.substr(mark.at).starts_with(mark.bytes)) is = with_ending(mark.ending);
-  if (is == nullptr) return {};
+  const std::string ending = lower_case(path.extension().string());
+  const auto* is = std::ranges::find(recordings, ending, &Recording::ending);
+  if (is == std::end(recordings))
+    is = std::ranges::find_if(recordings, [&](const Recording& r) { return !r.mark.empty() && head.size() > r.at && head.substr(r.at).starts_with(r.mark); });
+  if (is == std::end(recordings)) return {};
   if (is->program.empty())
     return fmt::format("{}: compressed colours, in which an amplitude of a few millikelvin is lost; export the camera's own levels or temperatures, {}",
                        is->what, levels);
@@ -159,7 +140,7 @@ std::string other_recording(const std::filesystem::path& path, std::string_view 
 
 std::unique_ptr<FilmWriter> create_film(const std::filesystem::path& path, const FilmInfo& info, const std::string& format) {
   const FilmFormat* known = format.empty() ? format_ending(films::all, path) : format_named(films::all, format);
-  if (known == nullptr || !can_be_written(*known))
+  if (known == nullptr || !CanBeWritten{}(*known))
     refuse(path.string(), "asks for no format that films are written in; they are {} (name it so, or {})", list_of(film_formats_to_write()),
            list_of(film_endings_to_write()));
   if (known->levels_only && info.floating)

@@ -72,23 +72,18 @@ class PlainFilmWriter : public FilmWriter {
   std::size_t frames_ = 0;
 };
 
-struct NotedNumber {
+template <class Member> struct Noted {
   const char* key;
-  double FilmInfo::*member;
+  Member FilmInfo::*member;
 };
-struct NotedText {
-  const char* key;
-  std::string FilmInfo::*member;
-};
-constexpr NotedNumber noted_times[] = {{"frame_rate", &FilmInfo::frame_rate}, {"integration", &FilmInfo::integration}};
-constexpr NotedText noted_texts[] = {{"camera", &FilmInfo::camera}, {"lens", &FilmInfo::lens}, {"filter", &FilmInfo::filter}};
-constexpr NotedNumber noted_optics[] = {
-    {"emissivity", &FilmInfo::emissivity}, {"ambient", &FilmInfo::ambient}, {"band_low", &FilmInfo::band_low}, {"band_high", &FilmInfo::band_high}};
+constexpr Noted<double> noted_numbers[] = {{"frame_rate", &FilmInfo::frame_rate}, {"integration", &FilmInfo::integration},
+                                           {"emissivity", &FilmInfo::emissivity}, {"ambient", &FilmInfo::ambient},
+                                           {"band_low", &FilmInfo::band_low},     {"band_high", &FilmInfo::band_high}};
+constexpr Noted<std::string> noted_texts[] = {{"camera", &FilmInfo::camera}, {"lens", &FilmInfo::lens}, {"filter", &FilmInfo::filter}};
 
 template <class Take> void each_note(std::string_view text, Take&& take) {
   Lines lines(text);
-  std::string_view line;
-  while (lines.next(line))
+  for (std::string_view line; lines.next(line);)
     if (const auto equals = line.find('='); equals != std::string_view::npos) take(trimmed(line.substr(0, equals)), trimmed(line.substr(equals + 1)));
 }
 
@@ -173,17 +168,13 @@ FilmWriterPointer create_plain_film(const std::filesystem::path& path, const Fil
 
 std::string film_notes(const FilmInfo& info) {
   std::string text;
-  const auto number = [&](const char* key, double value) {
-    if (value > 0) text += fmt::format("{} = {}\n", key, value);
+  const auto note = [&](const char* key, const auto& value, bool known) {
+    if (known) text += fmt::format("{} = {}\n", key, value);
   };
-  const auto words = [&](const char* key, const std::string& value) {
-    if (!value.empty()) text += fmt::format("{} = {}\n", key, in_one_line(value));
-  };
-  for (const auto& [key, member] : noted_times) number(key, info.*member);
-  number("bits", info.bits);
-  if (info.quantity != FilmQuantity::unknown) words("quantity", info.quantity == FilmQuantity::kelvin ? "K" : "DL");
-  for (const auto& [key, member] : noted_texts) words(key, info.*member);
-  for (const auto& [key, member] : noted_optics) number(key, info.*member);
+  for (const auto& [key, member] : noted_numbers) note(key, info.*member, info.*member > 0);
+  note("bits", info.bits, info.bits > 0);
+  note("quantity", info.quantity == FilmQuantity::kelvin ? "K" : "DL", info.quantity != FilmQuantity::unknown);
+  for (const auto& [key, member] : noted_texts) note(key, in_one_line(info.*member), !(info.*member).empty());
   return text;
 }
 
@@ -191,9 +182,7 @@ void take_notes(std::string_view text, FilmInfo& info) {
   each_note(text, [&](std::string_view noted, std::string_view value) {
     const auto number = to_number(value);
     const double positive = number && *number > 0 ? *number : 0;
-    for (const auto& [key, member] : noted_times)
-      if (key == noted) info.*member = positive;
-    for (const auto& [key, member] : noted_optics)
+    for (const auto& [key, member] : noted_numbers)
       if (key == noted) info.*member = positive;
     for (const auto& [key, member] : noted_texts)
       if (key == noted) info.*member = value;

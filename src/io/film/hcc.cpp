@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "core/problems.hpp"
 #include "io/film/formats.hpp"
@@ -26,12 +27,8 @@ void read_stamps(const ByteSource& bytes, std::string_view first, std::uint64_t 
   std::vector<double> stamp;
   for (std::int64_t i = 0; i < info.frames; ++i) {
     const std::string header = header_of(bytes, static_cast<std::uint64_t>(i) * stride, i);
-    for (const std::size_t at : {4, 32, 34})
-      if (number_at<std::uint16_t>(header, at) != number_at<std::uint16_t>(first, at))
-        refuse(bytes.name(), "has another size from frame {} on; cut it there", i);
-    if (number_at<std::uint8_t>(header, 28) != number_at<std::uint8_t>(first, 28) || number_at<std::int8_t>(header, 16) != number_at<std::int8_t>(first, 16) ||
-        number_at<std::uint32_t>(header, 12) != number_at<std::uint32_t>(first, 12))
-      refuse(bytes.name(), "has another scale from frame {} on; cut it there", i);
+    for (const auto& [at, size, what] : {std::tuple{4, 2, "size"}, {32, 4, "size"}, {12, 5, "scale"}, {28, 1, "scale"}})
+      if (header.compare(at, size, first, at, size) != 0) refuse(bytes.name(), "has another {} from frame {} on; cut it there", what, i);
     stamp.push_back((static_cast<double>(number_at<std::uint32_t>(header, 100)) - seconds) + 1e-7 * number_at<std::uint32_t>(header, 104));
   }
   take_stamps(info, std::move(stamp));

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 
-#include "core/bytes.hpp"
 #include "core/problems.hpp"
 #include "io/film/formats.hpp"
 #include "io/hdf5/foreign.hpp"
@@ -99,7 +98,10 @@ class Hdf5Film : public KnownFilm {
  public:
   Hdf5Film(const Bytes& bytes, const FilmChoice& choice) : bytes_(bytes), most_(most_in_chunk(choice)) {
     prepare_hdf5();
-    take(given(choice), choice);
+    const auto facts = [&] { return look(bytes_, choice); };
+    take(record_from_sandbox<Facts>(
+             bytes_->name(), facts, [](auto& archive, Facts& f) { transfer(archive, f); }, most_told, room()),
+         choice);
     FrameBlock last;  // what is cut short lacks it
     read(info_.frames - 1, 1, last);
   }
@@ -120,24 +122,6 @@ class Hdf5Film : public KnownFilm {
 
   /// A file in memory is copied by HDF5.
   std::size_t room() const { return bytes_->path() != nullptr ? 0 : 3 * static_cast<std::size_t>(bytes_->size()); }
-
-  Facts given(const FilmChoice& choice) const {
-    const auto packed = [&] {
-      Facts found = look(bytes_, choice);
-      ByteWriter write;
-      transfer(write, found);
-      return std::string(write.bytes.begin(), write.bytes.end());
-    };
-    const std::string stored = in_sandbox(bytes_->name(), packed, most_told, room());
-    const std::vector<std::uint8_t> bytes(stored.begin(), stored.end());
-    Facts facts;
-    try {
-      ByteReader read(bytes);
-      transfer(read, facts);
-      if (read.at_end()) return facts;
-    } catch (const InputError&) {}
-    refuse_damaged(bytes_);
-  }
 
   void take(const Facts& facts, const FilmChoice& choice) {
     if (facts.shape.size() != 3 || bytes_of(facts.pixel) == 0) refuse_damaged(bytes_);
@@ -220,11 +204,7 @@ class Hdf5FilmWriter : public FilmWriter {
   void write_notes() const {
     if (info_.frame_rate > 0) write_number(*set_, "frame_rate", info_.frame_rate);
     if (info_.integration > 0) write_number(*set_, "integration", info_.integration);
-    if (const std::string notes = film_notes(info_); !notes.empty()) {
-      const auto type = made(H5Tcopy(H5T_C_S1), H5Tclose);
-      done(H5Tset_size(*type, notes.size()));
-      write_attribute(*set_, "notes", *type, notes.data());
-    }
+    if (const std::string notes = film_notes(info_); !notes.empty()) write_text(*set_, "notes", notes);
     if (info_.time.empty()) return;
     const hsize_t count = std::min<hsize_t>(frames_, info_.time.size());
     const auto space = made(H5Screate_simple(1, &count, nullptr), H5Sclose);

@@ -19,15 +19,14 @@ bool fits(const std::string& name, std::string_view pattern) {
   return ::fnmatch(exact.c_str(), name.c_str(), 0) == 0;
 }
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
+constexpr const char* digits = "0123456789";
 
 /// A name as it is sorted: numbers in it by value (frame 9 before frame 10), as if all had as many digits.
 std::string sorting_key(const std::string& name) {
   constexpr std::size_t most_digits = 255;  // no name is longer
   std::string key;
   for (std::size_t at = 0; at < name.size();) {
-    const std::size_t number = std::min(name.find_first_of("0123456789", at), name.size()),
-                      end = std::min(name.find_first_not_of("0123456789", number), name.size());
+    const std::size_t number = std::min(name.find_first_of(digits, at), name.size()), end = std::min(name.find_first_not_of(digits, number), name.size());
     const std::size_t first = std::min(name.find_first_not_of('0', number), end);
     key += name.substr(at, number - at) + std::string(number < end ? most_digits - (end - first) : 0, '0') + name.substr(first, end - first);
     at = end;
@@ -43,7 +42,7 @@ std::vector<fs::path> members(const fs::path& pattern) {
   for (const auto& entry : fs::directory_iterator(where)) {
     const std::string name = entry.path().filename().string();
     if (!entry.is_regular_file() || name.starts_with('.')) continue;
-    if (folder ? std::any_of(name.begin(), name.end(), is_digit) : fits(name, pattern.filename().string())) names.push_back(name);
+    if (folder ? name.find_first_of(digits) != std::string::npos : fits(name, pattern.filename().string())) names.push_back(name);
   }
   std::ranges::sort(names, {}, sorting_key);
   std::vector<fs::path> paths;

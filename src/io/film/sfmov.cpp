@@ -19,8 +19,7 @@ using Keys = std::map<std::string, std::string, std::less<>>;
 Keys keys_of(std::string_view text) {
   Keys keys;
   Lines lines(text);
-  std::string_view line;
-  while (lines.next(line)) {
+  for (std::string_view line; lines.next(line);) {
     const auto cells = split_blanks(line);
     if (!cells.empty() && cells[0] == "DATA") break;
     if (cells.size() >= 2) keys.emplace(cells[0], std::string(line.substr(static_cast<std::size_t>(cells[1].data() - line.data()))));

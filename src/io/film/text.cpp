@@ -19,21 +19,19 @@ class FileLines {
 
   /// False at the end. The line is valid until the next call.
   bool next(std::string_view& line) {
-    for (;;) {
-      const std::size_t end = buffer_.find('\n', at_);
-      if (end != std::string::npos || (done_ && at_ < buffer_.size())) {
-        begin_ = next_ - (buffer_.size() - at_);
-        line = std::string_view(buffer_).substr(at_, std::min(end, buffer_.size()) - at_);
-        at_ = end == std::string::npos ? buffer_.size() : end + 1;
-        if (line.ends_with('\r')) line.remove_suffix(1);
-        ++number_;
-        return true;
-      }
-      if (done_) return false;
+    std::size_t end = 0;
+    while ((end = buffer_.find('\n', at_)) == std::string::npos && !done_) {
       if (buffer_.size() - at_ > longest_line)
         throw InputError(bytes_.name(), number_ + 1, "is a line of more than 16 million letters, which no row of a frame is; check the file");
       fill();
     }
+    if (at_ == buffer_.size()) return false;
+    begin_ = next_ - (buffer_.size() - at_);
+    line = std::string_view(buffer_).substr(at_, std::min(end, buffer_.size()) - at_);
+    at_ += line.size() + (end == std::string::npos ? 0 : 1);
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    ++number_;
+    return true;
   }
   std::uint64_t begin() const { return begin_; }  ///< of the last line, bytes
   int number() const { return number_; }
@@ -109,9 +107,8 @@ class TextFilm : public KnownFilm {
   TextFilm(Bytes bytes, const FilmChoice& choice) : bytes_(std::move(bytes)) {
     info_.floating = true;
     FileLines lines(*bytes_, 0, 0);
-    std::string_view line;
     int rows = 0;
-    while (lines.next(line)) {
+    for (std::string_view line; lines.next(line);) {
       if (separator_ == 0 && is_row(line, separator_of(line))) separator_ = separator_of(line);
       if (separator_ == 0 || !is_row(line, separator_)) {
         end_frame(rows, lines.number());

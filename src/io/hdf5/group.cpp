@@ -14,9 +14,6 @@ namespace {
 
 constexpr std::size_t most_texts = std::size_t{1} << 28;  // bytes
 
-/// HDF5 knows no text of length 0, so an empty one is one NUL, which reading drops.
-std::string padded(std::string_view text) { return text.empty() ? std::string(1, '\0') : std::string(text); }
-
 std::string checked(const Hdf5Group& at, std::string text, const std::string& name) {
   text.resize(text.find_last_not_of('\0') + 1);  // padding
   if (!is_utf8(text)) at.refuse(fmt::format("holds a text \"{}\" that is damaged", name));
@@ -55,15 +52,6 @@ template <class T> void transfer_number(const Hdf5Group& at, hid_t owner, const 
     at.refuse(fmt::format("has an attribute \"{}\" that is not one number", name));
 }
 
-/// UTF-8 text of fixed length.
-Hdf5Handle text_type(std::size_t length) {
-  auto type = made(H5Tcopy(H5T_C_S1), H5Tclose);
-  done(H5Tset_size(*type, length == 0 ? 1 : length));
-  done(H5Tset_strpad(*type, H5T_STR_NULLPAD));
-  done(H5Tset_cset(*type, H5T_CSET_UTF8));
-  return type;
-}
-
 /// Length of a fixed-length text type; refuses any other type.
 std::size_t text_length(const Hdf5Group& at, const Hdf5Handle& type, const std::string& name) {
   if (!type || H5Tget_class(*type) != H5T_STRING || H5Tis_variable_str(*type) != 0) at.refuse(fmt::format("holds \"{}\", which is not text", name));
@@ -78,8 +66,22 @@ std::string read_text_attribute(const Hdf5Group& at, hid_t owner, const std::str
   return checked(at, std::move(text), name);
 }
 
-void write_text_attribute(hid_t owner, const std::string& name, std::string_view text) {
-  write_attribute(owner, name, *text_type(text.size()), padded(text).data());
+/// Cells of fixed length of the texts of a dataset: one, or a list of them.
+struct Cells {
+  std::string bytes;
+  std::size_t length = 1;
+};
+Cells read_cells(const Hdf5Group& at, hid_t group, const std::string& name, bool one) {
+  const auto set = open_set(at, group, name, one ? "text" : "texts");
+  const auto type = own(H5Dget_type(*set), H5Tclose);
+  Cells cells{{}, text_length(at, type, name)};
+  hsize_t count = 1;
+  if (!has_shape(*set, one ? 0 : 1, &count) || count > most_texts / cells.length)
+    at.refuse(fmt::format("holds \"{}\", which is not {}", name, one ? "one text" : "a list of texts"));
+  cells.bytes.assign(count * cells.length, '\0');
+  if (count > 0 && H5Dread(*set, *type, H5S_ALL, H5S_ALL, H5P_DEFAULT, cells.bytes.data()) < 0)
+    at.refuse(fmt::format("holds a text \"{}\" that cannot be read", name));
+  return cells;
 }
 
 Hdf5Handle dataset_properties(hsize_t bytes, hsize_t count, bool compress) {
@@ -158,11 +160,11 @@ void Hdf5Group::seed(const std::string& name, std::uint64_t& value) const { tran
 
 void Hdf5Group::operator()(const std::string& name, std::string& text) const {
   if (reads_) text = read_text_attribute(*this, *id_, name);
-  else write_text_attribute(*id_, name, text);
+  else write_text(*id_, name, text);
 }
 
 void Hdf5Group::note(const std::string& name, std::string_view text) const {
-  if (!reads_) write_text_attribute(*id_, name, text);
+  if (!reads_) write_text(*id_, name, text);
 }
 
 template <class T> void Hdf5Group::array(const std::string& name, std::vector<T>& values, const std::string& unit) const {
@@ -173,7 +175,7 @@ template <class T> void Hdf5Group::array(const std::string& name, std::vector<T>
     values = read_values<T>(*this, *set, name, count);
   } else {
     const auto properties = dataset_properties(count * sizeof(T), count, compress_);
-    write_text_attribute(*write_set(*id_, name, {count}, number_type<T>(), *properties, values.data()), "unit", unit);
+    write_text(*write_set(*id_, name, {count}, number_type<T>(), *properties, values.data()), "unit", unit);
   }
 }
 template void Hdf5Group::array(const std::string&, std::vector<double>&, const std::string&) const;
@@ -198,7 +200,7 @@ template <class T> void Hdf5Group::image(const std::string& name, std::vector<T>
   } else {
     const auto properties = timeless(H5P_DATASET_CREATE);
     if (compress_ && rows * columns > 0) pack(*properties, {std::clamp<hsize_t>(values_per_chunk / columns, 1, rows), columns}, sizeof(T) > 1, 1);
-    write_text_attribute(*write_set(*id_, name, {rows, columns}, number_type<T>(), *properties, values.data()), "unit", unit);
+    write_text(*write_set(*id_, name, {rows, columns}, number_type<T>(), *properties, values.data()), "unit", unit);
   }
 }
 template void Hdf5Group::image(const std::string&, std::vector<double>&, Shape, const std::string&) const;
@@ -207,33 +209,22 @@ template void Hdf5Group::image(const std::string&, std::vector<std::int32_t>&, S
 template void Hdf5Group::image(const std::string&, std::vector<std::uint8_t>&, Shape, const std::string&) const;
 
 void Hdf5Group::text(const std::string& name, std::string& text) const {
-  if (!reads_) return void(write_set(*id_, name, {}, *text_type(text.size()), *timeless(H5P_DATASET_CREATE), padded(text).data()));
-  const auto set = open_set(*this, *id_, name, "text");
-  const auto type = own(H5Dget_type(*set), H5Tclose);
-  text.assign(text_length(*this, type, name), '\0');
-  if (H5Dread(*set, *type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()) < 0) refuse(fmt::format("holds a text \"{}\" that cannot be read", name));
-  text = checked(*this, std::move(text), name);
+  if (reads_) text = checked(*this, read_cells(*this, *id_, name, true).bytes, name);
+  else write_set(*id_, name, {}, *text_type(text.size()), *timeless(H5P_DATASET_CREATE), text.c_str());
 }
 
 void Hdf5Group::texts(const std::string& name, std::vector<std::string>& texts) const {
-  if (!reads_) {
-    std::size_t length = 1;
-    for (const auto& text : texts) length = std::max(length, text.size());
-    std::string cells(length * texts.size(), '\0');
-    for (std::size_t k = 0; k < texts.size(); ++k) texts[k].copy(cells.data() + k * length, length);
-    const hsize_t count = texts.size();
-    write_set(*id_, name, {count}, *text_type(length), *dataset_properties(cells.size(), count, compress_), cells.data());
+  if (reads_) {
+    const Cells cells = read_cells(*this, *id_, name, false);
+    texts.clear();
+    for (std::size_t at = 0; at < cells.bytes.size(); at += cells.length) texts.push_back(checked(*this, cells.bytes.substr(at, cells.length), name));
     return;
   }
-  const auto set = open_set(*this, *id_, name, "texts");
-  const auto type = own(H5Dget_type(*set), H5Tclose);
-  const std::size_t length = text_length(*this, type, name);
-  hsize_t count = 0;
-  if (!has_shape(*set, 1, &count) || count > most_texts / length) refuse(fmt::format("holds \"{}\", which is not a list of texts", name));
-  std::string cells(count * length, '\0');
-  if (count > 0 && H5Dread(*set, *type, H5S_ALL, H5S_ALL, H5P_DEFAULT, cells.data()) < 0) refuse(fmt::format("holds texts \"{}\" that cannot be read", name));
-  texts.clear();
-  for (hsize_t k = 0; k < count; ++k) texts.push_back(checked(*this, cells.substr(k * length, length), name));
+  std::size_t length = 1;
+  for (const auto& text : texts) length = std::max(length, text.size());
+  std::string cells(length * texts.size(), '\0');
+  for (std::size_t k = 0; k < texts.size(); ++k) texts[k].copy(cells.data() + k * length, length);
+  write_set(*id_, name, {texts.size()}, *text_type(length), *dataset_properties(cells.size(), texts.size(), compress_), cells.data());
 }
 
 void Hdf5Group::refuse(const std::string& message) const {

@@ -111,6 +111,18 @@ void write_attribute(hid_t owner, const std::string& name, hid_t type, const voi
   done(H5Awrite(*attribute, type, value));
 }
 
+Hdf5Handle text_type(std::optional<std::size_t> length) {
+  auto type = made(H5Tcopy(H5T_C_S1), H5Tclose);
+  done(H5Tset_size(*type, length ? std::max<std::size_t>(1, *length) : H5T_VARIABLE));
+  if (length) done(H5Tset_strpad(*type, H5T_STR_NULLPAD));
+  done(H5Tset_cset(*type, H5T_CSET_UTF8));
+  return type;
+}
+
+void write_text(hid_t owner, const std::string& name, std::string_view text) {
+  write_attribute(owner, name, *text_type(text.size()), std::string(text).c_str());
+}
+
 std::string unused_name() {
   static std::atomic<int> count{0};
   return fmt::format("arenite in memory {}", ++count);

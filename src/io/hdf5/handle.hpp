@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "io/disk/byte_source.hpp"
@@ -67,6 +68,10 @@ template <> inline hid_t number_type<std::int32_t>() { return H5T_STD_I32LE; }
 template <> inline hid_t number_type<std::int64_t>() { return H5T_STD_I64LE; }
 template <> inline hid_t number_type<std::uint64_t>() { return H5T_STD_U64LE; }
 template <> inline hid_t number_type<std::uint8_t>() { return H5T_STD_U8LE; }
+
+/// UTF-8 text of a fixed length, of at least one byte, for HDF5 knows none of length 0; without a length, of any. And a text as an attribute.
+Hdf5Handle text_type(std::optional<std::size_t> length);
+void write_text(hid_t owner, const std::string& name, std::string_view text);
 
 template <class T> void write_number(hid_t owner, const std::string& name, T value) { write_attribute(owner, name, number_type<T>(), &value); }
 

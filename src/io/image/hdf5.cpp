@@ -2,7 +2,6 @@
 #include "io/image/image.hpp"
 
 #include <algorithm>
-#include <cstring>
 #include <vector>
 
 #include "io/hdf5/foreign.hpp"
@@ -42,22 +41,11 @@ Image decode(const std::string& bytes, const std::string& file, const ImageChoic
 /// HDF5 trusts what it reads: it is used in a process of its own, which a damaged file may bring down.
 Image decode_hdf5(const std::string& bytes, const std::string& file, const ImageChoice& choice) {
   prepare_hdf5();
-  const auto packed = [&] {
-    const Image image = decode(bytes, file, choice);
-    std::string result;
-    append<std::int32_t>(result, image.width);
-    return result.append(reinterpret_cast<const char*>(image.value.data()), image.value.size() * sizeof(std::int32_t));
-  };
-  const std::string made =
-      in_sandbox(file, packed, 16 + 4 * static_cast<std::size_t>(choice.most_pixels), 12 * static_cast<std::size_t>(choice.most_pixels) + 3 * bytes.size());
-  Image image;
-  image.width = number_at<std::int32_t>(made, 0);
-  const std::size_t pixels = made.size() / sizeof(std::int32_t) - 1;
-  if (made.size() < 2 * sizeof(std::int32_t) || image.width <= 0 || pixels % static_cast<std::size_t>(image.width) != 0)
-    refuse(file, "is an HDF5 file that is damaged; copy it again");
-  image.height = static_cast<int>(pixels / static_cast<std::size_t>(image.width));
-  image.value.resize(pixels);
-  std::memcpy(image.value.data(), made.data() + sizeof image.width, pixels * sizeof(std::int32_t));
+  const auto most = static_cast<std::size_t>(choice.most_pixels);
+  const auto transfer = [](auto& archive, Image& image) { archive(image.width), archive(image.height), archive(image.value); };
+  const auto work = [&] { return decode(bytes, file, choice); };
+  Image image = record_from_sandbox<Image>(file, work, transfer, 16 + 4 * most, 24 * most + 3 * bytes.size());
+  if (image.width <= 0 || image.height <= 0 || image.value.size() != image.size()) refuse(file, "is an HDF5 file that is damaged; copy it again");
   return image;
 }
 

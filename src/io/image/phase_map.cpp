@@ -6,6 +6,7 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "core/mapped.hpp"
 #include "core/problems.hpp"
 #include "io/table/table.hpp"
 
@@ -30,14 +31,10 @@ Image cropped(Image image, const std::optional<Crop>& crop, const std::string& f
 }
 
 /// The only place where rows are turned round: row 0 of a picture is at the top, row 0 of a map at the bottom.
-template <class T> std::vector<T> bottom_first(const std::vector<T>& top_first, int width, int height) {
-  std::vector<T> turned;
-  turned.reserve(top_first.size());
-  for (int row = height - 1; row >= 0; --row) {
-    const auto first = top_first.begin() + static_cast<std::ptrdiff_t>(row) * width;
-    turned.insert(turned.end(), first, first + width);
-  }
-  return turned;
+template <class T> std::vector<T> bottom_first(std::vector<T> rows, std::ptrdiff_t width, std::ptrdiff_t height) {
+  for (std::ptrdiff_t low = 0, high = height - 1; low < high; ++low, --high)
+    std::swap_ranges(rows.begin() + low * width, rows.begin() + (low + 1) * width, rows.begin() + high * width);
+  return rows;
 }
 
 /// Place of a map's node in the picture before it was cropped, for messages.
@@ -63,18 +60,12 @@ void number_grains(PhaseMap& map, const std::vector<std::int32_t>& label, const 
     }
     map.grain[i] = grain;
   }
-  std::vector<Problem> problems;
-  if (bare > 0)
-    problems.push_back({file, 0, 0,
-                        fmt::format("has no label for {} particle pixels, the first at {}; label them, or leave the labels "
-                                    "out and let grains be found",
-                                    bare, pixel(map, first_bare, options.crop))});
-  if (outside > 0)
-    problems.push_back({file, 0, 0,
-                        fmt::format("labels {} pixels that are no particle, the first at {}; write 0 there, or say with "
-                                    "--phases that they are particle",
-                                    outside, pixel(map, first_outside, options.crop))});
-  if (!problems.empty()) throw InputError(std::move(problems));
+  Problems problems(file);
+  problems.unless(bare == 0, "has no label for {} particle pixels, the first at {}; label them, or leave the labels out and let grains be found", bare,
+                  pixel(map, first_bare, options.crop));
+  problems.unless(outside == 0, "labels {} pixels that are no particle, the first at {}; write 0 there, or say with --phases that they are particle", outside,
+                  pixel(map, first_outside, options.crop));
+  problems.raise();
   map.grain_class.assign(number.size(), GrainClass::none);
 }
 
@@ -150,22 +141,14 @@ void refuse_one_phase(const Counts& counts, const PhaseTable& table, bool severa
 }  // namespace
 
 Crop parse_crop(std::string_view text) {
-  Crop crop;
-  std::string_view rest = text;
-  for (int* const number : {&crop.x, &crop.y, &crop.width, &crop.height}) {
-    const bool last = number == &crop.height;
-    const std::string_view cell = last ? rest : rest.substr(0, rest.find(','));
-    const auto value = parse_number<int>(cell);
-    if (!value || (!last && cell.size() == rest.size()))
-      throw InputError(fmt::format("\"{}\" is no rectangle; write X,Y,WIDTH,HEIGHT in pixels, for example 0,0,512,512", text));
-    *number = *value;
-    rest.remove_prefix(last ? 0 : cell.size() + 1);
-  }
-  return crop;
+  const auto numbers = mapped(split_cells(text, ','), parse_number<int>);
+  if (numbers.size() != 4 || std::ranges::any_of(numbers, [](const auto& number) { return !number; }))
+    throw refusal("\"{}\" is no rectangle; write X,Y,WIDTH,HEIGHT in pixels, for example 0,0,512,512", text);
+  return {*numbers[0], *numbers[1], *numbers[2], *numbers[3]};
 }
 
 ForeignMap make_phase_map(const Image& picture, const Image* labels, const PhaseMapOptions& options, const std::string& file, const std::string& label_file) {
-  if (!(options.dx > 0) || !std::isfinite(options.dx)) throw InputError(fmt::format("the side of a pixel is {:g} m; give a positive length", options.dx));
+  if (!(options.dx > 0) || !std::isfinite(options.dx)) throw refusal("the side of a pixel is {:g} m; give a positive length", options.dx);
   if (labels != nullptr && (labels->width != picture.width || labels->height != picture.height))
     refuse(label_file, "has {} x {} pixels and the phase map {} x {}; give labels of the same picture", labels->width, labels->height, picture.width,
            picture.height);
@@ -203,22 +186,19 @@ std::string_view name_of(Phase phase) { return names[static_cast<std::size_t>(ph
 
 PhaseTable parse_phase_table(std::string_view text) {
   PhaseTable table;
-  while (!text.empty()) {
-    const std::string_view row = text.substr(0, text.find(','));
-    text.remove_prefix(std::min(text.size(), row.size() + 1));
+  for (const std::string_view row : split_cells(text, ',')) {
     const std::size_t at = row.find('=');
     const auto value = parse_number<std::int32_t>(row.substr(0, at));
-    if (at == std::string_view::npos || !value) throw InputError(fmt::format("\"{}\" says no phase of a value; {}", row, form));
+    if (at == std::string_view::npos || !value) throw refusal("\"{}\" says no phase of a value; {}", row, form);
     const std::string name(row.substr(at + 1));
     const auto* found = std::find(std::begin(names), std::end(names), name);
     if (found == std::end(names)) {
       const std::string near = nearest(name, {std::begin(names), std::end(names)});
-      throw InputError(fmt::format("\"{}\" is no phase{}; phases are void, matrix and particle", name, near.empty() ? "" : "; did you mean \"" + near + "\"?"));
+      throw refusal("\"{}\" is no phase{}; phases are void, matrix and particle", name, near.empty() ? "" : "; did you mean \"" + near + "\"?");
     }
     if (!table.emplace(*value, static_cast<Phase>(found - std::begin(names))).second)
-      throw InputError(fmt::format("the value {} is given a phase twice; leave one of them out", *value));
+      throw refusal("the value {} is given a phase twice; leave one of them out", *value);
   }
-  if (table.empty()) throw InputError(fmt::format("no phase of any value is given; {}", form));
   return table;
 }
 

@@ -21,13 +21,12 @@ Index add_grains(const RawGrains& raw, const Domain& domain, bool closed, Grains
   if (raw.rows.empty()) problems.add("there are no grains; give one row a grain");
   for (std::size_t g = 0; g < raw.rows.size(); ++g) {
     const RawGrain& row = raw.rows[g];
-    if (!index.emplace(row.id, static_cast<std::int32_t>(g)).second)
-      problems.add(row.line, fmt::format("grain {} appears twice; give every grain its own id", row.id));
-    if (!(row.radius > 0)) problems.add(row.line, fmt::format("the radius of grain {} is {:g} m; a radius must be positive", row.id, row.radius));
+    if (!index.emplace(row.id, static_cast<std::int32_t>(g)).second) problems.add(row.line, "grain {} appears twice; give every grain its own id", row.id);
+    if (!(row.radius > 0)) problems.add(row.line, "the radius of grain {} is {:g} m; a radius must be positive", row.id, row.radius);
     const bool outside_x = !domain.periodic[0] && (row.centre.x < domain.wall[left].position || row.centre.x > domain.wall[right].position);
     const bool outside_y = !domain.periodic[1] && (row.centre.y < domain.wall[bottom].position || row.centre.y > domain.wall[top].position);
-    if (closed && (outside_x || outside_y)) problems.add(row.line, fmt::format("grain {} lies outside the box; correct its centre, --box or --origin", row.id));
-    if (row.zone < 0 || row.zone > 255) problems.add(row.line, fmt::format("the zone of grain {} is {}; zones are numbers from 0 to 255", row.id, row.zone));
+    if (closed && (outside_x || outside_y)) problems.add(row.line, "grain {} lies outside the box; correct its centre, --box or --origin", row.id);
+    if (row.zone < 0 || row.zone > 255) problems.add(row.line, "the zone of grain {} is {}; zones are numbers from 0 to 255", row.id, row.zone);
     else grains.zone[g] = static_cast<std::uint8_t>(row.zone);
     grains.id[g] = row.id;
     grains.position[g] = row.centre;
@@ -52,18 +51,19 @@ std::optional<ContactGeometry> grain_geometry(const Packing& p, const RawContact
   if (row.normal) {
     const double length = norm(*row.normal);
     if (std::abs(length - 1) > 0.05) {
-      problems.add(row.line, fmt::format("the normal has length {:g}; give a unit vector", length));
+      problems.add(row.line, "the normal has length {:g}; give a unit vector", length);
       return std::nullopt;
     }
     g.n = 1 / length * *row.normal;
     if (distance > far_apart * (ri + rj)) distance = ri + rj;  // across a periodic side that the centres do not show
   } else if (distance == 0) {
-    problems.add(row.line, fmt::format("grains {} and {} have the same centre; correct it or give nx, ny", row.i, row.j));
+    problems.add(row.line, "grains {} and {} have the same centre; correct it or give nx, ny", row.i, row.j);
     return std::nullopt;
   } else if (ri > 0 && rj > 0 && distance > far_apart * (ri + rj)) {
-    problems.add(row.line, fmt::format("grains {} and {} are {:.3g} times the sum of their radii apart; correct the row, or give "
-                                       "--box and --periodic or nx, ny if they touch across a periodic side",
-                                       row.i, row.j, distance / (ri + rj)));
+    problems.add(row.line,
+                 "grains {} and {} are {:.3g} times the sum of their radii apart; correct the row, or give "
+                 "--box and --periodic or nx, ny if they touch across a periodic side",
+                 row.i, row.j, distance / (ri + rj));
     return std::nullopt;
   } else {
     g.n = 1 / distance * branch;
@@ -87,24 +87,17 @@ Vec2 components(const RawContact& row, Vec2 n) {
   return {dot(*row.force_on_j, n), dot(*row.force_on_j, perpendicular(n))};
 }
 
-/// Rows already taken, by their pair of grains; two rows of one pair are the same contact unless their normals differ (a small periodic cell).
-class Taken {
- public:
-  /// The contact that a row repeats, or -1.
-  std::int64_t find(std::int32_t i, std::int32_t j, Vec2 n, const Contacts& contacts) const {
-    const auto it = by_pair_.find(std::minmax(i, j));
-    if (it == by_pair_.end()) return -1;
-    for (const std::size_t c : it->second) {
-      const Vec2 out = contacts.i[c] == i ? -contacts.normal[c] : contacts.normal[c];  // from this row's i
-      if (dot(out, n) > 0) return static_cast<std::int64_t>(c);
-    }
-    return -1;
-  }
-  void add(std::int32_t i, std::int32_t j, std::size_t c) { by_pair_[std::minmax(i, j)].push_back(c); }
+using Taken = std::multimap<std::pair<std::int32_t, std::int32_t>, std::size_t>;  ///< contacts by their pair of grains
 
- private:
-  std::map<std::pair<std::int32_t, std::int32_t>, std::vector<std::size_t>> by_pair_;
-};
+/// The contact that a row repeats: of the same pair, unless their normals differ (a small periodic cell).
+std::optional<std::size_t> repeated(const Taken& taken, std::int32_t i, std::int32_t j, Vec2 n, const Contacts& contacts) {
+  const auto [first, last] = taken.equal_range(std::minmax(i, j));
+  const auto found = std::find_if(first, last, [&](const auto& pair) {
+    const std::size_t c = pair.second;
+    return dot(contacts.i[c] == i ? -contacts.normal[c] : contacts.normal[c], n) > 0;  // from this row's i
+  });
+  return found != last ? std::optional(found->second) : std::nullopt;
+}
 
 void add_contacts(const RawContacts& raw, const Index& index, bool has_box, const SampleOptions& options, Sample& sample, Problems& problems) {
   Packing& p = sample.packing;
@@ -113,14 +106,14 @@ void add_contacts(const RawContacts& raw, const Index& index, bool has_box, cons
   const auto grain = [&](std::int64_t id, const RawContact& row) -> std::int32_t {
     const auto it = index.find(id);
     if (it != index.end()) return it->second;
-    problems.add(row.line, fmt::format("this contact names grain {}, which is not among the grains; add the grain or remove the row", id));
+    problems.add(row.line, "this contact names grain {}, which is not among the grains; add the grain or remove the row", id);
     return -1;
   };
   for (const RawContact& row : raw.rows) {
     const std::int32_t i = grain(row.i, row), j = row.wall < 0 ? grain(row.j, row) : wall_partner(row.wall);
     if (i < 0 || (row.wall < 0 && j < 0)) continue;
     if (i == j) {
-      problems.add(row.line, fmt::format("grain {} cannot touch itself; correct i or j", row.i));
+      problems.add(row.line, "grain {} cannot touch itself; correct i or j", row.i);
       continue;
     }
     const auto gi = static_cast<std::size_t>(i);
@@ -128,11 +121,11 @@ void add_contacts(const RawContacts& raw, const Index& index, bool has_box, cons
         row.wall < 0 ? grain_geometry(p, row, gi, static_cast<std::size_t>(j), problems) : std::optional(wall_geometry(p, row.wall, gi, has_box));
     if (!geometry) continue;
     const Vec2 f = components(row, geometry->n);
-    if (const auto earlier = taken.find(i, j, geometry->n, p.contacts); earlier >= 0) {
-      const auto c = static_cast<std::size_t>(earlier);
+    if (const auto earlier = repeated(taken, i, j, geometry->n, p.contacts)) {
+      const std::size_t c = *earlier;
       if (!options.merge_doubled && !raw.lists_both_ways) {
-        problems.add(row.line, fmt::format("the contact of {} and {} is already in line {}; remove one, or merge them with --doubled merge", row.i,
-                                           row.wall < 0 ? std::to_string(row.j) : side_names[static_cast<std::size_t>(row.wall)], lines[c]));
+        problems.add(row.line, "the contact of {} and {} is already in line {}; remove one, or merge them with --doubled merge", row.i,
+                     row.wall < 0 ? std::to_string(row.j) : side_names[static_cast<std::size_t>(row.wall)], lines[c]);
         continue;
       }
       const double n = ++rows_merged[c];
@@ -141,7 +134,7 @@ void add_contacts(const RawContacts& raw, const Index& index, bool has_box, cons
       if (!raw.lists_both_ways) ++sample.doubled_rows;
       continue;
     }
-    taken.add(i, j, p.contacts.size());
+    taken.emplace(std::minmax(i, j), p.contacts.size());
     lines.push_back(row.line);
     rows_merged.push_back(0);
     // The file's n points from i to j and its force acts on j; both turned round, fn and ft keep their signs.
@@ -158,8 +151,7 @@ void place_box(RawGrains& grains, Problems& problems) {
   const auto place = [&](int axis, double low, double high, const char* name) {
     const double size = grains.cell.extent(axis);
     if (grains.cell.periodic[axis] || (low >= 0 && high <= size)) return;
-    if (high - low > size)
-      problems.add(fmt::format("the centres span {:g} m along {}, more than the box's {:g} m; correct --box or --length-unit", high - low, name, size));
+    if (high - low > size) problems.add("the centres span {:g} m along {}, more than the box's {:g} m; correct --box or --length-unit", high - low, name, size);
     const double corner = 0.5 * (low + high) - 0.5 * size;
     grains.cell.wall[2 * axis].position = corner;
     grains.cell.wall[2 * axis + 1].position = corner + size;

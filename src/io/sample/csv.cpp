@@ -45,7 +45,7 @@ void note_assumed_unit(const Table& table, const char* column, bool chosen, cons
 }
 
 void require(const Table& table, bool found, const char* column, const char* kind, Problems& problems) {
-  if (!found) problems.add(table.header_line, fmt::format("there is no column \"{}\"; {}", column, kind));
+  if (!found) problems.add(table.header_line, "there is no column \"{}\"; {}", column, kind);
 }
 
 std::optional<int> wall_by_name(std::string_view cell) {
@@ -59,9 +59,10 @@ std::int32_t material_of(const RawGrain& row, const Materials& materials, Proble
   const auto it = std::find_if(materials.begin(), materials.end(), [&](const Material& m) { return m.name == row.material; });
   if (it != materials.end()) return static_cast<std::int32_t>(it - materials.begin());
   const std::string near = nearest(row.material, mapped(materials, &Material::name));
-  problems.add(row.line, row.material.empty() ? std::string("this grain names no material; add a column \"material\"")
-                                              : fmt::format("the recipe has no material \"{}\"{}", row.material,
-                                                            near.empty() ? "; add it under [materials]" : fmt::format("; did you mean \"{}\"?", near)));
+  if (row.material.empty()) problems.add(row.line, "this grain names no material; add a column \"material\"");
+  else
+    problems.add(row.line, "the recipe has no material \"{}\"{}", row.material,
+                 near.empty() ? "; add it under [materials]" : fmt::format("; did you mean \"{}\"?", near));
   return 0;
 }
 
@@ -165,12 +166,13 @@ Grains read_placed_grains(const std::filesystem::path& path, const Materials& ma
   for (std::size_t i = 0; i < raw.rows.size(); ++i) {
     const RawGrain& row = raw.rows[i];
     if (const auto [seen, is_new] = line_of.emplace(row.id, row.line); !is_new)
-      problems.add(row.line, fmt::format("grain {} stands in line {} already; give every grain its own id", row.id, seen->second));
+      problems.add(row.line, "grain {} stands in line {} already; give every grain its own id", row.id, seen->second);
     const Vec2 centre = row.centre + domain.corner();
     if (!lies_inside(centre, domain))
-      problems.add(row.line, fmt::format("the centre of grain {} at ({:g}, {:g}) m lies outside the container of {:g} x {:g} m; correct it, "
-                                         "the unit of the column or [container]",
-                                         row.id, row.centre.x, row.centre.y, domain.width(), domain.height()));
+      problems.add(row.line,
+                   "the centre of grain {} at ({:g}, {:g}) m lies outside the container of {:g} x {:g} m; correct it, "
+                   "the unit of the column or [container]",
+                   row.id, row.centre.x, row.centre.y, domain.width(), domain.height());
     grains.id[i] = row.id;
     grains.position[i] = centre;
     grains.radius[i] = row.radius;

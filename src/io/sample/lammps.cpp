@@ -25,8 +25,7 @@ std::vector<Item> last_snapshot(std::string_view text, Problems& problems) {
   if (problems.any()) return items;
   const std::size_t before = text.rfind("\nITEM: TIMESTEP"), start = before == text.npos ? 0 : before + 1;
   Lines lines(text.substr(start), 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(start), '\n')));
-  std::string_view line;
-  while (lines.next(line)) {
+  for (std::string_view line; lines.next(line);) {
     if (line.starts_with("ITEM: ")) items.push_back({line.substr(6), {{}, lines.number(), {}}});
     else if (auto cells = split_blanks(line); !cells.empty()) items.back().table.rows.push_back({lines.number(), std::move(cells)});
   }
@@ -46,7 +45,7 @@ void name_columns(Table& table, const std::vector<std::string_view>& names) {
 void check_rows(const Table& table, Problems& problems) {
   for (const auto& [line, cells] : table.rows)
     if (cells.size() != table.columns.size())
-      problems.add(line, fmt::format("this row has {} values, but there are {} columns; the dump is cut off or damaged", cells.size(), table.columns.size()));
+      problems.add(line, "this row has {} values, but there are {} columns; the dump is cut off or damaged", cells.size(), table.columns.size());
 }
 
 void check_count(std::vector<Item>& items, const Table& table, std::string_view title, Problems& problems) {
@@ -54,7 +53,7 @@ void check_count(std::vector<Item>& items, const Table& table, std::string_view 
   if (!count || count->table.rows.empty()) return;
   const auto expected = to_integer(count->table.rows.front().cells.front());
   if (expected && *expected != static_cast<std::int64_t>(table.rows.size()))
-    problems.add(table.header_line, fmt::format("the dump announces {} rows, but {} follow; it is cut off, so write it again", *expected, table.rows.size()));
+    problems.add(table.header_line, "the dump announces {} rows, but {} follow; it is cut off, so write it again", *expected, table.rows.size());
 }
 
 void read_box(std::vector<Item>& items, double length, RawGrains& grains, Problems& problems) {

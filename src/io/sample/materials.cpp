@@ -64,7 +64,7 @@ MaterialTable read_material_table(const std::filesystem::path& file) {
       continue;
     }
     if (std::find(result.labels.begin(), result.labels.end(), name) != result.labels.end())
-      problems.add(row.line, fmt::format("material \"{}\" appears twice; keep one row", name));
+      problems.add(row.line, "material \"{}\" appears twice; keep one row", name);
     result.labels.push_back(name);
     result.materials.push_back(read_material(table, row, name, problems));
   }
@@ -106,8 +106,8 @@ void assign_materials(const RawGrains& raw, const std::optional<std::filesystem:
     if (it == table.labels.end()) {
       if (closed) {
         const std::string near = nearest(label, table.labels);
-        problems.add(raw.rows[g].line, fmt::format("material \"{}\" is not in {}; {}", label, file->string(),
-                                                   near.empty() ? "add it there" : fmt::format("did you mean \"{}\"?", near)));
+        problems.add(raw.rows[g].line, "material \"{}\" is not in {}; {}", label, file->string(),
+                     near.empty() ? "add it there" : fmt::format("did you mean \"{}\"?", near));
         continue;
       }
       table.labels.push_back(label);

@@ -26,9 +26,8 @@ RawGrains read_mercury_data(std::string_view text, const SampleOptions& options,
   Table table;
   for (const char* name : {"x", "y", "", "", "radius", "", "", "material"}) table.columns.push_back({name, {}, {}});
   Lines lines(text);
-  std::string_view line;
   std::int64_t expected = 0, found = 0;
-  while (lines.next(line)) {
+  for (std::string_view line; lines.next(line);) {
     auto cells = split_blanks(line);
     if (cells.empty()) continue;
     const int at = lines.number();
@@ -60,9 +59,8 @@ RawContacts read_mercury_fstat(std::string_view text, const RawGrains&, const Sa
   RawContacts contacts;
   contacts.lists_both_ways = true;
   Lines lines(text);
-  std::string_view line;
   bool in_header = false, any = false;
-  while (lines.next(line)) {
+  for (std::string_view line; lines.next(line);) {
     const auto cells = split_blanks(line);
     if (cells.empty()) continue;
     any = true;
@@ -74,7 +72,7 @@ RawContacts read_mercury_fstat(std::string_view text, const RawGrains&, const Sa
     in_header = false;
     const int at = lines.number();
     if (cells.size() != 16) {
-      problems.add(at, fmt::format("expected 16 values \"time i j x y z overlap tangential_overlap fn ft nx ny nz tx ty tz\", found {}", cells.size()));
+      problems.add(at, "expected 16 values \"time i j x y z overlap tangential_overlap fn ft nx ny nz tx ty tz\", found {}", cells.size());
       continue;
     }
     const auto value = [&](std::size_t c, double factor) { return number_or_problem(cells[c], "value " + std::to_string(c + 1), factor, at, problems); };

@@ -11,8 +11,7 @@ namespace {
 
 std::string_view first_line(std::string_view text) {
   Lines lines(text);
-  std::string_view line;
-  while (lines.next(line))
+  for (std::string_view line; lines.next(line);)
     if (!split_blanks(line).empty()) return line;
   return {};
 }

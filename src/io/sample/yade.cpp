@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
+#include <cmath>
 
+#include "core/mapped.hpp"
+#include "geometry/cell_grid.hpp"
 #include "io/table/table.hpp"
-#include "model/periodic_images.hpp"
 
 namespace arenite::io {
 namespace {
@@ -26,62 +27,47 @@ std::array<std::size_t, 2> plane_of(const std::vector<Point>& points) {
 /// Finds the grain whose centre, or a periodic image of it, is a point, to the six digits that YADE writes.
 class Centres {
  public:
-  explicit Centres(const RawGrains& grains) : grains_(grains) {
-    for (std::size_t g = 0; g < grains.rows.size(); ++g) {
-      const Vec2 centre = grains.cell.wrapped(grains.rows[g].centre);
-      by_x_.emplace(centre.x, Centre{centre, g});
-      largest_ = std::max(largest_, grains.rows[g].radius);
-    }
-  }
+  explicit Centres(const RawGrains& grains)
+      : grains_(grains),
+        largest_(grains.rows.empty() ? 0 : std::ranges::max_element(grains.rows, {}, &RawGrain::radius)->radius),
+        places_(mapped(grains.rows, [&](const RawGrain& g) { return grains.cell.wrapped(g.centre); })),
+        grid_(places_, std::max(2 * largest_, 1e-9)) {}
+
   /// Index of the grain, or -1.
   std::int64_t find(Vec2 p) const {
-    const double reach = 1e-5 * (std::abs(p.x) + std::abs(p.y));
+    constexpr double slack = 1e-3;
+    const double digits = 1e-5 * (std::abs(p.x) + std::abs(p.y));
     const Domain& cell = grains_.cell;
     const Vec2 size = cell.size(), base = cell.wrapped(p);
+    std::int64_t found = -1;
     for (int ky = -cell.periodic[1]; ky <= int{cell.periodic[1]}; ++ky)
       for (int kx = -cell.periodic[0]; kx <= int{cell.periodic[0]}; ++kx)
-        if (const auto g = near(base + Vec2{kx * size.x + ky * cell.tilt, ky * size.y}, reach); g >= 0) return g;
-    return -1;
+        grid_.within(base + Vec2{kx * size.x + ky * cell.tilt, ky * size.y}, digits + slack * largest_, [&](std::int32_t g, double square) {
+          if (found < 0 && std::sqrt(square) <= digits + slack * grains_.rows[static_cast<std::size_t>(g)].radius) found = g;
+        });
+    return found;
   }
 
  private:
-  struct Centre {
-    Vec2 at;
-    std::size_t grain;
-  };
-  std::int64_t near(Vec2 p, double reach) const {
-    const double most = reach + slack * largest_;
-    for (auto it = by_x_.lower_bound(p.x - most); it != by_x_.end() && it->first <= p.x + most; ++it)
-      if (const auto& [at, grain] = it->second; norm(at - p) <= reach + slack * grains_.rows[grain].radius) return static_cast<std::int64_t>(grain);
-    return -1;
-  }
-
-  static constexpr double slack = 1e-3;
   const RawGrains& grains_;
-  std::multimap<double, Centre> by_x_;
-  double largest_ = 0;
+  double largest_;
+  std::vector<Vec2> places_;
+  geometry::PointGrid grid_;
 };
 
 /// Reads the words of a legacy VTK file one after the other, knowing their lines.
-class Words {
- public:
-  explicit Words(std::string_view text) : lines_(text) {}
-  std::string_view next() {
-    while (at_ == words_.size()) {
-      std::string_view line;
-      if (!lines_.next(line)) return {};
-      words_ = split_blanks(line);
-      at_ = 0;
-    }
-    return words_[at_++];
-  }
-  void skip_line() { at_ = words_.size(); }
-  int line() const { return lines_.number(); }
+struct Words {
+  Lines lines;
+  std::vector<std::string_view> of_line = {};
+  std::size_t at = 0;
 
- private:
-  Lines lines_;
-  std::vector<std::string_view> words_;
-  std::size_t at_ = 0;
+  std::string_view next() {
+    for (std::string_view line; at == of_line.size(); at = 0)
+      if (lines.next(line)) of_line = split_blanks(line);
+      else return {};
+    return of_line[at++];
+  }
+  void skip_line() { at = of_line.size(); }
 };
 
 std::vector<Point> read_points(Words& words, std::size_t count, double factor, Problems& problems) {
@@ -90,10 +76,10 @@ std::vector<Point> read_points(Words& words, std::size_t count, double factor, P
     for (double& value : p) {
       const auto word = words.next();
       if (word.empty()) {
-        problems.add(words.line(), "the file is cut off; write it again");
+        problems.add(words.lines.number(), "the file is cut off; write it again");
         return {};
       }
-      value = number_or_problem(word, "value", factor, words.line(), problems);
+      value = number_or_problem(word, "value", factor, words.lines.number(), problems);
     }
   return points;
 }
@@ -116,9 +102,8 @@ RawGrains read_yade_spheres(std::string_view text, const SampleOptions& options,
   RawGrains grains;
   std::vector<Point> centres;
   Lines lines(text);
-  std::string_view line;
   std::size_t id_columns = 0, material = 0;
-  while (lines.next(line)) {
+  for (std::string_view line; lines.next(line);) {
     const auto cells = split_blanks(line);
     if (cells.empty()) continue;
     if (cells.front() == "#format" && cells.size() > 1) {
@@ -129,7 +114,7 @@ RawGrains read_yade_spheres(std::string_view text, const SampleOptions& options,
     if (cells.front().starts_with('#')) continue;
     const int at = lines.number();
     if (cells.size() < id_columns + 4 + (material > 0 ? 1 : 0)) {
-      problems.add(at, fmt::format("expected at least {} values as the #format line says, found {}", id_columns + 4 + (material > 0 ? 1 : 0), cells.size()));
+      problems.add(at, "expected at least {} values as the #format line says, found {}", id_columns + 4 + (material > 0 ? 1 : 0), cells.size());
       continue;
     }
     RawGrain g;
@@ -150,12 +135,12 @@ RawGrains read_yade_spheres(std::string_view text, const SampleOptions& options,
 
 RawContacts read_yade_interactions(std::string_view text, const RawGrains& grains, const SampleOptions& options, Problems& problems) {
   RawContacts contacts;
-  Words words(text);
+  Words words{Lines(text)};
   std::vector<Point> ends, normal, shear;
   std::size_t count = 0;
   for (auto word = words.next(); !word.empty(); word = words.next()) {
     if (word == "POINTS") {
-      count = static_cast<std::size_t>(std::max<std::int64_t>(0, integer_or_problem(words.next(), "number of points", words.line(), problems))) / 2;
+      count = static_cast<std::size_t>(std::max<std::int64_t>(0, integer_or_problem(words.next(), "number of points", words.lines.number(), problems))) / 2;
       if (count > text.size()) break;  // more than the file can hold
       words.skip_line();
       ends = read_points(words, 2 * count, options.length(), problems);

@@ -69,22 +69,12 @@ std::vector<double> LaboratoryTable::values(std::size_t column, const Quantity& 
 }
 
 CalibrationCurve read_calibration_curve(const std::string& file) {
-  const std::string text = read_file(file);
-  Problems problems(file);
-  const Table table = read_table(text, "", problems);
-  const auto level = table.find({"level", "dl", "digital_level"}), temperature = table.find({"temperature", "t"});
-  if (!level || !temperature) problems.add(table.header_line, "has no columns level and temperature; name them in the first line");
-  problems.raise();
-  const std::string& unit = table.columns[*temperature].unit;
-  const bool celsius = is_celsius(unit);
-  if (!celsius && !unit.empty() && unit != "K") problems.add(table.header_line, fmt::format("gives temperatures in \"{}\"; write K or C", unit));
-  CalibrationCurve curve;
-  for (const auto& row : table.rows) {
-    curve.level.push_back(number_or_problem(row.cells[*level], "level", 1, row.line, problems));
-    curve.temperature.push_back(number_or_problem(row.cells[*temperature], "temperature", 1, row.line, problems) + (celsius ? 273.15 : 0));
-  }
-  problems.raise();
-  return curve;
+  LaboratoryTable table(file);
+  const Quantity levels{{"level", "dl", "digital_level"}, dimension::none, {}};
+  const Quantity temperatures{{"temperature", "t"}, dimension::temperature, "K", Quantity::Kind::absolute_temperature};
+  const auto level = table.find(levels), temperature = table.find(temperatures);
+  if (!level || !temperature) throw InputError(file, table.header_line(), "has no columns level and temperature; name them in the first line");
+  return {table.values(*level, levels), table.values(*temperature, temperatures)};
 }
 
 }  // namespace arenite::io

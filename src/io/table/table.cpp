@@ -14,21 +14,6 @@ std::string_view unquoted(std::string_view cell) {
   return cell.size() >= 2 && cell.front() == '"' && cell.back() == '"' ? cell.substr(1, cell.size() - 2) : cell;
 }
 
-/// Cuts at separators that are not inside quotes.
-std::vector<std::string_view> split(std::string_view line, char separator) {
-  if (separator == ' ') return split_blanks(line);
-  std::vector<std::string_view> cells;
-  std::size_t start = 0;
-  bool quoted = false;
-  for (std::size_t at = 0; at <= line.size(); ++at) {
-    if (at < line.size() && line[at] == '"') quoted = !quoted;
-    if (at < line.size() && (quoted || line[at] != separator)) continue;
-    cells.push_back(unquoted(trimmed(line.substr(start, at - start))));
-    start = at + 1;
-  }
-  return cells;
-}
-
 char separator_of(std::string_view line) {
   for (const char c : {',', ';', '\t'})
     if (line.find(c) != std::string_view::npos) return c;
@@ -59,10 +44,25 @@ void check_header(const Table& table, int line, Problems& problems) {
   for (std::size_t a = 0; a < table.columns.size(); ++a)
     for (std::size_t b = a + 1; b < table.columns.size(); ++b)
       if (!table.columns[a].name.empty() && table.columns[a].name != "-" && table.columns[a].name == table.columns[b].name)
-        problems.add(line, fmt::format("column \"{}\" appears twice; rename or drop one", table.columns[a].name));
+        problems.add(line, "column \"{}\" appears twice; rename or drop one", table.columns[a].name);
 }
 
 }  // namespace
+
+/// Cuts at separators that are not inside quotes.
+std::vector<std::string_view> split_cells(std::string_view line, char separator) {
+  if (separator == ' ') return split_blanks(line);
+  std::vector<std::string_view> cells;
+  std::size_t start = 0;
+  bool quoted = false;
+  for (std::size_t at = 0; at <= line.size(); ++at) {
+    if (at < line.size() && line[at] == '"') quoted = !quoted;
+    if (at < line.size() && (quoted || line[at] != separator)) continue;
+    cells.push_back(unquoted(trimmed(line.substr(start, at - start))));
+    start = at + 1;
+  }
+  return cells;
+}
 
 std::string quoted_cell(const std::string& text) {
   if (text.find_first_of(",;\"\n\r") == std::string::npos) return text;
@@ -92,15 +92,14 @@ Table read_table(std::string_view text, const std::string& columns, Problems& pr
   Table table;
   char separator = 0;
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-  for (const std::string_view name : columns.empty() ? std::vector<std::string_view>{} : split(columns, ',')) table.columns.push_back(column_of(name));
+  for (const std::string_view name : columns.empty() ? std::vector<std::string_view>{} : split_cells(columns, ',')) table.columns.push_back(column_of(name));
   check_header(table, 0, problems);
   Lines lines(text);
-  std::string_view line;
   bool first_row = true;
-  while (lines.next(line)) {
+  for (std::string_view line; lines.next(line);) {
     if (trimmed(line).empty() || trimmed(line).front() == '#') continue;
     if (separator == 0) separator = separator_of(line);
-    Table::Row row{lines.number(), split(line, separator)};
+    Table::Row row{lines.number(), split_cells(line, separator)};
     if (table.columns.empty()) {
       table.header_line = row.line;
       for (const std::string_view cell : row.cells) table.columns.push_back(column_of(cell));
@@ -112,7 +111,7 @@ Table read_table(std::string_view text, const std::string& columns, Problems& pr
       continue;
     }
     if (row.cells.size() != table.columns.size()) {
-      problems.add(row.line, fmt::format("this row has {} cells, but there are {} columns; complete or remove it", row.cells.size(), table.columns.size()));
+      problems.add(row.line, "this row has {} cells, but there are {} columns; complete or remove it", row.cells.size(), table.columns.size());
       continue;
     }
     if (first_row && is_unit_row(row)) {
@@ -140,12 +139,7 @@ std::optional<std::int64_t> to_integer(std::string_view cell) {
   return static_cast<std::int64_t>(*number);
 }
 
-bool is_celsius(std::string_view unit) {
-  return unit == "C" || unit == "degC" ||
-         unit ==
-             "\xc2\xb0"
-             "C";
-}
+bool is_celsius(std::string_view unit) { return unit == "C" || unit == "degC" || unit == "\u00b0C"; }
 
 double unit_factor(std::string_view unit, Dimension dimension) {
   const Unit u = parse_unit(unit);
@@ -157,20 +151,20 @@ double factor_or_problem(std::string_view unit, const std::string& column, Dimen
   try {
     return unit.empty() ? otherwise : unit_factor(unit, dimension);
   } catch (const InputError& error) {
-    problems.add(line, fmt::format("column {}: {}", column, error.problems().front().message));
+    problems.add(line, "column {}: {}", column, error.problems().front().message);
     return otherwise;
   }
 }
 
 double number_or_problem(std::string_view cell, const std::string& column, double factor, int line, Problems& problems) {
   if (const auto value = to_number(cell)) return *value * factor;
-  problems.add(line, fmt::format("{} is \"{}\", which is not a finite number; correct it or remove the row", column, cell));
+  problems.add(line, "{} is \"{}\", which is not a finite number; correct it or remove the row", column, cell);
   return 0;
 }
 
 std::int64_t integer_or_problem(std::string_view cell, const std::string& column, int line, Problems& problems) {
   if (const auto value = to_integer(cell)) return *value;
-  problems.add(line, fmt::format("{} is \"{}\", which is not a whole number; give the number of a grain", column, cell));
+  problems.add(line, "{} is \"{}\", which is not a whole number; give the number of a grain", column, cell);
   return 0;
 }
 

@@ -34,6 +34,9 @@ struct Table {
 /// is missing or says a column twice go to `problems`.
 Table read_table(std::string_view text, const std::string& columns, Problems& problems);
 
+/// The cells of a row, without blanks and quotes around them.
+std::vector<std::string_view> split_cells(std::string_view row, char separator);
+
 /// A cell of text as it is written, in quotes where a reader would take it for several.
 std::string quoted_cell(const std::string& text);
 
