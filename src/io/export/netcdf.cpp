@@ -118,12 +118,13 @@ void put_states(NetcdfFile& file, const Frames& frames) {
   file.dimension("time", by_time(frames, [](const Frame& f) { return f.time; }), {"s", "time since the start of the run"});
   file.variable("stage", "time", mapped(frames, &ExportFrame::stage), {"", "stage of the loading"});
   file.variable("label", "time", mapped(frames, [](const auto& f) { return f.frame->label; }), {"", "state within its stage"});
-  file.variable("step", {"time"}, by_time(frames, [](const Frame& f) { return static_cast<double>(f.step); }), {"1", "time steps since the start"});
-  file.variable("unbalanced_ratio", {"time"}, by_time(frames, [](const Frame& f) { return f.equilibrium.unbalanced_ratio; }),
-                {"1", "mean resultant force on a grain over the mean contact force"});
-  file.variable("kinetic_ratio", {"time"}, by_time(frames, [](const Frame& f) { return f.equilibrium.kinetic_ratio; }), {"1", "kinetic over elastic energy"});
-  for (const EnergyTerm& term : energy_terms)
-    file.variable(std::string("energy_") + term.name, {"time"}, by_time(frames, [&](const Frame& f) { return f.energies.*term.value; }), {"J", term.phrase});
+  const auto put = [&](const std::string& name, const char* unit, const char* meaning, auto value) {
+    file.variable(name, {"time"}, by_time(frames, value), {unit, meaning});
+  };
+  put("step", "1", "time steps since the start", [](const Frame& f) { return static_cast<double>(f.step); });
+  put("unbalanced_ratio", "1", "mean resultant force on a grain over the mean contact force", [](const Frame& f) { return f.equilibrium.unbalanced_ratio; });
+  put("kinetic_ratio", "1", "kinetic over elastic energy", [](const Frame& f) { return f.equilibrium.kinetic_ratio; });
+  for (const EnergyTerm& term : energy_terms) put(std::string("energy_") + term.name, "J", term.phrase, [&](const Frame& f) { return f.energies.*term.value; });
 }
 
 void put_walls(NetcdfFile& file, const Frames& frames) {

@@ -54,9 +54,7 @@ std::uint32_t fletcher(const std::string& bytes, std::size_t size) {
 bool take_checksum(std::string& bytes) {
   if (bytes.size() < 4) return false;
   const std::size_t size = bytes.size() - 4;
-  std::uint32_t stored = 0;
-  for (std::size_t b = 0; b < 4; ++b) stored |= static_cast<std::uint32_t>(static_cast<std::uint8_t>(bytes[size + b])) << 8 * b;
-  if (stored != fletcher(bytes, size)) return false;
+  if (number_at<std::uint32_t>(bytes, size) != fletcher(bytes, size)) return false;
   bytes.resize(size);
   return true;
 }

@@ -48,12 +48,6 @@ void require(const Table& table, bool found, const char* column, const char* kin
   if (!found) problems.add(table.header_line, "there is no column \"{}\"; {}", column, kind);
 }
 
-std::optional<int> wall_by_name(std::string_view cell) {
-  for (int side = 0; side < 4; ++side)
-    if (cell == side_names[static_cast<std::size_t>(side)]) return side;
-  return std::nullopt;
-}
-
 std::int32_t material_of(const RawGrain& row, const Materials& materials, Problems& problems) {
   if (row.material.empty() && materials.size() == 1) return 0;
   const auto it = std::find_if(materials.begin(), materials.end(), [&](const Material& m) { return m.name == row.material; });
@@ -108,7 +102,8 @@ RawContacts read_contacts_csv(std::string_view text, const RawGrains&, const Sam
     RawContact contact;
     contact.line = row.line;
     contact.i = integer_or_problem(row.cells[*i], "i", row.line, problems);
-    if (const auto wall = wall_by_name(row.cells[*j])) contact.wall = *wall;
+    if (const auto* wall = std::ranges::find(side_names, row.cells[*j]); wall != std::end(side_names))
+      contact.wall = static_cast<int>(wall - std::begin(side_names));
     else contact.j = integer_or_problem(row.cells[*j], "j", row.line, problems);
     if (vector) {
       contact.force_on_j = Vec2{fx(row), fy(row)};

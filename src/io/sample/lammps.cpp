@@ -77,19 +77,21 @@ void read_box(std::vector<Item>& items, double length, RawGrains& grains, Proble
 
 bool is_opaque(std::string_view name) { return name.starts_with("c_") || name.starts_with("f_"); }
 
+constexpr const char* pair_columns[] = {"patom1", "patom2", "fx", "fy", "p1", "p2"};
+constexpr const char* pair_columns_in_space[] = {"patom1", "patom2", "fx", "fy", "fz", "p1", "p2", "p3"};
+
 /// What to write for a dump whose columns nobody can tell apart: an example that has as many.
 std::string missing_columns(const std::vector<std::string_view>& names) {
-  static const std::vector<std::string> wanted{"patom1", "patom2", "fx", "fy", "p1", "p2"};
   std::string found, example;
   std::size_t next = 0;
   for (const auto& name : names) {
     found.append(found.empty() ? "" : " ").append(name);
-    example += (example.empty() ? "" : ",") + (is_opaque(name) && next < wanted.size() ? wanted[next++] : std::string("-"));
+    example.append(example.empty() ? "" : ",").append(is_opaque(name) && next < std::size(pair_columns) ? pair_columns[next++] : "-");
   }
   return fmt::format(
       "which of the columns ({}) are the two grains and the force is not known; name them in their order by --columns, with \"-\" for "
       "those not needed, e.g. --columns \"{}\" (patom1 patom2 of property/local, fx fy and the tangential p1 p2 of pair/local)",
-      found, next == wanted.size() ? example : "-,patom1,patom2,fx,fy,p1,p2");
+      found, next == std::size(pair_columns) ? example : "-,patom1,patom2,fx,fy,p1,p2");
 }
 
 /// Names columns that LAMMPS named after computes: by what they hold, else index, two atoms, then forces in the documented order.
@@ -97,17 +99,10 @@ void name_opaque_columns(Table& entries, const RawGrains& grains) {
   std::vector<std::size_t> at;
   for (std::size_t c = 0; c < entries.columns.size(); ++c)
     if (is_opaque(entries.columns[c].name)) at.push_back(c);
-  if (const auto found = find_pair_columns(mapped(entries.rows, &Table::Row::cells), at, grains)) {
-    for (const auto& [name, c] :
-         {std::pair{"patom1", found->i}, {"patom2", found->j}, {"fx", found->fx}, {"fy", found->fy}, {"p1", found->p1}, {"p2", found->p2}})
-      entries.columns[c].name = name;
-    return;
-  }
-  static const std::vector<std::string> plane{"patom1", "patom2", "fx", "fy", "p1", "p2"};
-  static const std::vector<std::string> space{"patom1", "patom2", "fx", "fy", "fz", "p1", "p2", "p3"};
-  const auto& names = at.size() == space.size() ? space : plane;
-  if (at.size() != names.size()) return;
-  for (std::size_t k = 0; k < at.size(); ++k) entries.columns[at[k]].name = names[k];
+  if (auto found = find_pair_columns(mapped(entries.rows, &Table::Row::cells), at, grains); !found.empty()) at = std::move(found);
+  const bool in_space = at.size() == std::size(pair_columns_in_space);
+  if (!in_space && at.size() != std::size(pair_columns)) return;
+  for (std::size_t k = 0; k < at.size(); ++k) entries.columns[at[k]].name = in_space ? pair_columns_in_space[k] : pair_columns[k];
 }
 
 bool is_dump(std::string_view first_line) { return first_line.starts_with("ITEM:"); }

@@ -70,8 +70,8 @@ bool all_zero(const std::vector<NumberRow>& rows, std::size_t c) {
 
 }  // namespace
 
-std::optional<PairColumns> find_pair_columns(const std::vector<std::vector<std::string_view>>& rows, const std::vector<std::size_t>& candidates,
-                                             const RawGrains& grains) {
+std::vector<std::size_t> find_pair_columns(const std::vector<std::vector<std::string_view>>& rows, const std::vector<std::size_t>& candidates,
+                                           const RawGrains& grains) {
   const auto numbers = numbers_of(rows, candidates);
   const std::size_t n = candidates.size();
   if (numbers.empty() || n < 6) return {};
@@ -85,7 +85,7 @@ std::optional<PairColumns> find_pair_columns(const std::vector<std::vector<std::
     if (x + 1 >= i && x <= i + 1) continue;
     if (!lies(numbers, branches, x, x + 1, true) || are_branches(numbers, branches, x)) continue;
     const auto with = [&](std::size_t p) {
-      return PairColumns{candidates[i], candidates[i + 1], candidates[x], candidates[x + 1], candidates[p], candidates[p + 1]};
+      return std::vector{candidates[i], candidates[i + 1], candidates[x], candidates[x + 1], candidates[p], candidates[p + 1]};
     };
     for (std::size_t p = x + 2; p + 1 < n; ++p)
       if (lies(numbers, branches, p, p + 1, false)) return with(p);
