@@ -88,6 +88,14 @@ Numbers numbers(const LockinMaps& m, const LockinArguments& a, const FilmInfo& f
   return j;
 }
 
+/// For people the frequency stands in as many digits as its error tells.
+std::string text_of(Numbers found) {
+  Numbers frequency = Numbers::tree({{"value", found["frequency_Hz"]}, {"error", found["frequency_error_Hz"]}});
+  frequency.means_as(found["frequency_Hz"]);
+  found["frequency_Hz"] = std::move(frequency);
+  return to_text(found);
+}
+
 int execute(LockinArguments& a) {
   thermography::LockinOptions& o = a.options;
   o.frequency = option_value("--frequency", [&] { return parse_si(a.frequency, dimension::frequency, "Hz"); });
@@ -118,7 +126,7 @@ int execute(LockinArguments& a) {
   const thermography::Adiabatic heat = adiabatic(a, maps.frequency);
   if (heat.pixel > 0 && !heat.holds()) fmt::print(stderr, "{}\n", heat.sentence());
   const Numbers found = numbers(maps, a, film->info(), heat);
-  fmt::print("{}", a.json ? to_json(found, 2) + "\n" : to_text(found));
+  fmt::print("{}", a.json ? to_json(found, 2) + "\n" : text_of(found));
   return done;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <regex>
 
 #include "io/film/film.hpp"
 #include "support/films.hpp"
@@ -31,7 +32,7 @@ std::string rows_without_meaning(const std::string& text, const Json& numbers, c
     if (!value.is_number() && !value.is_boolean()) continue;
     const auto at = text.find("  " + prefix + name + " ");
     const std::string row = at == std::string::npos ? "" : text.substr(at, text.find('\n', at) - at);
-    if (row.size() < 60 || row[58] != ' ' || !std::isupper(static_cast<unsigned char>(row[59]))) without += prefix + name + " ";
+    if (!std::regex_search(row, std::regex("  [A-Z][a-z]+ "))) without += prefix + name + " ";
   }
   return without;
 }
@@ -44,6 +45,7 @@ TEST(LockInCommand, TextAndJsonHaveTheSameNumbersEachWithItsMeaning) {
   const Json numbers = Json::parse(json.out);
   EXPECT_EQ(rows_without_meaning(text.out, numbers), "") << text.out;
   EXPECT_NE(text.out.find("median.drift"), std::string::npos);
+  EXPECT_TRUE(std::regex_search(text.out, std::regex(" frequency_Hz +[0-9.]+ \\+- [0-9.e-]+ Hz "))) << text.out;
   EXPECT_NE(text.out.find(" level/s "), std::string::npos) << text.out;
   EXPECT_NE(text.out.find(" deg "), std::string::npos) << text.out;
 }
