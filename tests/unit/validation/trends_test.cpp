@@ -42,7 +42,7 @@ TEST(Monotone, ARiseMayHaveStepsDownWithinTheError) {
 TEST(Monotone, AStepDownBeyondTheErrorFailsWhateverTheSlope) {
   const Check check = monotone("z", "rises", points({4.3, 4.6, 4.2, 4.7, 4.8, 5}, 0.01), +1);
   EXPECT_EQ(check.outcome, Outcome::fails);
-  EXPECT_NE(check.what.find("against it from 1 to 2"), std::string::npos) << check.what;
+  EXPECT_NE(check.what.find("contradicted by from 1 to 2"), std::string::npos) << check.what;
 }
 
 TEST(Monotone, ALevelLineIsUndecidedAndNoneUnknown) {
