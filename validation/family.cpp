@@ -103,7 +103,7 @@ Check trend(const std::string& what, const std::string& source, const Value& siz
   if (check.outcome == Outcome::unknown) return check;
   if (const std::string wrong = contradictions(against, direction); !wrong.empty()) {
     check.outcome = Outcome::fails;
-    check.what += "; contradicted by " + wrong;
+    check.what += "; contradicting: " + wrong;
   }
   return check;
 }

@@ -108,7 +108,7 @@ TEST(LedgerDots, DrawWhatSomethingIsWantedOf) {
   EXPECT_TRUE(has_dots(ledger.claims[0].judgement));
   EXPECT_FALSE(has_dots(ledger.claims[1].judgement));
   const std::string svg = ledger_dots(ledger.claims[0].judgement);
-  EXPECT_NE(svg.find("wanted > 4"), std::string::npos) << svg;
+  EXPECT_NE(svg.find("required > 4"), std::string::npos) << svg;
   EXPECT_NE(svg.find(">without friction</text>"), std::string::npos);
   EXPECT_EQ(svg.find("drag"), std::string::npos) << "a choice without a number has no row";
   EXPECT_EQ(svg.find(">z</text>"), std::string::npos) << "nothing is required of z";
