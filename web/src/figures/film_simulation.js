@@ -32,7 +32,7 @@ export const againstSimulation = {
   id: "film-simulation", title: "Film against simulation", follows: ["companion", "over"],
   caption: "Every grain with the film\u2019s standard error, pale near the border; line: equality; r and the difference exclude the border. Largest load: includes the stress at the smallest load, which no film shows. " +
     "On virtual films a simulation from positions alone reaches a correlation of about 0.4 to 0.5: individual contact forces depend on the friction history of filling and " +
-    "loading, which is not known.",
+    "loading, and this history is lost.",
   choices: { companion: ["", [["peak_to_peak", "Peak to peak"], ["state", "Largest load"]]], over: ["", [["mean", "\u03c3_{norm}"], ["unit", "Pa"]]] },
   when: (_, film) => film.hasSimulation,
   key: ({ sample, state, theme }) => {
