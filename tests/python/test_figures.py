@@ -277,7 +277,7 @@ def test_contacts_that_may_be_absent_are_told_apart():
     assert list(film_forces.uncertain(film)) == [False, False, True, False, True]
     shown = axes()
     figures.draw_ranked_forces(shown, film)
-    assert [text.get_text() for text in shown.get_legend().get_texts()] == ["3 there", "2 may be absent"]
+    assert [text.get_text() for text in shown.get_legend().get_texts()] == ["3 present", "2 may be absent"]
 
 
 def test_every_contact_is_in_a_bar_of_its_certainty():
