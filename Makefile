@@ -32,7 +32,7 @@ deb:
 	@ninja -C $(BUILD) -j $(JOBS)
 	@cd $(BUILD) && cpack -G DEB
 
-# The archive of a release in $(BUILD), with the pages built: who builds from it needs no Node.js.
+# The archive of a release in $(BUILD), with the pages built: building from it needs no Node.js.
 dist:
 	@scripts/setup run
 	@$(COMMON) $(WITHOUT_MODULE) -DARENITE_TESTS=OFF >/dev/null

@@ -50,7 +50,8 @@ void add_camera(Options& command, int& status) {
   add_overrides(command, a->overrides);
   command.add("--out", a->out, "Folder of the film, its references and its recipe (default: out/film)").type("DIR");
   command.add("--format", a->format, "Format of the films").among(io::film_formats_to_write());
-  command.add("--blind", a->blind, "Leave out of film.toml what no laboratory knows for sure: lens blur, surroundings, phase of the load, travel of the wall");
+  command.add("--blind", a->blind,
+              "Omit from film.toml what no laboratory knows exactly: lens blur, surroundings, phase of the load, displacement of the wall");
   command.add("--quiet", a->quiet, "No progress");
   command.work = [a, &status] { status = execute(*a); };
 }

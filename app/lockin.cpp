@@ -146,7 +146,7 @@ void add_lockin(Options& command, int& status) {
       .formerly("full", "peak-to-peak");
   command
       .add("--reference-phase", a->reference_phase,
-           "Phase of the load at the first frame, i.e. the angle still to go to its maximum, e.g. \"90 deg\"; if not given, found on the film up to its sign")
+           "Phase of the load at the first frame, i.e. the angle from there to its maximum, e.g. \"90 deg\"; if not given, found on the film up to its sign")
       .type("ANGLE");
   command.add("--nearest-bin", a->nearest_bin, "Plain Fourier transform at the nearest bin, mean image subtracted");
   command.add("--no-refinement", a->no_refinement, "Keep the frequency as given");

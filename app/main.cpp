@@ -45,7 +45,7 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "%s: %s; check its permissions\n", error.path1().c_str(), error.code().message().c_str());
     status = app::bad_input;
   } catch (const std::bad_alloc&) {
-    std::fprintf(stderr, "%s: out of memory; ask for fewer grains or fewer stored states\n", speaker(argc, argv).c_str());
+    std::fprintf(stderr, "%s: out of memory; request fewer grains or fewer stored states\n", speaker(argc, argv).c_str());
   } catch (const std::exception& error) {
     // fmt throws where stdio would only note that stdout cannot be written; that is told below.
     if (!std::ferror(stdout)) std::fprintf(stderr, "%s: %s\n", speaker(argc, argv).c_str(), error.what());

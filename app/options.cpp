@@ -21,8 +21,8 @@ void overview() {
       "  cemented packings        arenite init cemented r.toml, then arenite run r.toml; a map of your own: arenite load MAP\n"
       "  a loaded packing's film  arenite init film r.toml, then arenite film FILM --recipe r.toml\n"
       "  many runs                arenite init study r.toml, then arenite study run r.toml\n"
-      "\nA run writes a page, report.html, in its folder; a study writes study.html, where a figures.toml beside its recipe\n"
-      "says which figures to draw. In Python, `import arenite` has every step as a function. More: `arenite COMMAND --help`.");
+      "\nA run writes a page, report.html, in its folder; a study writes study.html, with the figures declared in a figures.toml\n"
+      "beside its recipe. In Python, `import arenite` has every step as a function. More: `arenite COMMAND --help`.");
 }
 
 /// Refuses an unknown first word with the nearest command, which CLI11 does not offer.

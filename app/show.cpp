@@ -59,7 +59,7 @@ void refuse(const fs::path& path, bool study_passes) {
                                    "reports its progress",
                                    name, name));
     }
-    if (holds_maps(path)) throw InputError(name, 0, fmt::format("holds the maps of a film, each an image of its own, and is not a result; {}", give_a_result));
+    if (holds_maps(path)) throw InputError(name, 0, fmt::format("contains the maps of a film, one image each, and is not a result; {}", give_a_result));
     if (!may_hold_something(path)) throw InputError(name, 0, fmt::format("is not a result; {}", give_a_result));
     return;
   }

@@ -53,7 +53,7 @@ int run_command(const StudyArguments& arguments, const campaign::Study& study, c
   const campaign::StudyOutcome outcome = run_missing(study, folder, options, arguments.quiet);
   fmt::print("{}", status_text(study, folder));
   if (outcome.interrupted) {
-    fmt::print(stderr, "stopped; the same command continues with the {} runs that are left\n", outcome.left);
+    fmt::print(stderr, "stopped; the same command continues with the {} remaining runs\n", outcome.left);
     return other_failure;
   }
   fmt::print("\nresults: {0}\nnumbers: arenite study collect {1} --out {0}\n", folder.out.string(), arguments.recipe);
@@ -86,7 +86,7 @@ int execute(const StudyArguments& arguments) {
     if (!arguments.slurm) throw InputError("script: name the scheduler; only --slurm is supported");
     if (!arguments.shard.empty() || arguments.retry)
       throw InputError(
-          fmt::format("{} belongs to run; each task of the script does one of the --tasks parts, and failed runs wait for another `arenite "
+          fmt::format("{} is an option of run; each task of the script does one of the --tasks parts, and failed runs are repeated by `arenite "
                       "study run --retry`",
                       arguments.shard.empty() ? "--retry" : "--shard"));
     const auto study = campaign::read_study(arguments.recipe, arguments.overrides);  // so that slips show here

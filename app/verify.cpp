@@ -123,12 +123,9 @@ std::string heading(const VerifyArguments& a) {
   return fmt::format(
       "# The ledger of claims\n\n{}Written by `arenite verify`, version {}, on {}, {} cores of {}.\n\n"
       "Errors (±) are standard errors over runs with different seeds. A check holds where the 95 % interval (Student's t) lies within the claimed range, "
-      "fails where it lies "
-      "outside, and is undecided where it contains a bound. Many numbers of one kind, such as those of all pairs, are one check: it holds if each of them "
-      "holds, "
-      "and fails if one is outside "
-      "after Holm's correction. Independence of a parameter means that the change lies within a margin. Law S has a tangential spring; law R is the thesis's "
-      "regularised friction, which has no static friction. "
+      "fails where it lies outside, and is undecided where it contains a bound. Many numbers of one kind, such as those of all pairs, form one check: it holds "
+      "if each of them holds, and fails if one lies outside after Holm's correction; the value shown is the worst case. Independence of a parameter means that "
+      "the change lies within a margin. Law S has a tangential spring; law R is the thesis's regularised friction, which has no static friction. "
       "{}\n\n",
       a.small ? "**From the small studies: this is not the ledger.**\n\n" : "", version, date, std::thread::hardware_concurrency(), processor_name(),
       a.csv.empty() ? "`--csv FILE` writes all checks and all choices."

@@ -17,16 +17,16 @@ figure{margin:0;flex:1 1 26rem}svg{width:100%;height:auto;border:1px solid var(-
 path{fill:none!important;stroke-width:1.5}text.left,text.right,text.bottom,text.top{stroke:none}
 </style></head><body>
 <h1 id="title">Arenite</h1><p id="where"></p><div id="bar" role="progressbar" aria-valuemin="0" aria-valuemax="100"><div></div></div>
-<p id="now" aria-live="polite"></p><p><a id="page" href="page" hidden>The full page of the stages that have ended</a></p>
+<p id="now" aria-live="polite"></p><p><a id="page" href="page" hidden>Full page of the finished stages</a></p>
 <p><button id="stop" hidden>Stop the run</button> <span id="answer"></span></p><ol id="stages"></ol>
 <div class="charts"><figure id="force"></figure><figure id="position"></figure></div>
 <script>
 const at = (id) => document.getElementById(id), sides = ['left', 'right', 'bottom', 'top'];
 const span = (s) => s < 90 ? Math.round(s) + ' s' : s < 5400 ? Math.round(s / 60) + ' min' : (s / 3600).toFixed(1) + ' h';
-const lives = {running: 'running', stopped: 'stopped; the same command goes on from the checkpoint', died: 'its process is gone; the same command goes on from the last checkpoint',
-  unknown: 'not heard of for a minute', waiting: 'has not begun', ended: 'has ended'};
+const lives = {running: 'running', stopped: 'stopped; the same command continues from the checkpoint', died: 'its process has ended; the same command continues from the last checkpoint',
+  unknown: 'no status for a minute', waiting: 'not started', ended: 'ended'};
 
-// A curve a wall against time; scale and unit follow from the largest value.
+// One curve per wall against time; scale and unit follow from the largest value.
 function chart(place, name, unit, curves) {
   const shown = sides.filter((s) => curves[s + '_' + name]), time = curves.time;
   const all = shown.flatMap((s) => curves[s + '_' + name]).filter((v) => v !== null);
@@ -49,7 +49,7 @@ function show(s) {
   at('bar').setAttribute('aria-valuenow', Math.round(100 * share));
   at('now').textContent = !q ? '' : `stage ${q.stage + 1} of ${q.stages}, ${q.name}` + (q.increments > 1 ? `, increment ${q.increment} of ${q.increments}` : '') +
     `: ${(100 * share).toFixed(0)} %` + (q.step ? `, ${q.field ? 'iteration' : 'step'} ${q.step}` : '') +
-    (s.life === 'running' && q.seconds_left !== null ? `, about ${span(q.seconds_left)} left of it` : '');
+    (s.life === 'running' && q.seconds_left !== null ? `, about ${span(q.seconds_left)} left` : '');
   at('page').hidden = s.stages.length === 0;
   at('stop').hidden = s.life !== 'running';
   at('stages').replaceChildren(...s.stages.map((one) => { const li = document.createElement('li'); li.textContent = one.name + ': ' + one.outcome; return li; }));
@@ -59,7 +59,7 @@ function show(s) {
 
 at('stop').onclick = async () => {
   const answer = await fetch('stop', {method: 'POST'});
-  at('answer').textContent = answer.ok ? 'asked to stop; it writes its checkpoint and leaves' : 'it is not running any more';
+  at('answer').textContent = answer.ok ? 'stop requested; the run writes its checkpoint and exits' : 'it is no longer running';
 };
 let missed = 0;
 async function ask() {
@@ -67,7 +67,7 @@ async function ask() {
     show(await (await fetch('state')).json());
     missed = 0;
   } catch (_) {
-    if (++missed > 2) at('where').textContent = 'nobody serves this page any more; `arenite watch FOLDER` does again';
+    if (++missed > 2) at('where').textContent = 'this page is no longer served; `arenite watch FOLDER` serves it again';
   }
   setTimeout(ask, 1000);
 }

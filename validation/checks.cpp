@@ -91,11 +91,11 @@ void add_beside(Judgement& judgement, const std::string& conditions, const std::
     if (check.outcome == Outcome::unknown) continue;
     ++known;
     hold += check.outcome == Outcome::holds;
-    if (check.outcome == Outcome::fails) fail += fmt::format("{} {} ({})", fail.empty() ? "; fails:" : ",", check.what, text_of(check.ours));
+    if (check.outcome == Outcome::fails) fail += fmt::format("{} {} ({})", fail.empty() ? "; failing:" : ",", check.what, text_of(check.ours));
     check.what += ", " + conditions;
     judgement.checks.push_back(beside(std::move(check)));
   }
-  if (known > 0) judgement.findings.push_back(capital(fmt::format("{} {} of {} like checks hold{}.", conditions, hold, known, fail)));
+  if (known > 0) judgement.findings.push_back(capital(fmt::format("{}, {} of {} corresponding checks hold{}.", conditions, hold, known, fail)));
 }
 
 }  // namespace arenite::validation

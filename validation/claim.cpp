@@ -29,7 +29,7 @@ const char* word_for(Outcome outcome) {
 }
 
 const char* word_for(Kind kind) {
-  constexpr const char* words[] = {"trend", "number", "source", "beside"};
+  constexpr const char* words[] = {"trend", "number", "source", "supplementary"};
   return words[static_cast<int>(kind)];
 }
 

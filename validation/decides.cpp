@@ -40,7 +40,7 @@ std::string what_mends(const std::vector<Sensitivity>& all) {
   for (const Sensitivity& found : all) {
     if (found.wanted.empty() || found.entries.front().outcome == Outcome::holds || found.entries.front().outcome == Outcome::unknown) continue;
     if (const Words words = turned_to(found, Outcome::holds); !words.empty())
-      text += fmt::format("{}{} is as wanted ({}) {}", text.empty() ? "" : "; ", found.what, found.wanted, listed(words));
+      text += fmt::format("{}{} meets its criterion ({}) {}", text.empty() ? "" : "; ", found.what, found.wanted, listed(words));
   }
   return text.empty() ? text : text + ".";
 }
@@ -53,24 +53,25 @@ std::string what_spoils(const std::vector<Sensitivity>& all) {
     if (found.wanted.empty() || found.entries.front().outcome != Outcome::holds) continue;
     for (std::size_t k = 1; k < found.entries.size(); ++k) choices += found.entries[k].outcome != Outcome::unknown;
     if (const Words words = turned_to(found, Outcome::fails); !words.empty())
-      text += fmt::format("{}{} is no longer as wanted ({}) {}", text.empty() ? "" : "; ", found.what, found.wanted, listed(words));
+      text += fmt::format("{}{} no longer meets its criterion ({}) {}", text.empty() ? "" : "; ", found.what, found.wanted, listed(words));
   }
   if (!text.empty()) return text + ".";
-  return choices > 0 ? "No choice tried here turns it." : "";
+  return choices > 0 ? "None of the choices tried reverses it." : "";
 }
 
 }  // namespace
 
 std::string what_decides(const Judgement& judgement) {
   const Verdict verdict = judgement.verdict();
-  if (verdict == Verdict::unknown) return "Runs that decide it are missing.";
+  if (verdict == Verdict::unknown) return "The runs that decide it are missing.";
   if (!judgement.decides.empty()) return judgement.decides;
   const std::string choice = verdict == Verdict::reproduced ? what_spoils(judgement.sensitivities) : what_mends(judgement.sensitivities);
   if (!choice.empty()) return choice;
-  if (verdict == Verdict::reproduced) return "No choice was tried.";
+  if (verdict == Verdict::reproduced) return "No other choices were tried.";
   const Check& check = *deciding_check(judgement);
-  if (verdict == Verdict::undecided) return fmt::format("More samples decide. {}: {}, wanted {}.", capital(check.what), text_of(check.ours), check.wanted);
-  return fmt::format("No choice tried here gives what is wanted. {}: {}, wanted {}.", capital(check.what), text_of(check.ours), check.wanted);
+  if (verdict == Verdict::undecided)
+    return fmt::format("More samples are needed. {}: {}, required {}.", capital(check.what), text_of(check.ours), check.wanted);
+  return fmt::format("None of the choices tried meets the criterion. {}: {}, required {}.", capital(check.what), text_of(check.ours), check.wanted);
 }
 
 }  // namespace arenite::validation

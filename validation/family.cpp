@@ -78,8 +78,8 @@ Check every(const std::string& what, const std::string& source, const Family& fa
   const auto failing = std::count(wrong.begin(), wrong.end(), true);
   if (failing > 0) check.outcome = Outcome::fails;
   if (family.size() > 1)
-    check.what += fmt::format(", in {} of {}{}; least sure {}", count_inside(family, range), family.size(),
-                              failing > 0 ? fmt::format(", outside in {}", failing) : "", worst.name);
+    check.what += fmt::format(", in {} of {}{}; worst case {}", count_inside(family, range), family.size(),
+                              failing > 0 ? fmt::format(", violated in {}", failing) : "", worst.name);
   else check.what += ", " + worst.name;
   return check;
 }
@@ -87,7 +87,7 @@ Check every(const std::string& what, const std::string& source, const Family& fa
 Check on_the_whole(const std::string& what, const std::string& source, const Value& size, const Family& differences, int direction) {
   Check check = trend(what, source, size, differences, direction);
   if (differences.size() > 1)
-    check.what += fmt::format(", mean of {}, {} of them beyond their error, least {}", differences.size(), count_inside(differences, this_way(direction)),
+    check.what += fmt::format(", mean of {}, {} of them beyond their error; worst case {}", differences.size(), count_inside(differences, this_way(direction)),
                               least_sure(differences, this_way(direction))->name);
   return check;
 }
@@ -103,7 +103,7 @@ Check trend(const std::string& what, const std::string& source, const Value& siz
   if (check.outcome == Outcome::unknown) return check;
   if (const std::string wrong = contradictions(against, direction); !wrong.empty()) {
     check.outcome = Outcome::fails;
-    check.what += "; against it " + wrong;
+    check.what += "; contradicting: " + wrong;
   }
   return check;
 }

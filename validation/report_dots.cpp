@@ -89,7 +89,7 @@ std::string panel(const Sensitivity& found, const std::vector<std::size_t>& rows
   std::string svg;
   const auto title = wrapped(found.what, title_letters);
   for (std::size_t k = 0; k < title.size(); ++k) svg += text_at(left, top + title_line * static_cast<double>(k + 1) - 3, "title", "start", title[k]);
-  svg += text_at(left, top + title_line * static_cast<double>(title.size() + 1) - 3, "note", "start", "wanted " + found.wanted);
+  svg += text_at(left, top + title_line * static_cast<double>(title.size() + 1) - 3, "note", "start", "required " + found.wanted);
   const double from = axis.place(std::max(found.range.low, axis.low)), to = axis.place(std::min(found.range.high, axis.high));
   svg += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" class=\"band\"/>\n", from, first, to - from, height);
   for (const double tick : ticks(axis)) {
@@ -146,7 +146,7 @@ std::string draw(const Strip& strip, double& top) {
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const std::string& choice = strip.front()->entries[rows[k]].choice;
     svg += text_at(edge + label_width - 8, first + row_height * (static_cast<double>(k) + 0.5) + 4, choice.empty() ? "title" : "choice", "end",
-                   choice.empty() ? "as it is" : choice);
+                   choice.empty() ? "reference" : choice);
   }
   for (std::size_t k = 0; k < strip.size(); ++k)
     svg += panel(*strip[k], rows, edge + label_width + (panel_width + gap) * static_cast<double>(k), top, title_lines);
@@ -157,11 +157,11 @@ std::string draw(const Strip& strip, double& top) {
 std::string legend(double top) {
   std::string svg;
   double x = edge + 8;
-  for (const auto& [outcome, words] : {std::pair{Outcome::holds, "as wanted"}, {Outcome::undecided, "undecided"}, {Outcome::fails, "not as wanted"}}) {
+  for (const auto& [outcome, words] : {std::pair{Outcome::holds, "met"}, {Outcome::undecided, "undecided"}, {Outcome::fails, "not met"}}) {
     svg += mark(x, top, outcome) + text_at(x + 9, top + 4, "note", "start", words);
     x += 100;
   }
-  return svg + text_at(x, top + 4, "note", "start", "bars: standard error; shaded: wanted; dashed: as it is");
+  return svg + text_at(x, top + 4, "note", "start", "bars: standard error; shaded: required; dashed: reference");
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ using validation::Check;
 using validation::Sensitivity;
 
 /// Says of the verdicts of small studies what they are not.
-const char* size_of(bool small) { return small ? "the small studies, for the test alone: not the ledger" : "the studies in full"; }
+const char* size_of(bool small) { return small ? "the small studies (for tests only, not the ledger)" : "the full studies"; }
 
 void put(Numbers& one, const char* name, const validation::Value& value) {
   if (!std::isfinite(value.value)) return;
@@ -91,7 +91,7 @@ std::string ledger_csv(const validation::Ledger& ledger) {
     for (const Sensitivity& found : judgement.sensitivities)
       for (const auto& entry : found.entries)
         if (std::isfinite(entry.value.value))
-          text += row(claim->id, "choice", found.what, entry.choice.empty() ? "as it is" : entry.choice, "", found.wanted, entry.value, "",
+          text += row(claim->id, "choice", found.what, entry.choice.empty() ? "reference" : entry.choice, "", found.wanted, entry.value, "",
                       found.wanted.empty() ? "" : word_for(entry.outcome));
   }
   return text;
@@ -109,8 +109,9 @@ std::vector<std::string> changed_verdicts(const validation::Ledger& ledger, cons
   for (const auto& row : io::read_table(expected, "", problems).rows)
     if (row.cells.size() == 2) wanted.emplace(row.cells[0], row.cells[1]);
   const auto size = wanted.find("of");
-  if (size == wanted.end()) throw InputError(file, 0, "this holds no verdicts; write it with arenite verify --verdicts FILE");
-  if (size->second != size_of(small)) throw InputError(file, 0, fmt::format("these are verdicts of {}; here they are of {}", size->second, size_of(small)));
+  if (size == wanted.end()) throw InputError(file, 0, "this file holds no verdicts; write one with `arenite verify --verdicts FILE`");
+  if (size->second != size_of(small))
+    throw InputError(file, 0, fmt::format("these are verdicts of {}, to be compared with those of {}", size->second, size_of(small)));
   std::vector<std::string> changes;
   for (const auto& [claim, judgement] : ledger.claims) {
     const auto at = wanted.find(claim->id);

@@ -44,7 +44,7 @@ std::string runs_of(const std::vector<validation::StudyState>& studies) {
   std::size_t done = 0;
   for (const auto& study : studies) {
     done += study.done;
-    if (study.done < study.runs || (study.runs == 0 && progress_of(study) == "not begun"))
+    if (study.done < study.runs || (study.runs == 0 && progress_of(study) == "not started"))
       missing += fmt::format("{}`{}` ({})", missing.empty() ? "" : ", ", study.name, progress_of(study));
   }
   return missing.empty() ? fmt::format("All {} runs of the studies are done.", done) : "Runs are missing: " + missing + ".";
@@ -62,7 +62,7 @@ std::string counts(const validation::Ledger& ledger) {
 }
 
 std::string table_of(const validation::Ledger& ledger) {
-  std::string text = "| claim | | the source's number | ours | verdict | what decides |\n|---|---|---|---|---|---|\n";
+  std::string text = "| claim | | source | ours | verdict | reason |\n|---|---|---|---|---|---|\n";
   for (const Judged& judged : ledger.claims) {
     const std::string id = judged.claim->id;
     text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", simply_reproduced(judged) ? id : fmt::format("[{}](#{})", id, anchor_of(id)),
@@ -79,17 +79,17 @@ std::string open_checks(const std::vector<Check>& checks) {
     if (check.kind != Kind::beside && check.outcome != Outcome::holds)
       rows += fmt::format("| {} | {} | {} | {} | {} |\n", cell(with_signs(check.what)), cell(check.source), cell(with_signs(ours_text(check))),
                           cell(with_signs(check.wanted)), word_for(check.outcome));
-  return rows.empty() ? rows : "\n| what | source | ours | wanted | |\n|---|---|---|---|---|\n" + rows;
+  return rows.empty() ? rows : "\n| what | source | ours | required | |\n|---|---|---|---|---|\n" + rows;
 }
 
 std::string section_of(const Judged& judged, const std::string& pictures) {
   const auto& [claim, judgement] = judged;
   const std::string figure = validation::figure_place(*claim);
   std::string text = fmt::format("\n### {}\n\n**{}.** {} ({}{}). {}", claim->id, word_for(judgement.verdict()), claim->sentence, claim->where,
-                                 figure.empty() ? "" : fmt::format("; drawn in `{}`", figure), validation::what_decides(judgement));
+                                 figure.empty() ? "" : fmt::format("; figure: `{}`", figure), validation::what_decides(judgement));
   for (const auto& finding : judgement.findings) text += " " + finding;
   text = with_signs(text) + "\n" + open_checks(judgement.checks);
-  if (has_dots(judgement)) text += fmt::format("\n![{}: open choices against what is wanted]({}/{}.svg)\n", claim->id, pictures, claim->id);
+  if (has_dots(judgement)) text += fmt::format("\n![{}: open choices and the required range]({}/{}.svg)\n", claim->id, pictures, claim->id);
   return text;
 }
 
@@ -98,7 +98,7 @@ std::string section_of(const Judged& judged, const std::string& pictures) {
 std::string ledger_page(const validation::Ledger& ledger, const std::string& pictures) {
   std::string text = fmt::format("{} {}.\n\n{}", runs_of(ledger.studies), counts(ledger), table_of(ledger));
   const bool all = std::all_of(ledger.claims.begin(), ledger.claims.end(), simply_reproduced);
-  if (!all) text += "\n## What is not simply reproduced\n";
+  if (!all) text += "\n## Claims not fully reproduced\n";
   for (const Judged& judged : ledger.claims)
     if (!simply_reproduced(judged)) text += section_of(judged, pictures);
   return text;

@@ -17,12 +17,12 @@ using validation::Sensitivity;
 
 std::string line_of(const Check& check) {
   if (check.wanted.empty()) return fmt::format("    {:<9} {}: {}\n", "", check.what, ours_text(check));
-  return fmt::format("    {:<9} {}: {} (source {}, wanted {}; {})\n", word_for(check.outcome), check.what, ours_text(check), check.source, check.wanted,
+  return fmt::format("    {:<9} {}: {} (source {}, required {}; {})\n", word_for(check.outcome), check.what, ours_text(check), check.source, check.wanted,
                      word_for(check.kind));
 }
 
 std::string line_of(const Sensitivity& found) {
-  std::string text = fmt::format("    {}{}: {}", found.what, found.wanted.empty() ? "" : fmt::format(" (wanted {})", found.wanted),
+  std::string text = fmt::format("    {}{}: {}", found.what, found.wanted.empty() ? "" : fmt::format(" (required {})", found.wanted),
                                  validation::text_of(found.entries.front().value));
   for (std::size_t k = 1; k < found.entries.size(); ++k) {
     const auto& entry = found.entries[k];
@@ -50,7 +50,7 @@ std::string ours_text(const validation::Judgement& judgement) {
 std::string progress_of(const validation::StudyState& study) {
   if (study.runs > 0) return fmt::format("{} of {} runs done", study.done, study.runs);
   const auto* source = validation::find_study(study.name);
-  return source && source->has_runs() ? "not begun" : "the source's tables";
+  return source && source->has_runs() ? "not started" : "tables of the source";
 }
 
 std::string ledger_text(const validation::Ledger& ledger) {

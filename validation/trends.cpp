@@ -74,7 +74,7 @@ Family steps(const Series& points) {
 Family leads_of_last(const Series& points) {
   Family all;
   for (std::size_t k = 0; k + 1 < points.size(); ++k)
-    all.push_back({fmt::format("{:g} less {:g}", points.back().x, points[k].x), difference(value_of(points.back()), value_of(points[k]))});
+    all.push_back({fmt::format("{:g} minus {:g}", points.back().x, points[k].x), difference(value_of(points.back()), value_of(points[k]))});
   return all;
 }
 

@@ -1,4 +1,4 @@
-"""A cemented packing under tension: how does the amount of matrix set stiffness and stress?"""
+"""A cemented packing under tension: how do stiffness and stress depend on the amount of matrix?"""
 
 # %% Disks of two sizes, compacted.
 import numpy as np
@@ -12,7 +12,7 @@ for name in recipe.stages:
     packing = arenite.load_stage(packing, recipe, name).packing
 print(packing)
 
-# %% The same packing with more and more matrix, each on 256 x 256 nodes, pulled by 1e-4.
+# %% The same packing with increasing amounts of matrix, on 256 x 256 nodes, in tension to a strain of 1e-4.
 rows = []
 for width in [0.1, 0.3, 0.6, 1.0]:
     cement = arenite.cement(packing, "bridges", gap="0.075 mm", width=width)

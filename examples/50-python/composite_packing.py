@@ -1,4 +1,4 @@
-"""Grains of two materials: make a packing, load it, measure how stress travels through it.
+"""Grains of two materials: make a packing, load it, measure how it transmits stress.
 
 Cells begin at `# %%`: run the file as a whole, or cell by cell in an editor or a notebook.
 """
@@ -12,7 +12,7 @@ from arenite import figures
 recipe = arenite.Recipe.template("composite", {"container.width": "140 mm", "populations.0.count": 48, "populations.1.count": 64})
 print(recipe.title, recipe.stages)
 
-# %% Pack, then load stage by stage; every stage is a function of the packing before it.
+# %% Pack, then load stage by stage; every stage takes the packing of the one before.
 packing = arenite.pack(recipe)
 stages = []
 for name in recipe.stages:
@@ -32,7 +32,7 @@ for number, material in enumerate(packing.materials):
     of = (packing.material == number) & grains["considered"]
     print(f"{material.name}: mean sigma_norm {np.mean(grains['sigma_norm'][of]):.3f}")
 
-# %% The stages as one result: stored, as a page, for ParaView.
+# %% The stages as one result: stored, shown on a page, exported for ParaView.
 result = arenite.Result(stages)
 arenite.save(result, "loaded")
 arenite.page(result, "report.html")

@@ -1,6 +1,6 @@
-"""Many runs as one table: how does friction set coordination?"""
+"""Many runs as one table: how does the coordination number depend on friction?"""
 
-# %% A recipe with [sweep]: three frictions, two seeds each.
+# %% A recipe with [sweep]: three friction coefficients, two seeds each.
 import pathlib
 
 from matplotlib.figure import Figure
@@ -12,7 +12,7 @@ recipe = arenite.Recipe.template("composite", {"container.width": "120 mm", "pop
 file, out = pathlib.Path("recipe.toml"), pathlib.Path("study")
 file.write_text(recipe.toml() + '\n[sweep]\nreplicates = 2\n[sweep.grid]\n"contact.friction" = [0.05, 0.3, 0.6]\n')
 
-# %% All runs, two at a time; the same call again goes on where it was stopped.
+# %% All runs, two at a time; the same call continues where it was stopped.
 print(arenite.run_study(file, out, jobs=2))
 
 # %% Means over the seeds, as columns.

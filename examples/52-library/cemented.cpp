@@ -1,4 +1,4 @@
-// A cemented packing by the library: packed, loaded by its walls, cemented, brought to a grid of nodes, stretched, measured, stored and read again.
+// A cemented packing with the library: packed, loaded by its walls, cemented, discretised into nodes, loaded in tension, measured, stored and read back.
 #include <arenite/arenite.hpp>
 #include <cstdio>
 #include <numeric>
@@ -23,7 +23,7 @@ StageResult run_stage(const Packing& start, const recipe::Recipe& recipe, const 
   return run.result;
 }
 
-/// Large and small grains by their mean radius.
+/// Large and small grains, divided at the mean radius.
 std::vector<GrainClass> classes(const Grains& grains) {
   const double mean = std::accumulate(grains.radius.begin(), grains.radius.end(), 0.0) / static_cast<double>(grains.size());
   std::vector<GrainClass> classes;

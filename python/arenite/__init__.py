@@ -1,8 +1,8 @@
 """Micromechanics of composite and cemented granular materials.
 
-Every stage of the four workflows as a function (`pack`, `load_stage`, `cement`, `rasterise`, `load`, `measure`, `lock_in`,
-`find_grains`, `infer_forces`, `film`, ...), results as NumPy arrays that look into the library's own memory. Numbers are in
-SI units; stresses are positive in tension, contact forces in compression. Bad input raises ValueError with the sentence
+Every stage of the four workflows is a function (`pack`, `load_stage`, `cement`, `rasterise`, `load`, `measure`, `lock_in`,
+`find_grains`, `infer_forces`, `film`, ...), results are NumPy arrays that refer to the library's own memory. Numbers are in
+SI units; stresses are positive in tension, contact forces in compression. Bad input raises ValueError with the message
 that the program prints. `arenite.figures` draws.
 """
 
@@ -10,8 +10,8 @@ import importlib.util as _importlib_util
 import sys as _sys
 
 if not _importlib_util.find_spec(__name__ + "._core"):
-    raise ImportError("arenite: its compiled part _core is not built for this Python; `make build` in the source folder builds it (`make demo` does not), "
-                      "and /usr/bin/python3 takes it")
+    raise ImportError("arenite: the compiled module _core is not built for this Python; `make build` in the source folder builds it (`make demo` does not) "
+                      "for /usr/bin/python3")
 
 from . import _core, _html
 from ._core import *  # noqa: F401,F403

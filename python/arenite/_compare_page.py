@@ -25,7 +25,7 @@ def page(a, b, names):
     pairs = compare.pairs_of(a, b)
     marked = [f'<span class="{letter.lower()}">{letter}</span> {html.escape(name)}' for letter, name in zip("AB", names)]
     parts = [f"<h1>{marked[0]} &nbsp; {marked[1]}</h1>", about(a, b), f"<p>{html.escape(compare.summary(found))}</p>", settings(pairs), figure(pairs),
-             '<h2>Numbers</h2><input type="checkbox" id="only" checked> <label for="only">only those beyond their errors</label>']
+             '<h2>Numbers</h2><input type="checkbox" id="only" checked> <label for="only">only differences beyond their errors</label>']
     parts += [section(name, [row for row in found if row.part == name]) for name, *_ in pairs]
     return ("<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width\">"
             f"<title>{html.escape(' and '.join(names))}</title><style>{style}</style></head><body>\n" + "\n".join(parts) + "\n</body></html>\n")
@@ -106,17 +106,17 @@ def stage_curves(stage):
 
 
 def texture_curves(texture):
-    """Distributions of forces and stresses, directions and numbers of contacts."""
+    """Distributions of forces and stresses, contact orientations and numbers of contacts."""
     found = {}
     for name, label in (("force", "$F_{\\mathrm{n}}/\\langle F_{\\mathrm{n}}\\rangle$"), ("sigma_norm", "$\\sigma_{\\mathrm{norm}}$")):
         if "cumulative" in texture.get(name, {}):
             found[label, "fraction above", "log"] = tuple(np.array(texture[name]["cumulative"][axis]) for axis in "xy")
     sectors = np.array(texture.get("fabric", {}).get("sectors", []), float)
     if sectors.sum() > 0:
-        found["contact orientation, °", "share over isotropic", "linear"] = (180 * (np.arange(len(sectors)) + 0.5) / len(sectors), sectors / sectors.mean())
+        found["contact orientation, °", "fraction over isotropic", "linear"] = (180 * (np.arange(len(sectors)) + 0.5) / len(sectors), sectors / sectors.mean())
     histogram = np.array(texture.get("coordination", {}).get("histogram", []))
     if len(histogram) > 1:
-        found["contacts of a grain", "share of grains", "linear"] = (np.arange(len(histogram)), histogram)
+        found["contacts per grain", "fraction of grains", "linear"] = (np.arange(len(histogram)), histogram)
     return found
 
 

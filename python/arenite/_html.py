@@ -6,7 +6,7 @@ import io
 
 
 def _picture(name, *objects, **options):
-    """The picture that `arenite.figures.NAME` draws; nothing without Matplotlib, so that the numbers are shown in any case."""
+    """The picture drawn by `arenite.figures.NAME`; empty without Matplotlib, so that the numbers are shown in any case."""
     try:
         from matplotlib.figure import Figure
 
@@ -34,7 +34,7 @@ def _measured(statistic, unit="", scale=1.0):
 
 def packing(self):
     domain = self.domain
-    rows = [("grains", str(len(self))), ("contacts", str(len(self.contacts))), ("frame", f"{1e3 * domain['width']:.4g} mm × {1e3 * domain['height']:.4g} mm")]
+    rows = [("grains", str(len(self))), ("contacts", str(len(self.contacts))), ("container", f"{1e3 * domain['width']:.4g} mm × {1e3 * domain['height']:.4g} mm")]
     return _table(rows) + _picture("draw_packing", self)
 
 

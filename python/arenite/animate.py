@@ -65,7 +65,7 @@ def has_ffmpeg():
 
 
 def write_mp4(path, pictures, fps, progress):
-    """By ffmpeg, which is fed with pictures as they are drawn; in a format that every player and slide show reads."""
+    """With ffmpeg, which receives the images as they are drawn; in a format that every player and presentation program reads."""
     from matplotlib import animation
 
     writer = animation.FFMpegWriter(fps=fps, codec="h264", extra_args=["-pix_fmt", "yuv420p", "-crf", "20", "-movflags", "+faststart"])
@@ -77,7 +77,7 @@ def write_mp4(path, pictures, fps, progress):
 
 
 def write_gif(path, pictures, fps, progress):
-    """By Pillow, without dithering, which would make what stands still flicker."""
+    """With Pillow, without dithering, which would make static parts flicker."""
     from PIL import Image
 
     def image(k):
@@ -92,7 +92,7 @@ def write_gif(path, pictures, fps, progress):
 
 
 def palette_of(images, colour_map=None, scale=176):
-    """256 colours for all states: those of lines, `scale` evenly along the colour map where there is one, the others from some states."""
+    """256 colours for all states: those of lines, `scale` colours evenly along the colour map if there is one, the others from some states."""
     import matplotlib
     import numpy as np
     from PIL import Image
@@ -112,7 +112,7 @@ def palette_of(images, colour_map=None, scale=176):
 
 
 def main(result, out=None, by="material", stage=None, chains=False, map=None, low=None, high=None, fps=10, size=None, curve=None):
-    """What `arenite animate` does, whose options are declared by the program: prints the path; status 2 and a message on stderr for bad input."""
+    """Implements `arenite animate`, whose options are declared by the program: prints the path; status 2 and a message on stderr for bad input."""
     folder = pathlib.Path(result) if os.path.isdir(result) else pathlib.Path(result).parent
     try:
         written = save(result, out or folder / "animation.mp4", by, stage=stage, chains=chains, colour_map=map, low=low, high=high, fps=fps,
@@ -130,7 +130,7 @@ def main(result, out=None, by="material", stage=None, chains=False, map=None, lo
 
 
 def pair(text):
-    """("x", "y") of "x,y", and "test" as it is."""
+    """("x", "y") of "x,y", and "test" unchanged."""
     if text == "test":
         return text
     names = [name.strip() for name in text.split(",")]
@@ -140,7 +140,7 @@ def pair(text):
 
 
 def progress_on(stream):
-    """Progress on a terminal, and nothing elsewhere."""
+    """Progress on a terminal, none elsewhere."""
     if not stream.isatty():
         return None
     return lambda share, name: print(f"\r{name} {100 * share:3.0f} %", end="\n" if share == 1 else "", file=stream, flush=True)

@@ -33,7 +33,7 @@ class Row:
 
     @property
     def difference(self):
-        """b - a; for angles the shorter difference."""
+        """b - a; the shorter difference for angles."""
         turn = turn_of(self.name)
         return (self.b - self.a + turn / 2) % turn - turn / 2 if turn else self.b - self.a
 
@@ -55,7 +55,7 @@ class Row:
 
 
 def turn_of(name):
-    """Degrees after which an angle is the same again: half a turn for axes, an n-th of a turn for n folds; None for other numbers."""
+    """Period of an angle in degrees: half a turn for axes, an n-th of a turn for n-fold symmetry; None for other numbers."""
     folds = re.search(r"modes\.(\d+)\.phase_deg$", name)
     if folds:
         return 360 / int(folds[1])
@@ -69,8 +69,8 @@ def parts_of(result):
 
 
 def pairs_of(a, b):
-    """[(name, part of a, part of b)], as parts_of gives them: those of one name, and of others the last of a kind. Raises ValueError
-    where the two have nothing in common."""
+    """[(name, part of a, part of b)], as parts_of gives them: parts of the same name, otherwise the last of each kind. Raises ValueError
+    if the two have nothing in common."""
     parts, others = parts_of(a), parts_of(b)
     pairs = [(one[1], one, other) for one in parts for other in others if one[:2] == other[:2]]
     for kind in ("stage", "field", "film"):
@@ -92,7 +92,7 @@ def is_number(value):
 
 def flattened(numbers, path=""):
     """{"coordination.all": (value, error)} of a tree of numbers; NaN for an unknown error. Items of lists are counted from
-    0; densities and other curves, several lists side by side, are left to the figure."""
+    0; densities and other curves (groups of lists) are left to the figure."""
     if is_number(numbers):
         return {path: (float(numbers), math.nan)}
     if isinstance(numbers, dict) and is_curve(numbers):
@@ -117,7 +117,7 @@ def is_curve(numbers):
 
 
 def rows(a, b):
-    """[Row] of all numbers of two results (Results or paths), part after part. Raises ValueError where they have no part in common."""
+    """[Row] of all numbers of two results (Results or paths), part after part. Raises ValueError if they have no part in common."""
     found = []
     for name, one, other in pairs_of(opened(a), opened(b)):
         left, right = flattened(one[2]), flattened(other[2])
@@ -136,7 +136,7 @@ def counted(found):
 
 
 def summary(found):
-    """The result in a sentence or two, with the number expected by chance, because among many numbers some always differ."""
+    """A summary in a sentence or two, with the number expected by chance, because among many numbers some always differ."""
     counts = counted(found)
     known = counts[beyond] + counts[within]
     text = f"{counts[beyond]} of {known} numbers with errors that differ are beyond {sure} standard errors of the difference"
@@ -177,8 +177,8 @@ def save_table(found, path):
 
 
 def save_page(a, b, path, names=None):
-    """A page, one file that needs no other: what came out, the curves of both in one figure, and the table. `names`: what the two are
-    called; their paths unless given. Gives the path."""
+    """A self-contained page: the summary, the curves of both in one figure, and the table. `names` of the two results; their paths if not
+    given. Returns the path."""
     from ._compare_page import page
 
     one, other = opened(a), opened(b)
@@ -193,7 +193,7 @@ def name_of(result, given):
 
 
 def main(a, b, out="compare.html", csv=None, all=False):
-    """What `arenite compare` does, whose options are declared by the program: prints what differs; 2 and a sentence on stderr for what is refused."""
+    """Implements `arenite compare`, whose options are declared by the program: prints the differences; status 2 and a message on stderr for bad input."""
     try:
         one, other = opened(a), opened(b)
         found = rows(one, other)

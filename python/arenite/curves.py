@@ -39,7 +39,7 @@ def find_test(result, stage=None):
     found = [k for k, part in enumerate(stages) if has_history(part) and stage in (None, part.name)]
     if not found:
         names = ", ".join(part.name for part in stages)
-        raise ValueError(f"there is no stage {stage} with a history; there are {names}" if stage else "this result holds no stage of loading with a history")
+        raise ValueError(f"there is no stage {stage} with a history; there are {names}" if stage else "this result holds no loading stage with a history")
     earlier = [frame.packing for part in stages[:found[-1]] for frame in part.frames[-1:]]
     return Test(stages[found[-1]], earlier[-1] if earlier else None)
 
@@ -166,7 +166,7 @@ def stresses(test):
 
 
 def sides_shear(test):
-    """Whether it is the left or the right wall that slides."""
+    """Whether the left or the right wall slides."""
     return bool(slides(test.stage).keys() & {"left", "right"})
 
 
@@ -190,7 +190,7 @@ def inertial_number(found, pressure, packing):
 
 
 def energies(history):
-    """Relative to the first row; nothing if the run did not track energies."""
+    """Relative to the first row; empty if the run did not track energies."""
     none = np.zeros(len(history["time"]))
     spent, work = (sum((history.get(name, none) for name in names), none) for names in (dissipations, ["work_walls", "work_gravity"]))
     if not np.any(spent) and not np.any(work):
@@ -252,7 +252,7 @@ def statistic(about, path):
 
 def of_cycles(result, stage=None):
     """Curves over the cycles of a stage with `cycles`: `cycle`, and every curve of `of_states` at the largest and at the
-    smallest load of each, `axial_strain_maximum`, `z_minimum`; `strain_amplitude` between the two; `accumulated_strain` of the
+    smallest load of each, `axial_strain_maximum`, `z_minimum`; `strain_amplitude` between the two; `accumulated_strain` at the
     smallest load since the end of the first cycle; `dissipated_energy` in each cycle. Raises ValueError for a stage without cycles."""
     return cycles_of(find_test(result, stage))
 
@@ -283,8 +283,8 @@ def cycles_of(test):
 
 def every_cycle(result, stage=None):
     """Strains, stresses and energies of `along` at the largest and at the smallest load or strain of every cycle, of a stage with `cycles` or
-    `strain_cycles`, whether their states are stored or not: `cycle`, `axial_strain_maximum`, `shear_strain_minimum`; `accumulated_strain` of the
-    smallest since the end of the first. Raises ValueError for a stage without."""
+    `strain_cycles`, whether their states are stored or not: `cycle`, `axial_strain_maximum`, `shear_strain_minimum`; `accumulated_strain` at the
+    smallest since the end of the first. Raises ValueError for a stage without cycles."""
     return every_cycle_of(find_test(result, stage))
 
 

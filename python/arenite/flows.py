@@ -66,7 +66,7 @@ def silo_state(result):
 
 
 def late_mean(values, blocks=10):
-    """(mean, standard error) of the second half of a series, by the scatter of the means of blocks: neighbours in time are not independent."""
+    """(mean, standard error) of the second half of a series, from the scatter of block means: neighbours in time are not independent."""
     means = [np.mean(block) for block in np.array_split(values[len(values) // 2:], blocks)]
     return np.mean(means), np.std(means, ddof=1) / np.sqrt(blocks)
 
@@ -79,7 +79,7 @@ def mean_stress(packing):
 
 
 def silos(results):
-    """`height` of the filling (m), mean `pressure` on the floor (Pa) with its error, what a liquid of the same bulk density would press with
+    """`height` of the filling (m), mean `pressure` on the floor (Pa) with its error, the pressure of a liquid of the same bulk density
     (`hydrostatic`), `wall_friction` as mobilised, `ratio` K of horizontal and vertical stress, `width` (m), of results whose floor sinks in the
     last stage."""
     rows = []
@@ -89,7 +89,7 @@ def silos(results):
 
 
 def friction_of(result):
-    """mu between grains, of the recipe of the last stage."""
+    """Friction coefficient between grains in the recipe of the last stage."""
     recipe = tomllib.loads(list(result.stages)[-1].provenance["recipe"])
     return float(recipe["stages"][-1].get("friction", recipe["contact"]["friction"]))
 
@@ -170,7 +170,7 @@ def fit_runout(found, low=2.5, high=2.5):
 
 def fit_janssen(found):
     """p = p_s (1 - exp(-H/l)) of `silos` (Janssen 1895): `saturation` p_s (Pa), `length` l (m); `length_by_stresses`, W/(2 mu_w K) with the wall
-    friction and the ratio of stresses measured in the taller half of the fillings, where they are those of the saturated part."""
+    friction and the ratio of stresses measured in the taller half of the fillings, which represent the saturated part."""
     x, y, error = (found[name].values for name in ("height", "pressure", "pressure_error"))
     start = [np.max(y), np.max(y) / max(np.max(found["hydrostatic"].values / x), 1e-300)]
     result = named(["saturation", "length"], fit(lambda h, p: p[0] * -np.expm1(-h / p[1]), start, x, y, error))

@@ -13,8 +13,8 @@ from . import _core
 def run_study(recipe: Union[str, os.PathLike], out: Union[str, os.PathLike], *, jobs: int = 1, progress: Optional[Callable[[float, str], Any]] = None) -> Dict[str, int]:
     """Runs a recipe with [sweep], each run in its own process; finished runs are not repeated.
 
-    `progress(share, "runs")` is called meanwhile. Gives how many runs are done, not done (failed or without equilibrium) and
-    left. Raises ValueError with the program's sentence.
+    `progress(share, "runs")` is called meanwhile. Returns the numbers of runs that are done, not done (failed or without
+    equilibrium) and left. Raises ValueError with the program's message.
     """
     command = [sys.executable, "-c", "from arenite import studies; studies._main()", os.fspath(recipe), os.fspath(out), str(jobs)]
     last = {}

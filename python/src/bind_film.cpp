@@ -136,8 +136,8 @@ std::vector<inference::WallLoad> wall_loads(const std::map<std::string, Quantity
 inference::ThermoelasticPicture picture_of(const ArrayLike& signal, const ArrayLike& error, double pixel, Vec2 first) {
   const Floats value = floats(signal, 2, "signal"), errors = floats(error, 2, "error");
   if (value.shape(0) != errors.shape(0) || value.shape(1) != errors.shape(1))
-    throw InputError(fmt::format("the signal has {} x {} pixels and its error {} x {} (height x width); give them one shape", value.shape(0), value.shape(1),
-                                 errors.shape(0), errors.shape(1)));
+    throw InputError(fmt::format("the signal has {} x {} pixels and its error {} x {} (height x width); give both the same shape", value.shape(0),
+                                 value.shape(1), errors.shape(0), errors.shape(1)));
   return {static_cast<int>(value.shape(1)),
           static_cast<int>(value.shape(0)),
           pixel,

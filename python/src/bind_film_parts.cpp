@@ -97,7 +97,7 @@ std::optional<FrameStatistics> reference(const std::optional<FilmLike>& film, co
   const auto source = film_of(*film);
   const FilmInfo& info = source->info();
   if (info.width != of.width || info.height != of.height)
-    throw InputError(fmt::format("{} has frames of {} x {} pixels, and the film of {} x {}; film the reference with the same camera and window", name,
+    throw InputError(fmt::format("{} has frames of {} x {} pixels, but the film has {} x {}; film the reference with the same camera and window", name,
                                  info.width, info.height, of.width, of.height));
   return thermography::frame_statistics(*source, frames_looked_at);
 }
@@ -167,7 +167,7 @@ py::dict means(const LockinMaps& maps, const PictureGrains& grains, const std::v
 
 thermography::PhasePictures pictures_of(FilmSource& film, const LockinMaps& maps, double frame_rate, Call& call) {
   if (film.info().width != maps.width || film.info().height != maps.height)
-    throw InputError("the maps are of another film: their size differs from that of its frames");
+    throw InputError("the maps belong to another film: their size differs from that of its frames");
   thermography::LockinOptions o;
   o.frequency = maps.frequency;
   o.frame_rate = frame_rate;
@@ -189,7 +189,7 @@ GrainMotion motion_of(const FilmLike& film, const LockinMaps& maps, const Pictur
 LockinMaps followed(const FilmLike& film, const LockinMaps& maps, const PictureGrains& grains, const GrainMotion& motion, const Quantity& frame_rate,
                     const std::optional<ArrayLike>& time, double blur) {
   if (motion.size() != grains.size())
-    throw InputError(fmt::format("the motion is of {} grains, and there are {}; give grain_motion of these grains", motion.size(), grains.size()));
+    throw InputError(fmt::format("the motion is that of {} grains, but there are {}; give grain_motion of these grains", motion.size(), grains.size()));
   const double rate = frame_rate.si(dimension::frequency, "frame_rate");
   const auto source = film_of(film, rate, time);
   Call call;

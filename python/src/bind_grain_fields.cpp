@@ -204,7 +204,8 @@ void bind_grain_fields(py::module_& m) {
       "Friction at the contacts: mobilisation (tangential force over mu times the normal one) and power_W of each; mean and sliding (fraction of contacts that "
       "slide), each (value, error); total_power_W.");
   m.def("steady_state", &steady, py::arg("series"),
-        "The part of an evenly sampled series in which it only fluctuates: reached, first (sample), mean with its error, which allows for correlation, low_95 "
+        "The stationary part of an evenly sampled series, in which it only fluctuates: reached, first (sample), mean with its error, which allows for "
+        "correlation, low_95 "
         "and "
         "high_95, deviation.");
 }

@@ -35,7 +35,7 @@ void check_frame(const OwnFrame& frame) {
 
 io::RawGrains rows_of(const ArrayLike& x, const ArrayLike& y, const ArrayLike& radius, const OwnFrame& frame) {
   const auto centre_x = finite_numbers(x, "x"), centre_y = finite_numbers(y, "y"), radii = finite_numbers(radius, "radius");
-  if (centre_y.size() != centre_x.size() || radii.size() != centre_x.size()) throw InputError("x, y, radius and material must be of one length");
+  if (centre_y.size() != centre_x.size() || radii.size() != centre_x.size()) throw InputError("x, y, radius and material must have equal lengths");
   io::RawGrains grains;
   const Vec2 low = frame.corner, high = frame.corner + Vec2{frame.width, frame.height};
   grains.lay_box(low, high);
@@ -73,7 +73,7 @@ class Columns {
     const auto column = find(name);
     auto values = column ? finite_numbers(*column, fmt::format("contacts[\"{}\"]", name)) : std::vector<double>(size, 0.0);
     if (values.size() != size)
-      throw InputError(fmt::format("contacts[\"{}\"] has {} values for {} contacts; give arrays of one length", name, values.size(), size));
+      throw InputError(fmt::format("contacts[\"{}\"] has {} values for {} contacts; give arrays of equal length", name, values.size(), size));
     return values;
   }
 
@@ -85,7 +85,7 @@ class Columns {
 io::RawContacts rows_of(const py::object& table) {
   const Columns columns(table);
   const auto i = whole_numbers(columns.need("i"), 0, most_index, "contacts[\"i\"]"), j = whole_numbers(columns.need("j"), -4, most_index, "contacts[\"j\"]");
-  if (i.size() != j.size()) throw InputError("contacts: i and j must be of one length");
+  if (i.size() != j.size()) throw InputError("contacts: i and j must have equal lengths");
   const std::size_t n = i.size();
   const auto fn = columns.numbers("fn", n), ft = columns.numbers("ft", n);
   const bool normals = columns.find("nx").has_value() && columns.find("ny").has_value();
@@ -104,7 +104,7 @@ void take_materials(Packing& packing, const std::optional<ArrayLike>& material, 
   auto& numbers = packing.grains.material;
   const std::size_t n = numbers.size();
   numbers = material ? whole_numbers(*material, 0, last, "material (a place in `materials`)") : std::vector<std::int32_t>(n, 0);
-  if (numbers.size() != n) throw InputError("x, y, radius and material must be of one length");
+  if (numbers.size() != n) throw InputError("x, y, radius and material must have equal lengths");
   packing.materials = materials.empty() ? Materials{{"grain"}} : std::move(materials);
 }
 
@@ -160,7 +160,7 @@ py::dict domain_of(const Packing& p) {
   return d;
 }
 
-/// Bonds as arrays of one length, by name.
+/// Bonds as arrays of equal length, by name.
 py::dict bonds_of(const Packing& packing) {
   const auto& bonds = packing.bonds;
   const auto column = [&](auto get) {
@@ -184,7 +184,7 @@ py::dict bonds_of(const Packing& packing) {
   return d;
 }
 
-/// Cohesive pairs as arrays of one length, by name.
+/// Cohesive pairs as arrays of equal length, by name.
 py::dict cohesive_of(const Packing& packing) {
   const auto column = [&](auto member) {
     std::vector<std::decay_t<decltype(CohesivePair{}.*member)>> values;
@@ -225,7 +225,7 @@ py::list outlines_of(const Packing& packing) {
 
 void bind_contacts(py::module_& m) {
   py::class_<Contacts> c(m, "Contacts",
-                         "Contacts, each once: arrays of one length. n points from grain j to grain i, t is n rotated by +90 degrees, and the "
+                         "Contacts, each once: arrays of equal length. n points from grain j to grain i, t is n rotated by +90 degrees, and the "
                          "force on i is fn n + ft t, fn > 0 repulsive. j = -1, -2, -3, -4 stands for the left, right, bottom, top wall.");
   c.def("__len__", &Contacts::size, "Number of contacts.");
   array_property(
@@ -308,15 +308,16 @@ void bind_packing(py::module_& m) {
       .def_property_readonly(
           "contacts", [](const Packing& p) -> const Contacts& { return p.contacts; }, py::return_value_policy::reference_internal,
           "Known contacts, including those with walls.")
-      .def_property_readonly("bonds", &bonds_of,
-                             "Bonds by name, arrays of one length: grains i < j (indices into the arrays), broken (0 intact, 1 in tension, 2 in bending, 3 in "
-                             "shear), time (s) and "
-                             "position x, y (m) of the break, current fn, ft (N, signs as for contacts) and moment on i (N m), energy (J, at the break), load "
-                             "(stress over strength), "
-                             "length (m, initial).")
+      .def_property_readonly(
+          "bonds", &bonds_of,
+          "Bonds by name, arrays of equal length: grains i < j (indices into the arrays), broken (0 intact, 1 in tension, 2 in bending, 3 in "
+          "shear), time (s) and "
+          "position x, y (m) of the break, current fn, ft (N, signs as for contacts) and moment on i (N m), energy (J, at the break), load "
+          "(stress over strength), "
+          "length (m, initial).")
       .def_property_readonly(
           "cohesive", &cohesive_of,
-          "Pairs joined by adhesion or a liquid bridge, by name, arrays of one length: grains i < j (indices into the arrays), gap (m, negative "
+          "Pairs joined by adhesion or a liquid bridge, by name, arrays of equal length: grains i < j (indices into the arrays), gap (m, negative "
           "if they overlap), pull (attraction, N; for touching grains part of the contact's fn), energy (J, 0 at the onset of the attraction).")
       .def_property_readonly(
           "materials", [](const Packing& p) { return p.materials; }, "Materials, to which `material` refers by index.")

@@ -86,7 +86,7 @@ void bind_stage_results(py::module_& m) {
           "texture", [](const StageResult& s) { return to_python(s.texture); }, "Stored statistics of the last state, without curves; names as in `measure`.")
       .def_property_readonly(
           "provenance", [](const StageResult& s) { return provenance_of(s.provenance); },
-          "What made it: version, stage, input_hash, recipe, seed, kernel, options.")
+          "Provenance: version, stage, input_hash, recipe, seed, kernel, options.")
       .def("__repr__", [](const StageResult& s) { return "<arenite.Stage \"" + s.name + "\": " + s.outcome + ">"; });
 }
 
@@ -103,7 +103,7 @@ py::dict cracks_of(const py::object& self) {
 void bind_fields(py::module_& m) {
   py::class_<FieldResult> c(m, "Field", "A cemented sample, or its stresses under load. Arrays are (height, width), the bottom row first.");
   c.def_readonly("name", &FieldResult::name, "Name in the recipe.")
-      .def_readonly("converged", &FieldResult::converged, "The equilibrium was found to the tolerance.")
+      .def_readonly("converged", &FieldResult::converged, "Equilibrium was reached within the tolerance.")
       .def_readonly("outcome", &FieldResult::outcome, "Outcome in a sentence.")
       .def_property_readonly(
           "map", [](const FieldResult& f) -> const PhaseMap& { return f.map; }, py::return_value_policy::reference_internal, "Phases and grains of the nodes.")
@@ -120,14 +120,14 @@ void bind_fields(py::module_& m) {
           "iteration, residual (relative).")
       .def_property_readonly(
           "curve", [](const py::object& self) { return columns_of(self.cast<const FieldResult&>().curve, self); },
-          "Of a test to failure: strain, stress, work, elastic and released energy (a metre of depth), broken bonds; `curve_units` has their units.")
+          "Of a test to failure: strain, stress, work, elastic and released energy (per metre of depth), broken bonds; `curve_units` has their units.")
       .def_property_readonly(
           "curve_units", [](const FieldResult& f) { return history_units(f.curve); }, "Unit of every column of `curve`; \"1\": none.")
       .def_property_readonly("cracks", &cracks_of,
                              "Broken bonds in the order of breaking: x, y (m, float32), type (1 matrix, 2 interface, 3 particle), strain of the sample.")
       .def_property_readonly(
           "provenance", [](const FieldResult& f) { return provenance_of(f.provenance); },
-          "What made it: version, stage, input_hash, recipe, seed, kernel, options.")
+          "Provenance: version, stage, input_hash, recipe, seed, kernel, options.")
       .def(
           "statistics",
           [](const FieldResult& f, bool curves) {

@@ -197,7 +197,7 @@ void bind_stages(py::module_& m) {
         Call call;
         return call.without_lock([&] { return workflow::make_packing(recipe).frames.back().packing; });
       },
-      py::arg("recipe"), "The grains in their box before any loading: drawn, placed and relaxed, or read from a file (recipe's [packing]).");
+      py::arg("recipe"), "The grains in their container before any loading: drawn, placed and relaxed, or read from a file ([packing] of the recipe).");
   m.def("load_stage", &load_stage, py::arg("packing"), py::arg("recipe"), py::arg("stage") = 0, py::kw_only(), py::arg("threads") = 1,
         py::arg("progress") = py::none(),
         "Takes a packing through one stage of the recipe, by number or name: compaction or loading by discrete elements. `progress(share, name)` is called "

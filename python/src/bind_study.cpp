@@ -98,7 +98,7 @@ void bind_study(py::module_& m) {
       "`runs`, their number.");
   m.def(
       "_study_figures", [](const Path& page) { return to_python(report::figures_on(page)); }, py::arg("page"),
-      "What the page of a study shows, from the numbers that `arenite study page` writes beside it: its title and its figures; empty where there are none.");
+      "Contents of the page of a study, from the numbers that `arenite study page` writes beside it: its title and its figures; empty if there are none.");
   m.def(
       "_run_study",
       [](const Path& recipe, const Path& out, std::size_t jobs, const Progress& progress) {

@@ -104,7 +104,8 @@ void bind_texture(py::module_& m) {
         "the mean of the "
         "considered), psi6.");
   m.def("grain_stresses", &stresses_of, py::arg("packing"),
-        "Mean stress tensor of every grain over its own volume by its contacts, bonds and pulls across gaps (T eq. 1.11), Pa, tension positive, as an array "
+        "Mean stress tensor of every grain over its own volume, from its contacts, bonds and attraction across gaps (T eq. 1.11), Pa, tension positive, as an "
+        "array "
         "(grain, 2, 2); first index that of the force.");
   m.def("read_packing", &packing_of_files, py::arg("grains"), py::arg("contacts") = py::none(), py::arg("format") = "auto", py::kw_only(),
         py::arg("box") = py::none(), py::arg("origin") = py::none(), py::arg("thickness") = py::none(), py::arg("periodic") = "",

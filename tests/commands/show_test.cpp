@@ -91,7 +91,7 @@ TEST(Show, SaysWhatStandsThereWhereItIsNoResult) {
   for (const char* each : {"show ", "show --states ", "export --to csv ", "figures "}) {
     const std::string command = each;
     expect_refused(command + at("empty"), "empty: is not a result; give the folder that");
-    expect_refused(command + at("maps"), "maps: holds the maps of a film");
+    expect_refused(command + at("maps"), "maps: contains the maps of a film");
     expect_refused(command + at("r.toml"), "r.toml: is a recipe, not a result");
     expect_refused(command + "thesis-ch4", "thesis-ch4: is a built-in study");
     if (command != "figures ") expect_refused(command + at("study"), "study: is the folder of a study, not a result; give one of its runs");

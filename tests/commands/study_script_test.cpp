@@ -31,7 +31,7 @@ TEST(StudyScript, RefusesWhatItsTasksDecideThemselves) {
     const auto refused = arenite("study script --slurm " + recipe + " --out " + (folder / "out").string() + " " + option);
     EXPECT_EQ(refused.status, 2) << option;
     EXPECT_EQ(refused.out, "");
-    EXPECT_TRUE(contains(refused.err, option.substr(0, option.find(' ')) + " belongs to run")) << refused.err;
+    EXPECT_TRUE(contains(refused.err, option.substr(0, option.find(' ')) + " is an option of run")) << refused.err;
   }
 }
 

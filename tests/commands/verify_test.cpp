@@ -27,7 +27,7 @@ TEST(Verify, WithoutRunsJudgesTheSourcesTablesAndSaysWhatIsMissing) {
   EXPECT_EQ(claims["T8"]["verdict"], "unknown");
   const std::string text = test::slurp(page.string());
   EXPECT_NE(text.find("| [T8](#t8) |"), std::string::npos);
-  EXPECT_NE(text.find("`thesis-ch4` (not begun)"), std::string::npos);
+  EXPECT_NE(text.find("`thesis-ch4` (not started)"), std::string::npos);
   EXPECT_NE(text.find("[ledger.csv](ledger.csv)"), std::string::npos);
   EXPECT_EQ(test::slurp(table.string()).substr(0, 10), "claim,kind");
 }

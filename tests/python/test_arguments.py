@@ -47,7 +47,7 @@ def test_maps_that_cannot_be_are_refused(options, sentence):
 
 def test_pictures_of_a_signal_and_its_error_have_one_shape():
     packing = arenite.propose_contacts(grains(), position_error=1e-9)
-    with pytest.raises(ValueError, match="one shape"):
+    with pytest.raises(ValueError, match="the same shape"):
         arenite.infer_forces(packing, np.zeros((40, 60)), np.ones((60, 40)), pixel=1e-3, first=(0, 0), factor=[15e-9])
     with pytest.raises(ValueError, match="walls has \"botom\""):
         arenite.infer_forces(packing, np.zeros((40, 60)), np.ones((40, 60)), pixel="1 mm", first=(0, 0), factor=["0.015 K/MPa"], walls={"botom": 1.0})

@@ -75,7 +75,7 @@ def test_the_page_needs_no_other_file(tmp_path):
 def test_curves_of_both_are_drawn(result, tmp_path):
     pairs = compare.pairs_of(result, result)
     labels = [panel[:2] for name, one, other in pairs for panel in _compare_page.panels(one[0], one[3], other[3])]
-    assert ("contacts of a grain", "share of grains") in labels and any(y == "probability density" for _, y in labels)
+    assert ("contacts per grain", "fraction of grains") in labels and any(y == "probability density" for _, y in labels)
     found = compare.rows(result, result)
     assert {row.verdict for row in found} <= {compare.equal, compare.alone} and len(found) > 100
     assert "data:image/svg+xml" in compare.save_page(result, result, tmp_path / "page.html").read_text(encoding="utf-8")

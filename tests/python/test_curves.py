@@ -107,7 +107,7 @@ def test_cycles_are_whole_ones():
 def test_what_is_not_there_is_one_sentence():
     with pytest.raises(ValueError, match="there is no stage other with a history; there are test"):
         curves.along(alone(a_stage([4.0] * 2, [4.0, 3.9])), "other")
-    with pytest.raises(ValueError, match="holds no stage of loading"):
+    with pytest.raises(ValueError, match="holds no loading stage"):
         curves.along(types.SimpleNamespace(stages=[]))
 
 
@@ -189,7 +189,7 @@ def test_a_study_whose_runs_are_strained_at_a_rate_has_its_rheology(tmp_path, mo
     assert path.read_bytes().startswith(b"%PDF")
     (tmp_path / "runs" / "later" / "recipe.toml").write_text('[[stages]]\nname = "test"\ntop = { force = "1 kN" }\n')
     assert not loadings.driven_runs(tmp_path)
-    with pytest.raises(ValueError, match="there is no page of this study yet"):
+    with pytest.raises(ValueError, match="this study has no page yet"):
         figures.save_all(tmp_path, tmp_path / "figures")
 
 

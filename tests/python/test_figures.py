@@ -261,7 +261,7 @@ def test_maps_of_a_film_are_those_that_it_holds():
     canvas = saving.Canvas()
     panels.film_maps(canvas, a_film())
     titles = [a.get_title() for a in canvas.axes if a.get_title()]
-    assert titles == ["smallest load, K", "amplitude, mK", "phase after the load, °", "warming with the load, mK", "standard error, mK", "left by the fit, mK", "1 pixels replaced"]
+    assert titles == ["smallest load, K", "amplitude, mK", "phase relative to the load, °", "warming with the load, mK", "standard error, mK", "residual of the fit, mK", "1 pixels replaced"]
     signed, = [a.images[0] for a in canvas.axes if a.get_title().startswith("warming")]
     low, high = signed.get_clim()
     assert low == -high and high > 300
@@ -277,7 +277,7 @@ def test_contacts_that_may_be_absent_are_told_apart():
     assert list(film_forces.uncertain(film)) == [False, False, True, False, True]
     shown = axes()
     figures.draw_ranked_forces(shown, film)
-    assert [text.get_text() for text in shown.get_legend().get_texts()] == ["3 there", "2 may be absent"]
+    assert [text.get_text() for text in shown.get_legend().get_texts()] == ["3 present", "2 may be absent"]
 
 
 def test_every_contact_is_in_a_bar_of_its_certainty():

@@ -171,8 +171,8 @@ def test_wrong_requests_are_refused_in_one_sentence(study, tmp_path):
         figures.save_all(study, tmp_path, names=["nothing"])
     (tmp_path / "runs.tsv").write_text("")
     run = subprocess.run([os.environ["ARENITE"], "figures", str(tmp_path)], capture_output=True, text=True)
-    assert run.returncode == 2 and run.stderr.count("\n") == 1 and "there is no page of this study yet; `arenite study page" in run.stderr
+    assert run.returncode == 2 and run.stderr.count("\n") == 1 and "this study has no page yet; `arenite study page" in run.stderr
     shutil.copy(study / "study.html", tmp_path)
     for page_alone in (tmp_path / "study.html", tmp_path):
-        with pytest.raises(ValueError, match="study.hdf5, are not beside it; give the study's folder"):
+        with pytest.raises(ValueError, match="study.hdf5, are missing beside it; give the study's folder"):
             figures.save_all(page_alone, tmp_path / "out")

@@ -40,7 +40,7 @@ Check densest(const PairMeans& rho) {
     all.push_back({fmt::format("theta {:g}", m.theta), difference(peak, m.value)});
     if (m.theta < 1.5 || m.theta > 5) outer.push_back(all.back());
   }
-  Check check = every("rho_p at gamma 5: theta 2.7 less that at theta 1.4 and 6", "> 0", outer, {.low = 0});
+  Check check = every("rho_p at gamma 5: theta 2.7 minus that at theta 1.4 and 6", "> 0", outer, {.low = 0});
   check.wanted += ", no other denser";
   if (check.outcome != Outcome::unknown && every("", "", all, {.low = 0}).outcome == Outcome::fails) check.outcome = Outcome::fails;
   return check;
@@ -83,10 +83,10 @@ Judgement judge_p1(const Results& results) {
   const PairMeans rho = pair_means(samples, "solid_fraction");
   Judgement j;
   j.checks = {number(in_range("rho_p", "0.82 to 0.89", rho, 0.81, 0.89)), with_gamma("rho_p", "rises", rho, +1), densest(rho),
-              every("spread of rho_p over theta at a gamma below 5 less that at 5", "theta matters little", excess_spreads(rho), {.high = 0})};
+              every("spread of rho_p over theta at a gamma below 5 minus that at 5", "theta matters little", excess_spreads(rho), {.high = 0})};
   j.ours = ends_in_text(rho, "rho_p");
   if (const Value asked = of_pair(pair_means(samples, "volume_ratio"), 5, 6); std::isfinite(asked.value))
-    j.findings.push_back(fmt::format("At gamma 5 and theta 6 asked for, the crop has a volume ratio of {}.", text_of(asked)));
+    j.findings.push_back(fmt::format("For a prescribed gamma of 5 and theta of 6 the crop has a volume ratio of {}.", text_of(asked)));
   add_choices(j, results, "rho_p, gamma 1, theta 1.4", at("solid_fraction", 1, 1.4), wanted_between(0.81, 0.89));
   add_choices(j, results, "rho_p, gamma 5, theta 1.4", at("solid_fraction", 5, 1.4), wanted_between(0.81, 0.89));
   add_choices(j, results, "rho_p, change from gamma 1 to 5, theta 1.4", change("solid_fraction", 1, 5, 1.4), wanted_positive());
@@ -103,21 +103,20 @@ Judgement judge_p2(const Results& results) {
   const auto few_large = only(z_ll, [](const PairMean& m) { return (m.theta <= 1.6 && m.gamma >= 2.5) || (m.theta == 2.2 && m.gamma == 5); });
   const auto as_stated = only(z_ll, [](const PairMean& m) { return m.theta <= 2.2 && m.gamma > 2; });
   Judgement j;
-  j.checks = {number(in_range("Z_l", "4 to 14", z_l, 3.7, 14.3)),
-              number(in_range("Z_s", "3.1 to 4.2", z_s, 2.8, 4.5)),
-              with_gamma("Z", "rises", z("Z"), +1),
-              with_gamma("Z_l", "rises", z_l, +1),
-              with_gamma("Z_ls", "rises", z_ls, +1),
-              with_gamma("Z_ss", "rises", z("Z_ss"), +1),
-              with_gamma("Z_sl", "falls", z("Z_sl"), -1),
-              with_gamma("Z_ll", "falls", z_ll, -1),
-              straight("Z_ls", "nearly linear; bound of P3", z_ls, Against::gamma),
-              every("Z_s at the least gamma over that where it is lowest", "first falls", by_theta(z_s, [&](double theta) { return dip(z_s, theta).fall; }),
-                    {.low = 0}),
-              every("Z_s at the greatest gamma over that where it is lowest", "then rises", by_theta(z_s, [&](double theta) { return dip(z_s, theta).rise; }),
-                    {.low = 0}),
-              every("Z_ll where theta <= 1.6 and gamma >= 2.5, or theta 2.2 and gamma 5", "< 1", members(few_large), {.high = 1}),
-              number(every("Z_ll where theta <= 2.2 and gamma > 2", "< 1", members(as_stated), {.high = 1}))};
+  j.checks = {
+      number(in_range("Z_l", "4 to 14", z_l, 3.7, 14.3)),
+      number(in_range("Z_s", "3.1 to 4.2", z_s, 2.8, 4.5)),
+      with_gamma("Z", "rises", z("Z"), +1),
+      with_gamma("Z_l", "rises", z_l, +1),
+      with_gamma("Z_ls", "rises", z_ls, +1),
+      with_gamma("Z_ss", "rises", z("Z_ss"), +1),
+      with_gamma("Z_sl", "falls", z("Z_sl"), -1),
+      with_gamma("Z_ll", "falls", z_ll, -1),
+      straight("Z_ls", "nearly linear; bound of P3", z_ls, Against::gamma),
+      every("Z_s at the smallest gamma minus its minimum", "first falls", by_theta(z_s, [&](double theta) { return dip(z_s, theta).fall; }), {.low = 0}),
+      every("Z_s at the largest gamma minus its minimum", "then rises", by_theta(z_s, [&](double theta) { return dip(z_s, theta).rise; }), {.low = 0}),
+      every("Z_ll for theta <= 1.6 and gamma >= 2.5, or theta 2.2 and gamma 5", "< 1", members(few_large), {.high = 1}),
+      number(every("Z_ll for theta <= 2.2 and gamma > 2", "< 1", members(as_stated), {.high = 1}))};
   if (!z_l.empty()) j.ours = ends_in_text(z_l, "Z_l") + ", " + ends_in_text(z_s, "Z_s");
   add_choices_p2(j, results);
   return j;

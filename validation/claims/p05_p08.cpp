@@ -18,7 +18,7 @@ std::vector<Check> asked_p5(const Samples& samples) {
   return {in_range("99.99 % quantile of stress over the mean", "about 2", stress_means(samples, "all", "quantiles.99.99 %"), 1.8, 2.2),
           every("mean stress in the matrix", "< 1", members(stress_means(samples, "matrix", "mean_over_sample_mean")), {.high = 1}),
           every("mean stress in large grains", "> 1", members(stress_means(samples, "large", "mean_over_sample_mean")), {.low = 1}),
-          on_the_whole("variance in small less that in large grains, gamma >= 1.43", "large narrower", members(classed(small_less_large(samples))), +1)};
+          on_the_whole("variance in small minus that in large grains, gamma >= 1.43", "large narrower", members(classed(small_less_large(samples))), +1)};
 }
 
 /// The change that the slope gives between the least and the greatest gamma.
@@ -35,10 +35,10 @@ Family at_the_end(const PairMeans& means) {
 std::vector<Check> asked_p6(const Samples& samples) {
   const PairMeans large = stress_means(samples, "large", "mean_over_sample_mean"), small = stress_means(samples, "small", "mean_over_sample_mean");
   return {number(in_range("mean stress in large grains", "about 1.07", large, 1.04, 1.10)),
-          every("mean in large grains, change over all gamma", "whatever gamma", by_theta(large, [&](double theta) { return change_with_gamma(large, theta); }),
-                {-0.03, 0.03}),
+          every("mean stress in large grains, change over the range of gamma", "any gamma",
+                by_theta(large, [&](double theta) { return change_with_gamma(large, theta); }), {-0.03, 0.03}),
           with_gamma("the mean in small grains", "falls", small, -1),
-          every("mean in small grains at the greatest gamma", "below 1", at_the_end(small), {.high = 1})};
+          every("mean in small grains at the largest gamma", "below 1", at_the_end(small), {.high = 1})};
 }
 
 /// Slope and R^2 of a line with all points alike.
@@ -101,8 +101,8 @@ Judgement judge_p5(const Results& results) {
   j.checks = asked_p5(samples);
   j.checks.push_back(number(in_range("largest node over the mean", "about 2", of_all("maximum"), 1.8, 2.2)));
   if (const Value largest = overall(of_all("maximum")); std::isfinite(largest.value)) {
-    j.ours = fmt::format("99.99 % quantile {}, largest node {} of the mean", text_of(overall(of_all("quantiles.99.99 %"))), text_of(largest));
-    j.decides = "Largest is read as the 99.99 % quantile; the largest single node hangs on how many nodes there are.";
+    j.ours = fmt::format("over the mean: 99.99 % quantile {}, largest node {}", text_of(overall(of_all("quantiles.99.99 %"))), text_of(largest));
+    j.decides = "\"Largest\" is read as the 99.99 % quantile, because the stress of the single largest node depends on the number of nodes.";
   }
   add_compression(j, results);
   add_shear(j, results, asked_p5);
@@ -110,7 +110,7 @@ Judgement judge_p5(const Results& results) {
     add_choices(j, results, fmt::format("99.99 % quantile over the mean, gamma {:g}, theta 1.4", gamma), at("all", "quantiles.99.99 %", gamma, 1.4),
                 wanted_between(1.8, 2.2));
   add_choices(
-      j, results, "Variance in small less that in large grains, gamma 5, theta 1.4", [](const Samples& s) { return of_pair(small_less_large(s), 5, 1.4); },
+      j, results, "Variance in small minus that in large grains, gamma 5, theta 1.4", [](const Samples& s) { return of_pair(small_less_large(s), 5, 1.4); },
       wanted_positive());
   return j;
 }
@@ -122,7 +122,7 @@ Judgement judge_p6(const Results& results) {
   Judgement j;
   j.checks = asked_p6(samples);
   if (!large.empty() && !small.empty())
-    j.ours = fmt::format("large grains {} in the mean over pairs; small ones at gamma {:g}: {}", text_of(overall(large)), gammas(small).back(),
+    j.ours = fmt::format("large grains {} (mean over pairs); small grains at gamma {:g}: {}", text_of(overall(large)), gammas(small).back(),
                          text_of(overall(only(small, [&](const PairMean& m) { return m.gamma == gammas(small).back(); }))));
   add_shear(j, results, asked_p6);
   for (const double theta : {1.4, 6.0}) {

@@ -52,10 +52,10 @@ Leads leads_of_exponential(const Samples& samples, const std::string& set, bool 
 
 void add_exponential(std::vector<Check>& checks, const Samples& samples) {
   for (const char* set : classes) {
-    checks.push_back(in_all(fmt::format("ln L of exponential less half-Gaussian, {} grains, eta <= 0.4", set), "exponential at low S_m",
+    checks.push_back(in_all(fmt::format("ln L of exponential minus half-Gaussian, {} grains, eta <= 0.4", set), "exponential at low S_m",
                             leads_of_exponential(samples, set, true), +1));
     checks.push_back(
-        beside(in_all(fmt::format("ln L of exponential less half-Gaussian, {} grains, eta > 0.4", set), "-", leads_of_exponential(samples, set, false), +1)));
+        beside(in_all(fmt::format("ln L of exponential minus half-Gaussian, {} grains, eta > 0.4", set), "-", leads_of_exponential(samples, set, false), +1)));
   }
 }
 
@@ -74,7 +74,7 @@ void add_growth(std::vector<Check>& checks, const Samples& samples) {
       slopes.push_back({fmt::format("gamma {:g}", gamma), growth_with_saturation(samples, set, gamma)});
     checks.push_back(every(fmt::format("slope of s against S_m, {} grains, theta 1.4", set), "grows", slopes, {.low = 0}));
     checks.push_back(
-        positive(fmt::format("slope of s against gamma at high less that at low S_m, {} grains, theta 1.4", set), "grows", growth_of_effect(samples, set)));
+        positive(fmt::format("slope of s against gamma at high minus that at low S_m, {} grains, theta 1.4", set), "grows", growth_of_effect(samples, set)));
   }
 }
 
@@ -86,8 +86,8 @@ void add_matrix_peak(std::vector<Check>& checks, const Samples& samples) {
     if (is_low(width)) low.push_back(at);
     if (width > 0.7) high.push_back(at);
   }
-  checks.push_back(every("matrix, place of the pdf's peak over its mean, eta <= 0.4", "no clear peak", low, {.high = 0.5}));
-  checks.push_back(every("matrix, place of the pdf's peak over its mean, eta >= 0.8", "near 1", high, {0.8, 1.2}));
+  checks.push_back(every("matrix, position of the peak of the pdf over the mean, eta <= 0.4", "no clear peak", low, {.high = 0.5}));
+  checks.push_back(every("matrix, position of the peak of the pdf over the mean, eta >= 0.8", "near 1", high, {0.8, 1.2}));
   const auto scatter = [&](double width) { return stress_means(samples, "matrix", "own_variance", width); };
   const bool all = std::find(samples.widths.begin(), samples.widths.end(), 0.4) != samples.widths.end();
   const double from = all ? 0.4 : samples.widths.front(), to = all ? 0.8 : samples.widths.back();
@@ -116,8 +116,8 @@ std::vector<Check> asked_p10(const Samples& samples) {
   const auto quantile = [&](double width) { return classed(small_less_large(samples, "quantiles.99.9 %", width)); };
   std::vector<double> from(samples.widths.begin(), samples.widths.end() - 1);
   const auto step = [&](double width) { return matrix_above_mean(samples, width, *std::upper_bound(samples.widths.begin(), samples.widths.end(), width)); };
-  return {in_all("99.9 % quantile, small less large grains, gamma >= 1.43", "highest in small grains", leads(samples.widths, quantile), +1),
-          in_all("share of matrix above the sample's mean, from one width to the next", "less matrix, more above", leads(from, step), -1)};
+  return {in_all("99.9 % quantile, small minus large grains, gamma >= 1.43", "highest in small grains", leads(samples.widths, quantile), +1),
+          in_all("change of the fraction of matrix above the sample's mean from one width to the next", "less matrix, more above", leads(from, step), -1)};
 }
 
 }  // namespace
@@ -132,10 +132,10 @@ Judgement judge_p9(const Results& results) {
     for (const double width : {0.2, 1.0})
       for (const double gamma : {1.0, 5.0})
         add_choices(
-            j, results, fmt::format("ln L of exponential less half-Gaussian, {} grains, eta {:g}, gamma {:g}, theta 1.4", set, width, gamma),
+            j, results, fmt::format("ln L of exponential minus half-Gaussian, {} grains, eta {:g}, gamma {:g}, theta 1.4", set, width, gamma),
             [=](const Samples& s) { return of_pair(lead_of_exponential(s, set, width), gamma, shown_theta); }, width < 0.5 ? wanted_positive() : Wanted());
     add_choices(
-        j, results, "Slope of s against gamma at high less that at low S_m, " + set + " grains, theta 1.4",
+        j, results, "Slope of s against gamma at high minus that at low S_m, " + set + " grains, theta 1.4",
         [=](const Samples& s) { return growth_of_effect(s, set); }, wanted_positive());
   }
   return j;
@@ -147,16 +147,16 @@ Judgement judge_p10(const Results& results) {
   Judgement j;
   j.checks = asked_p10(samples);
   for (const double width : samples.widths)
-    j.checks.push_back(beside(on_the_whole(fmt::format("largest node, small less large grains, eta {:g}", width), "highest in small grains",
+    j.checks.push_back(beside(on_the_whole(fmt::format("largest node, small minus large grains, eta {:g}", width), "highest in small grains",
                                            members(small_less_large(samples, "maximum", width)), +1)));
   add_shear(j, results, asked_p10);
   for (const double width : {0.2, 1.0})
     add_choices(
-        j, results, fmt::format("99.9 % quantile in small less large grains, eta {:g}, gamma 5, theta 1.4", width),
+        j, results, fmt::format("99.9 % quantile in small minus large grains, eta {:g}, gamma 5, theta 1.4", width),
         [=](const Samples& s) { return of_pair(small_less_large(s, "quantiles.99.9 %", width), 5, shown_theta); }, wanted_positive());
   for (const double gamma : {1.0, 5.0})
     add_choices(
-        j, results, fmt::format("Share of matrix above the sample's mean, from eta 0.2 to 1, gamma {:g}, theta 1.4", gamma),
+        j, results, fmt::format("Fraction of matrix above the sample's mean, from eta 0.2 to 1, gamma {:g}, theta 1.4", gamma),
         [=](const Samples& s) { return of_pair(matrix_above_mean(s, 0.2, 1), gamma, shown_theta); }, wanted_negative());
   return j;
 }

@@ -19,7 +19,7 @@ std::vector<Run> pulled(const Results& results, bool exact, const char* strain, 
   return runs;
 }
 
-/// Modulus over that of others, seed by seed, less 1, over `unit`.
+/// Modulus over that of others, seed by seed, minus 1, over `unit`.
 Value departure(const std::vector<Run>& runs, const std::vector<Run>& others, double unit) {
   std::vector<double> values;
   for (const Run& run : runs)
@@ -44,13 +44,15 @@ Judgement judge_p11(const Results& results) {
     j.checks.push_back(number(below("relative change of the modulus at three times the strain, P's stretch, " + name, "linear", stretched, 1e-3)));
     const double low = width == full ? 0.5 : 1.3, high = width == full ? 0.65 : 2.5;
     for (const auto& [strain, unit, linearised] : {std::tuple{"1e-4", 1e-4, once}, {"3e-4", 3e-4, thrice}})
-      j.checks.push_back(between(fmt::format("departure of P's stretch over a strain of {}, {}", strain, name), "proportional to strain",
+      j.checks.push_back(between(fmt::format("departure with P's stretch, divided by the strain of {}, {}", strain, name), "proportional to strain",
                                  size_of(departure(at(true, strain), linearised, unit)), low, high));
     if (std::isfinite(stretched.value))
       ours += fmt::format("{}{}: {}", ours.empty() ? "change of the modulus at three times the strain, " : "; ", name, text_of(stretched));
   }
   j.ours = ours;
-  j.decides = "P's stretch is not linear in the displacements: what is left of it is proportional to the strain. Linearised, the response is.";
+  j.decides =
+      "P's stretch is not linear in the displacements; the departure from linearity is proportional to the strain. With the linearised stretch the response is "
+      "linear.";
   return j;
 }
 

@@ -35,7 +35,7 @@ std::vector<Check> asked_p12(const Samples& samples) {
   const PairMeans kurtosis = kurtosis_of(samples);
   return {
       with_gamma("q", "grows", q_of(samples), +1), with_gamma("the excess kurtosis in large grains", "highest at the largest gamma", kurtosis, +1),
-      on_the_whole("excess kurtosis at the largest gamma less that at another", "highest there", lead_of_greatest(kurtosis), leads_of_greatest(kurtosis), +1)};
+      on_the_whole("excess kurtosis at the largest gamma minus that at another", "highest there", lead_of_greatest(kurtosis), leads_of_greatest(kurtosis), +1)};
 }
 
 }  // namespace

@@ -17,13 +17,13 @@ const std::vector<Choice> choices{
     {{{"contact.friction", "0"}}, "without friction"},
     {{{"contact.friction", "0.6"}}, "with friction 0.6"},
     {{{"contact.restitution", "0.4"}}, "with restitution 0.4"},
-    {{{"stages.1.equilibrium.unbalanced", "1e-3"}}, "with rest at 1e-3"},
-    {{{"stages.1.equilibrium.unbalanced", "1e-6"}}, "with rest at 1e-6"},
-    {{{"bidisperse.trials", "100"}}, "with 100 trials a disk"},
-    {{{"bidisperse.maximal", "true"}}, "with every place filled"},
-    {{{"bidisperse.hold_radius", "true"}}, "with radii held until they are placed"},
-    {{{"bidisperse.truncate_each_class", "true"}}, "with radii cut class by class"},
-    {{{"cement.gap", "0.05"}}, "with neighbours at 2 instead of 3 nodes"},
+    {{{"stages.1.equilibrium.unbalanced", "1e-3"}}, "with equilibrium at 1e-3"},
+    {{{"stages.1.equilibrium.unbalanced", "1e-6"}}, "with equilibrium at 1e-6"},
+    {{{"bidisperse.trials", "100"}}, "with 100 trials per disk"},
+    {{{"bidisperse.maximal", "true"}}, "with every gap filled"},
+    {{{"bidisperse.hold_radius", "true"}}, "with radii kept until placed"},
+    {{{"bidisperse.truncate_each_class", "true"}}, "with radii truncated by class"},
+    {{{"cement.gap", "0.05"}}, "with a neighbour gap of 2 nodes (not 3)"},
     {{{"grid.nodes", "1280"}}, "with a crop of 32 rbar_L"},
     {{{"grid.nodes", "512"}}, "with 512 nodes"},
     {{{"grid.nodes", "2048"}}, "with 2048 nodes"},
@@ -65,13 +65,14 @@ void tell_samples(Judgement& judgement, const Results& results, const Samples& u
   std::size_t fewest = 0;
   for (const Choice& choice : choices)
     if (const std::size_t here = samples_a_place(chosen(results, choice.where, usual).runs); here > 0) fewest = fewest == 0 ? here : std::min(fewest, here);
-  const std::string note = fmt::format("Open choices, below: {} samples a pair as it is, {} with each choice.", samples_a_place(usual.runs), fewest);
+  const std::string note =
+      fmt::format("Open choices (below): {} samples per pair with the reference settings, {} with each choice.", samples_a_place(usual.runs), fewest);
   if (std::find(judgement.findings.begin(), judgement.findings.end(), note) == judgement.findings.end()) judgement.findings.push_back(note);
 }
 
 void tell_difference(Judgement& judgement, const std::string& what, const Check& everywhere, const Check& there) {
   if (everywhere.outcome == there.outcome || everywhere.outcome == Outcome::unknown) return;
-  judgement.findings.push_back(fmt::format("{}: with all pairs {} ({}), with those that choices are made at {} ({}).", what, text_of(everywhere.ours),
+  judgement.findings.push_back(fmt::format("{}: {} ({}) over all pairs, {} ({}) over those for which choices were varied.", what, text_of(everywhere.ours),
                                            word_for(everywhere.outcome), text_of(there.ours), word_for(there.outcome)));
 }
 

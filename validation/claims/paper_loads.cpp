@@ -37,7 +37,7 @@ void compare(const Run& a, const Run& b, Compared& compared) {
 
 void add_shear(Judgement& judgement, const Results& results, const Asked& asked) {
   const Samples sheared{loaded(results, "shear"), {0.2, 0.6, 1}, "sigma_xy"};
-  if (!sheared.runs.empty()) add_beside(judgement, "in shear, by sigma_xy,", asked(sheared));
+  if (!sheared.runs.empty()) add_beside(judgement, "in shear (sigma_xy)", asked(sheared));
 }
 
 void add_compression(Judgement& judgement, const Results& results) {
@@ -47,8 +47,8 @@ void add_compression(Judgement& judgement, const Results& results) {
       if (same_sample(pushed, pulled)) compare(pushed, pulled, compared);
   if (compared.runs == 0) return;
   judgement.findings.push_back(
-      fmt::format("Compression is tension with the sign turned: of {} numbers of {} samples loaded both ways {} differ by a bit or more, so what is found in "
-                  "tension holds there, too.",
+      fmt::format("Compression is tension with reversed sign: of {} numbers of {} samples loaded in both directions, {} differ in any bit, so the findings in "
+                  "tension also hold in compression.",
                   compared.numbers, compared.runs, compared.different));
 }
 

@@ -48,7 +48,7 @@ Judgement judge_t1(const Results& results) {
     Check check = number(rounds_to(fmt::format("surface energy of {}", glue), ours, gamma, gamma < 1 ? 0.0005000001 : 0.005000001));
     check.wanted = fmt::format("{:g} to 3 significant digits", gamma);
     judgement.checks.push_back(check);
-    judgement.checks.push_back(as(Kind::source, rounds_to(fmt::format("digits printed for {}, from the forces printed", glue), ours, gamma, 0.0005000001)));
+    judgement.checks.push_back(as(Kind::source, rounds_to(fmt::format("printed digits for {}, from the printed forces", glue), ours, gamma, 0.0005000001)));
     if (std::isfinite(check.ours.value)) judgement.ours += fmt::format("{}{:.3f}", judgement.ours.empty() ? "" : ", ", check.ours.value);
   }
   if (!judgement.ours.empty()) judgement.ours += " kN/mm";
@@ -56,7 +56,7 @@ Judgement judge_t1(const Results& results) {
       "The mean of the fourth glue's five separation forces gives 1.0608 kN/mm, which the thesis prints as 1.060; to three significant digits all four are "
       "reproduced.";
   judgement.findings.emplace_back(
-      "r_eff = 12.4 mm for two equal cylinders of that diameter is what gives these digits; 4 R*, r_i + r_j and 2 sqrt(r_i r_j) agree there.");
+      "These digits follow from r_eff = 12.4 mm, the diameter of two equal cylinders, for which 4 R*, r_i + r_j and 2 sqrt(r_i r_j) agree.");
   return judgement;
 }
 
@@ -80,7 +80,7 @@ Judgement judge_t2(const Results& results) {
   if (const Check& all = judgement.checks[1]; std::isfinite(all.ours.value))
     judgement.ours = fmt::format("{} and {} kN/mm", text_of(all.ours), text_of(judgement.checks[2].ours));
   judgement.decides =
-      "The thesis prints 25.45 below a column of table 2.1 whose mean is 25.63; its overall mean of 27.35, where 27.41 is due, follows from that slip.";
+      "The thesis prints 25.45 below a column of table 2.1 whose mean is 25.63; its overall mean of 27.35 instead of 27.41 follows from this error.";
   return judgement;
 }
 

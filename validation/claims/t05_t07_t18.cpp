@@ -50,7 +50,7 @@ std::pair<std::size_t, std::size_t> plateau_of(const texture::Rev& rev) {
   return last == n ? std::pair{n, n} : std::pair{first, last};
 }
 
-/// Of each window between 20 and 90 % of the area its solid fraction over the mean of all of them, less 1, over samples. `curves`: of
+/// Of each window between 20 and 90 % of the area its solid fraction over the mean of all of them, minus 1, over samples. `curves`: of
 /// every sample its means over places, window by window.
 Family departures(const std::vector<std::vector<double>>& curves) {
   Family family;
@@ -65,7 +65,7 @@ Family departures(const std::vector<std::vector<double>>& curves) {
 
 Value mean_value(const std::vector<double>& values) { return values.empty() ? Value() : statistics::mean_of(values); }
 
-/// Solid fraction at 90 % of the area over that at 20 %, less 1.
+/// Solid fraction at 90 % of the area over that at 20 %, minus 1.
 double change_over_plateau(const Run& run) {
   const FinalState state = final_state(run, true);
   const auto [first, last] = plateau_of(state.texture.rev);
@@ -77,7 +77,7 @@ constexpr double plateau = 0.01;
 
 }  // namespace
 
-/// Share of grains above the mean; what table 3.2 has measured of it in the laboratory stands beside, and contradicts its sentence.
+/// Fraction of grains above the mean; what table 3.2 has measured of it in the laboratory stands beside, and contradicts its sentence.
 Judgement judge_t5(const Results& results) {
   Judgement judgement;
   Family all, single, measured;
@@ -92,16 +92,16 @@ Judgement judge_t5(const Results& results) {
     }
   }
   judgement.checks = {every("fraction above the mean, all grains", "< 0.5", all, {.high = 0.5}),
-                      every("fraction above the mean, one material", "<= 0.52 (table 3.2: 0.443 to 0.509)", single, {.high = 0.52}),
-                      as(Kind::source, every("fraction above the mean that table 3.2 prints", "fewer than half", measured, {.high = 0.5}))};
+                      every("fraction above the mean, each material", "<= 0.52 (table 3.2: 0.443 to 0.509)", single, {.high = 0.52}),
+                      as(Kind::source, every("fraction above the mean as printed in table 3.2", "fewer than half", measured, {.high = 0.5}))};
   for (const Member& m : all)
     if (std::isfinite(m.value.value)) judgement.ours += fmt::format("{}{} {}", judgement.ours.empty() ? "" : ", ", m.name, text_of(m.value));
-  judgement.decides = "Table 3.2 itself prints 50.2 and 50.9 % for POM and HDPE of #2 and 50.9 % for POM of #12, where its sentence says fewer than half.";
+  judgement.decides = "Table 3.2 itself prints 50.2 and 50.9 % for POM and HDPE of #2 and 50.9 % for POM of #12, whereas the text says fewer than half.";
   if (const auto filled = results.runs("thesis-ch3-random"); !filled.empty())
-    judgement.findings.push_back(fmt::format("HDPE of #2 has {} from the lattice and {} from random fillings.", text_of(single[1].value),
+    judgement.findings.push_back(fmt::format("For HDPE of #2 the fraction is {} from the lattice and {} from random fillings.", text_of(single[1].value),
                                              text_of(mean_over_seeds(filled, "sigma_norm.by_material.HDPE.P0"))));
-  add_choices(judgement, results, "Share of #8's grains above the mean", sample_8, "sigma_norm.P0", wanted_below(0.5));
-  add_choices(judgement, results, "Share of #2's HDPE grains above their mean", sample_2, "sigma_norm.by_material.HDPE.P0", wanted_below(0.52));
+  add_choices(judgement, results, "Fraction of #8's grains above the mean", sample_8, "sigma_norm.P0", wanted_below(0.5));
+  add_choices(judgement, results, "Fraction of #2's HDPE grains above their mean", sample_2, "sigma_norm.by_material.HDPE.P0", wanted_below(0.52));
   return judgement;
 }
 
@@ -115,13 +115,14 @@ Judgement judge_t7(const Results& results) {
     const FinalState state = final_state(run);
     leads.push_back(top_5_percent(state, "HDPE") / top_5_percent(state, "POM") - 1);
   }
-  judgement.checks = {positive("largest grain stress of HDPE over POM, less 1", "> 0", most),
-                      positive("stress that 5 % of grains exceed, HDPE over POM, less 1", "> 0", mean_value(leads)),
-                      positive("mean force of POM-POM over HDPE-HDPE, less 1", "> 0", force)};
-  if (!runs.empty()) judgement.ours = fmt::format("largest stress {} more in HDPE, mean force {} more in POM-POM", text_of(most), text_of(force));
-  add_choices(judgement, results, "Mean force of #12's POM-POM over HDPE-HDPE, less 1", sample_12, ratio_of_means, wanted_positive());
+  judgement.checks = {positive("largest grain stress of HDPE over POM, minus 1", "> 0", most),
+                      positive("95 % quantile of grain stress, HDPE over POM, minus 1", "> 0", mean_value(leads)),
+                      positive("mean force of POM-POM over HDPE-HDPE, minus 1", "> 0", force)};
+  if (!runs.empty())
+    judgement.ours = fmt::format("relative excess of the largest stress in HDPE {}, of the mean force in POM-POM {}", text_of(most), text_of(force));
+  add_choices(judgement, results, "Mean force of #12's POM-POM over HDPE-HDPE, minus 1", sample_12, ratio_of_means, wanted_positive());
   add_choices(
-      judgement, results, "Largest grain stress of #12's HDPE over POM, less 1", sample_12,
+      judgement, results, "Largest grain stress of #12's HDPE over POM, minus 1", sample_12,
       [](const Run& run) { return maximum("HDPE").of(run) / maximum("POM").of(run) - 1; }, wanted_positive());
   return judgement;
 }
@@ -147,22 +148,23 @@ Judgement judge_t18(const Results& results) {
     const texture::Rev inner = rev_within(state);
     inner_changes.push_back(inner.mean[last] / inner.mean[first] - 1);
   }
-  judgement.checks = {equivalent("solid fraction at 90 % of the area over that at 20 %, less 1, #11", "settles", mean_value(changes), plateau),
-                      every("solid fraction of windows between 20 and 90 % over their mean, less 1, #11", "settles", departures(curves), {-plateau, plateau})};
+  judgement.checks = {
+      equivalent("solid fraction at 90 % of the area over that at 20 %, minus 1, #11", "constant", mean_value(changes), plateau),
+      every("solid fraction of windows between 20 and 90 % over their mean, minus 1, #11", "constant", departures(curves), {-plateau, plateau})};
   for (const auto& [what, values] : {std::pair{"solid fraction in a strip of 2.5 mean diameters along the walls, #11", &at_walls},
-                                     {"solid fraction within it, #11", &within},
-                                     {"change between 20 and 90 % if all that is missing lies in the outermost half diameter, #11", &by_thin_layers},
-                                     {"change between 20 and 90 % if it is even over the strip, #11", &by_wide_layers},
-                                     {"change between 20 and 90 % of windows that stay out of the strip, #11", &inner_changes}})
+                                     {"solid fraction inside this strip, #11", &within},
+                                     {"change from 20 to 90 % if the whole deficit is in the outermost half diameter, #11", &by_thin_layers},
+                                     {"change from 20 to 90 % if the deficit is uniform over the strip, #11", &by_wide_layers},
+                                     {"change from 20 to 90 % for windows that avoid the strip, #11", &inner_changes}})
     judgement.checks.push_back(reported(what, mean_value(*values)));
   if (!changes.empty()) {
-    judgement.ours = fmt::format("changes by {} of {}", text_of(mean_value(changes)), text_of(mean_value(fractions)));
+    judgement.ours = fmt::format("relative change {} of a solid fraction of {}", text_of(mean_value(changes)), text_of(mean_value(fractions)));
     judgement.decides = fmt::format(
-        "The margin is 1 %. What change there is comes from the looser layers along the walls, which large windows all hold: windows that stay out of them "
-        "change by {}.",
+        "The margin is 1 %. The remaining change is due to the looser layers along the walls, which all large windows contain; for windows that avoid them it "
+        "is {}.",
         text_of(mean_value(inner_changes)));
   }
-  add_choices(judgement, results, "Solid fraction of #11 at 90 % of the area over that at 20 %, less 1", sample_11, change_over_plateau,
+  add_choices(judgement, results, "Solid fraction of #11 at 90 % of the area over that at 20 %, minus 1", sample_11, change_over_plateau,
               wanted_equivalent(plateau));
   return judgement;
 }

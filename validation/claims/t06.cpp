@@ -33,13 +33,13 @@ void judge_tails(Judgement& judgement, const Tails& tails) {
 void tell_tails(Judgement& judgement, const Tails& tails) {
   for (std::size_t k = 0; k < tails.lead.size(); ++k) {
     const std::string& name = tails.lead[k].name;
-    judgement.checks.push_back(beside(
-        positive(fmt::format("lead of the exponential over the half-Gaussian in a sample, {}, {}", tails.what, name), "exponential", tails.lead[k].value)));
+    judgement.checks.push_back(beside(positive(fmt::format("log-likelihood ratio of exponential to half-Gaussian per sample, {}, {}", tails.what, name),
+                                               "exponential", tails.lead[k].value)));
     judgement.checks.push_back(reported(fmt::format("beta, {}, {}", tails.what, name), tails.beta[k].value));
   }
 }
 
-/// "thinner than exponential in 3 of 4 (#8: -7.8 +- 1.6)".
+/// "for all forces in 3 of 4 (lowest log-likelihood ratio -7.8 +- 1.6 per sample, ch. 5)".
 std::string thinner(const Tails& tails) {
   std::size_t thin = 0;
   const Member* most = nullptr;
@@ -47,10 +47,9 @@ std::string thinner(const Tails& tails) {
     thin += outcome_of(m.value, {.high = 0}) == Outcome::holds;
     if (!most || m.value.value < most->value.value) most = &m;
   }
-  return most && std::isfinite(most->value.value)
-             ? fmt::format("of {} are thinner than exponential in {} of {} (lead of the exponential least in {}: {} a sample)", tails.what, thin,
-                           tails.lead.size(), most->name, text_of(most->value))
-             : "";
+  return most && std::isfinite(most->value.value) ? fmt::format("for {} in {} of {} (lowest log-likelihood ratio {} per sample, {})", tails.what, thin,
+                                                                tails.lead.size(), text_of(most->value), most->name)
+                                                  : "";
 }
 
 /// Forces against stresses, and against the load, in the same samples.
@@ -61,7 +60,7 @@ void add_reasons(Judgement& judgement, const Results& results) {
     const PooledTail stress = pooled_tail(runs, "sigma_norm"), force = pooled_tail(runs, "force");
     ++samples;
     thinner += stress.beta.value > force.beta.value;
-    judgement.checks.push_back(reported(fmt::format("beta of forces, {}, mean overlap {:.2g} of a diameter", what, mean_overlap(runs)), force.beta));
+    judgement.checks.push_back(reported(fmt::format("beta of forces, {}, mean overlap {:.2g} diameters", what, mean_overlap(runs)), force.beta));
     judgement.checks.push_back(reported(fmt::format("beta of stresses, {}", what), stress.beta));
   };
   const auto of_load = [&](const char* load) {
@@ -74,11 +73,11 @@ void add_reasons(Judgement& judgement, const Results& results) {
   say("chapter 5 under 100 N", results.runs("thesis-ch5"));
   if (samples > 0)
     judgement.findings.push_back(fmt::format(
-        "A grain's stress adds up the forces of all its contacts, and adding up thins a tail: beta of stresses is above that of forces in {} of {} cases.",
-        thinner, samples));
+        "The stress of a grain is a sum over its contacts, which makes the tail thinner: beta of stresses is above that of forces in {} of {} cases.", thinner,
+        samples));
   add_choices(judgement, results, "R^2 of the line, stresses of #8", sample_8, "sigma_norm.line_r2", wanted_above(0.95));
   add_choices(judgement, results, "R^2 of the line, stresses of #2's HDPE", sample_2, "sigma_norm.by_material.HDPE.line_r2", wanted_above(0.90));
-  add_choices(judgement, results, "Lead of the exponential for stresses of #8", sample_8, "sigma_norm.log_likelihood_ratio");
+  add_choices(judgement, results, "Log-likelihood ratio of the exponential, stresses of #8", sample_8, "sigma_norm.log_likelihood_ratio");
   add_choices(judgement, results, "beta of stresses of #8", sample_8, "sigma_norm.beta");
   add_choices_of_ratios(judgement, results, "R^2 of the line, forces of POM-POM", "force.by_type.POM-POM.line_r2",
                         {wanted_above(0.90), wanted_above(0.90), {}});
@@ -117,7 +116,10 @@ Judgement judge_t6(const Results& results) {
   for (const Tails* tails : {&all_stresses, &some_stresses, &all_forces, &some_forces}) tell_tails(judgement, *tails);
   if (!shapes.empty())
     judgement.decides =
-        "A straight line in semi-log, as the thesis drew it, does not see how a tail bends; by the likelihood against a half-Gaussian tails " + shapes + ".";
+        "A straight line in a semi-logarithmic plot, as in the thesis, is insensitive to the curvature of a tail. By the likelihood ratio against a "
+        "half-Gaussian, "
+        "tails are thinner than exponential " +
+        shapes + ".";
   add_reasons(judgement, results);
   return judgement;
 }

@@ -17,7 +17,7 @@ void tell_ends(Judgement& judgement, const char* law, const Results& results, co
   if (loose.size() < 2) return;
   const auto overlap = [&](double ratio) { return mean_overlap(results.runs(study, {{"populations.1.ratio", fmt::format("{:g}", ratio)}})); };
   for (const Point& end : {loose.front(), loose.back()}) {
-    judgement.checks.push_back(reported(fmt::format("share of rattlers at ratio {:g}, {}", end.x, law), value_of(end)));
+    judgement.checks.push_back(reported(fmt::format("fraction of rattlers at ratio {:g}, {}", end.x, law), value_of(end)));
     judgement.checks.push_back(reported(fmt::format("mean overlap over diameter at ratio {:g}, {}", end.x, law), {overlap(end.x)}));
   }
   judgement.checks.push_back(
@@ -34,10 +34,10 @@ Judgement judge_t8(const Results& results) {
                  bearing = series(results, study, number_ratio(), "coordination.without_rattlers");
     judgement.checks.push_back(monotone(fmt::format("slope of z against the ratio, {}", law), "rises", z, +1));
     judgement.checks.push_back(monotone(fmt::format("slope of z without rattlers against the ratio, {}", law), "rises", bearing, +1));
-    judgement.checks.push_back(number(within(fmt::format("z at the least ratio, {}", law), first_of(z), 4.3, 0.1)));
-    judgement.checks.push_back(number(within(fmt::format("z at the greatest ratio, {}", law), last_of(z), 4.9, 0.1)));
-    judgement.checks.push_back(reported(fmt::format("z without rattlers at the least ratio, {}", law), first_of(bearing)));
-    judgement.checks.push_back(reported(fmt::format("z without rattlers at the greatest ratio, {}", law), last_of(bearing)));
+    judgement.checks.push_back(number(within(fmt::format("z at the smallest ratio, {}", law), first_of(z), 4.3, 0.1)));
+    judgement.checks.push_back(number(within(fmt::format("z at the largest ratio, {}", law), last_of(z), 4.9, 0.1)));
+    judgement.checks.push_back(reported(fmt::format("z without rattlers at the smallest ratio, {}", law), first_of(bearing)));
+    judgement.checks.push_back(reported(fmt::format("z without rattlers at the largest ratio, {}", law), last_of(bearing)));
     tell_ends(judgement, law, results, study);
     if (z.size() > 1) judgement.ours += fmt::format("{}{}: {} to {}", judgement.ours.empty() ? "" : "; ", law, text_of(first_of(z)), text_of(last_of(z)));
   }

@@ -18,7 +18,8 @@ constexpr const char* study_5 = "thesis-ch5";
 /// The slope against the ratio goes this way.
 Check slope_goes(const Results& results, const char* study, const std::string& what, const std::string& number, int direction) {
   const Value size = slope(series(results, study, number_ratio(), number));
-  return direction > 0 ? positive("slope against the ratio of " + what, "rises", size) : negative("slope against the ratio of " + what, "falls", size);
+  return direction > 0 ? positive("slope of " + what + " against the ratio", "rises", size)
+                       : negative("slope of " + what + " against the ratio", "falls", size);
 }
 
 struct Typed {
@@ -44,14 +45,15 @@ Judgement judge_t9(const Results& results) {
   const auto asked = [&](const char* study) {
     return std::vector<Check>{slope_goes(results, study, "z(HDPE-HDPE)", "coordination.HDPE-HDPE", +1),
                               slope_goes(results, study, "z(POM-POM)", "coordination.POM-POM", -1),
-                              positive("z(POM-ANY) less z(HDPE-ANY)", "> 0", lead(study, "coordination."))};
+                              positive("z(POM-ANY) minus z(HDPE-ANY)", "> 0", lead(study, "coordination."))};
   };
   Judgement judgement;
   judgement.checks = asked(study_4);
   judgement.checks.push_back(number(
-      positive("z(POM-ANY) less z(HDPE-ANY), unlike contacts counted twice as in the thesis", "> 0", lead(study_4, "coordination.unlike_contacts_twice."))));
+      positive("z(POM-ANY) minus z(HDPE-ANY), unlike contacts counted twice as in the thesis", "> 0", lead(study_4, "coordination.unlike_contacts_twice."))));
   if (const Value& both = judgement.checks[2].ours; std::isfinite(both.value))
-    judgement.ours = fmt::format("slopes {} and {}, POM-ANY {} above", text_of(judgement.checks[0].ours), text_of(judgement.checks[1].ours), text_of(both));
+    judgement.ours =
+        fmt::format("slopes {} and {}, z(POM-ANY) higher by {}", text_of(judgement.checks[0].ours), text_of(judgement.checks[1].ours), text_of(both));
   add_beside(judgement, "under law R", asked("thesis-ch4-r"));
   add_choices_of_ratios(judgement, results, "z(HDPE-HDPE)", "coordination.HDPE-HDPE", {{}, {}, wanted_positive()});
   add_choices_of_ratios(judgement, results, "z(POM-POM)", "coordination.POM-POM", {{}, {}, wanted_negative()});
@@ -72,9 +74,9 @@ Judgement judge_t10(const Results& results) {
   const auto checks = [](const Family& all, const Family& typed) {
     Family both = all;
     both.insert(both.end(), typed.begin(), typed.end());
-    return std::vector<Check>{every("share of contacts above the mean, all and each type", "fewer than half", both, {.high = 0.5}),
-                              number(every("share of contacts above the mean, all", "about 0.4", all, {0.36, 0.44})),
-                              number(every("share of contacts above their own mean, each type", "about 0.4", typed, {0.36, 0.44}))};
+    return std::vector<Check>{every("fraction of contacts above the mean, all and each type", "fewer than half", both, {.high = 0.5}),
+                              number(every("fraction of contacts above the mean, all", "about 0.4", all, {0.36, 0.44})),
+                              number(every("fraction of contacts above their own mean, each type", "about 0.4", typed, {0.36, 0.44}))};
   };
   Judgement judgement;
   const auto [all, typed] = asked(study_4, study_5);
@@ -82,14 +84,14 @@ Judgement judge_t10(const Results& results) {
   if (std::isfinite(all.front().value.value)) judgement.ours = fmt::format("{} and {}; by type {}", text_of(all[0].value), text_of(all[1].value), ends(typed));
   const auto [all_r, typed_r] = asked("thesis-ch4-r", "thesis-ch5-r");
   add_beside(judgement, "under law R", checks(all_r, typed_r));
-  judgement.checks.push_back(reported("share of POM-POM less that of HDPE-HDPE, ch. 4", mean_over_seeds(results.runs(study_4), [](const Run& run) {
+  judgement.checks.push_back(reported("fraction of POM-POM minus that of HDPE-HDPE, ch. 4", mean_over_seeds(results.runs(study_4), [](const Run& run) {
                                         return run("force.by_type.POM-POM.strong_share") - run("force.by_type.HDPE-HDPE.strong_share");
                                       })));
-  add_choices_of_ratios(judgement, results, "Share of contacts above the mean", "force.strong_share",
+  add_choices_of_ratios(judgement, results, "Fraction of contacts above the mean", "force.strong_share",
                         {wanted_within(0.40, 0.04), wanted_within(0.40, 0.04), {}});
-  add_choices_of_ratios(judgement, results, "Share of POM-POM above their mean", "force.by_type.POM-POM.strong_share",
+  add_choices_of_ratios(judgement, results, "Fraction of POM-POM above their mean", "force.by_type.POM-POM.strong_share",
                         {wanted_within(0.40, 0.04), wanted_within(0.40, 0.04), {}});
-  add_stiffness_choices(judgement, results, "Share of contacts above the mean", "force.strong_share", wanted_within(0.40, 0.04));
+  add_stiffness_choices(judgement, results, "Fraction of contacts above the mean", "force.strong_share", wanted_within(0.40, 0.04));
   return judgement;
 }
 
@@ -103,16 +105,16 @@ Judgement judge_t11(const Results& results) {
   std::erase_if(above_8, [](const Member& m) { return m.name == "ratio 8"; });
   const Series share = series(results, study_4, number_ratio(), triangular);
   Judgement judgement;
-  judgement.checks = {monotone("slope against the ratio of the share of HDPE grains in triangular order", "rises", share, +1),
+  judgement.checks = {monotone("slope of the fraction of HDPE grains in triangular order against the ratio", "rises", share, +1),
                       number(every("6-fold amplitude over its noise, ratios below 8", "quasi-isotropic", below_8, {.high = 3})),
                       number(every("6-fold amplitude over its noise, ratios above 8", "ordered", above_8, {.low = 3}))};
   if (share.size() > 1)
-    judgement.ours = fmt::format("share in triangular order {} at ratio {:g}, {} at {:g}", text_of(value_of(share.front())), share.front().x,
+    judgement.ours = fmt::format("fraction in triangular order {} at ratio {:g}, {} at {:g}", text_of(value_of(share.front())), share.front().x,
                                  text_of(value_of(share.back())), share.back().x);
   add_beside(judgement, "under law R",
-             {monotone("slope against the ratio of the share of HDPE grains in triangular order", "rises",
+             {monotone("slope of the fraction of HDPE grains in triangular order against the ratio", "rises",
                        series(results, "thesis-ch4-r", number_ratio(), triangular), +1)});
-  add_choices_of_ratios(judgement, results, "Share of HDPE grains in triangular order", triangular, {{}, {}, wanted_positive()});
+  add_choices_of_ratios(judgement, results, "Fraction of HDPE grains in triangular order", triangular, {{}, {}, wanted_positive()});
   add_choices_of_ratios(judgement, results, "6-fold amplitude over its noise", signal, {wanted_below(3), wanted_above(3), {}});
   return judgement;
 }
@@ -124,9 +126,11 @@ Judgement judge_t12(const Results& results) {
     const auto runs = results.runs(study);
     const PooledMode pom = pooled_mode(runs, "POM-POM", 2);
     const Value along = weighted_sum({{2, pooled_along(runs, "POM-POM", 2, 90)}}), all = weighted_sum({{2, pooled_along(runs, "", 2, 90)}});
-    judgement.checks.push_back(below(fmt::format("direction of POM-POM contacts from the load's, {}", law), "0", angle_from(pom, 90, 180), 15, "deg"));
-    judgement.checks.push_back(positive(fmt::format("a_c of POM-POM contacts along the load (noise {:.2g}), {}", 2 * pom.noise, law), "leans", along));
-    judgement.checks.push_back(positive(fmt::format("the same less that of all contacts, {}", law), "> 0", difference(along, all)));
+    judgement.checks.push_back(below(fmt::format("deviation of POM-POM orientations from the load axis, {}", law), "0", angle_from(pom, 90, 180), 15, "deg"));
+    judgement.checks.push_back(
+        positive(fmt::format("a_c of POM-POM contacts along the load (noise {:.2g}), {}", 2 * pom.noise, law), "oriented along the load", along));
+    judgement.checks.push_back(
+        positive(fmt::format("a_c of POM-POM contacts minus that of all contacts, along the load, {}", law), "> 0", difference(along, all)));
     judgement.checks.push_back(reported(fmt::format("a_c of all contacts along the load, {}", law), all));
     if (!runs.empty())
       judgement.ours += fmt::format("{}{}: a_c {} at {} degrees", judgement.ours.empty() ? "" : "; ", law, text_of(along), text_of(pom.phase_deg));
@@ -148,21 +152,21 @@ Judgement judge_t19(const Results& results) {
   };
   const auto asked = [&](const char* study) {
     return std::vector<Check>{
-        slope_goes(results, study, "the share of HDPE-HDPE above the whole network's mean", "force.by_type.HDPE-HDPE.fraction_above_mean_of_all", +1),
-        slope_goes(results, study, "the share of POM-POM above the whole network's mean", "force.by_type.POM-POM.fraction_above_mean_of_all", -1),
-        positive("largest force of POM-POM over that of the other types, less 1", "> 0", mean_over_seeds(results.runs(study), over_others("maximum")))};
+        slope_goes(results, study, "the fraction of HDPE-HDPE above the mean of the whole network", "force.by_type.HDPE-HDPE.fraction_above_mean_of_all", +1),
+        slope_goes(results, study, "the fraction of POM-POM above the mean of the whole network", "force.by_type.POM-POM.fraction_above_mean_of_all", -1),
+        positive("largest force of POM-POM over that of the other types, minus 1", "> 0", mean_over_seeds(results.runs(study), over_others("maximum")))};
   };
   Judgement judgement;
   judgement.checks = asked(study_4);
   if (std::isfinite(judgement.checks[2].ours.value))
-    judgement.ours = fmt::format("slopes {} and {}; largest force of POM-POM {} above", text_of(judgement.checks[0].ours), text_of(judgement.checks[1].ours),
-                                 text_of(judgement.checks[2].ours));
+    judgement.ours = fmt::format("slopes {} and {}; largest force of POM-POM higher by {}", text_of(judgement.checks[0].ours),
+                                 text_of(judgement.checks[1].ours), text_of(judgement.checks[2].ours));
   judgement.checks.push_back(
-      reported("mean force of POM-POM over the greater mean of the other types, less 1", mean_over_seeds(results.runs(study_4), over_others(""))));
+      reported("mean force of POM-POM over the larger mean of the other types, minus 1", mean_over_seeds(results.runs(study_4), over_others(""))));
   add_beside(judgement, "under law R", asked("thesis-ch4-r"));
-  add_choices_of_ratios(judgement, results, "Share of HDPE-HDPE above the whole network's mean", "force.by_type.HDPE-HDPE.fraction_above_mean_of_all",
+  add_choices_of_ratios(judgement, results, "Fraction of HDPE-HDPE above the mean of the whole network", "force.by_type.HDPE-HDPE.fraction_above_mean_of_all",
                         {{}, {}, wanted_positive()});
-  add_choices_of_ratios(judgement, results, "Share of POM-POM above the whole network's mean", "force.by_type.POM-POM.fraction_above_mean_of_all",
+  add_choices_of_ratios(judgement, results, "Fraction of POM-POM above the mean of the whole network", "force.by_type.POM-POM.fraction_above_mean_of_all",
                         {{}, {}, wanted_negative()});
   return judgement;
 }

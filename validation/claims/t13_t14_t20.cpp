@@ -51,21 +51,21 @@ Judgement judge_t13(const Results& results) {
   for (const auto& [type, share] : {std::pair{"A-B", 0.50}, {"A-A", 0.25}, {"B-B", 0.25}})
     shares.push_back({type, difference(mean_over_seeds(runs, fmt::format("coordination.share_of_contacts.{}", type)), {share, 0})});
   judgement.checks = {
-      equivalent("change of z over a decade of k_A/k_B, over z", "steady", change, steady),
-      equivalent("change of z without rattlers over a decade of k_A/k_B, over it", "steady", change_a_decade(runs, "coordination.without_rattlers"), steady),
-      every("share of a type of contact less a half (A-B), a quarter (A-A, B-B)", "0", shares, {-0.05, 0.05}),
-      number(within("z(A-B), its part of z", z_ab, 1.75, 0.1))};
-  if (std::isfinite(change.value)) judgement.ours = fmt::format("z changes by {} of itself over a decade; z(A-B) {}", text_of(change), text_of(z_ab));
+      equivalent("relative change of z over a decade of k_A/k_B", "constant", change, steady),
+      equivalent("relative change of z without rattlers over a decade of k_A/k_B", "constant", change_a_decade(runs, "coordination.without_rattlers"), steady),
+      every("fraction of contacts of one type minus 1/2 (A-B) or 1/4 (A-A, B-B)", "0", shares, {-0.05, 0.05}),
+      number(within("z(A-B) as a part of z", z_ab, 1.75, 0.1))};
+  if (std::isfinite(change.value)) judgement.ours = fmt::format("relative change of z over a decade {}; z(A-B) {}", text_of(change), text_of(z_ab));
   for (const auto& [law, study] : laws)
     for (const auto& [what, name] : {std::pair{"z", "coordination.all"},
                                      {"z without rattlers", "coordination.without_rattlers"},
                                      {"z(A-B)", "coordination.parts_of_z.A-B"},
-                                     {"share of rattlers", "coordination.rattlers"},
+                                     {"fraction of rattlers", "coordination.rattlers"},
                                      {"mean |F_t|/F_n", "stages.load.last_state.equilibrium.mobilisation"}})
       if (const auto of_law = results.runs(study); !of_law.empty())
         judgement.checks.push_back(reported(fmt::format("{}, {}", what, law), mean_over_seeds(of_law, name)));
-  add_stiffness_change(judgement, results, "Change of z over a decade of k_A/k_B, over z", change_a_decade, "coordination.all", wanted_equivalent(steady));
-  add_stiffness_choices(judgement, results, "z(A-B), its part of z,", "coordination.parts_of_z.A-B", wanted_within(1.75, 0.1));
+  add_stiffness_change(judgement, results, "Relative change of z over a decade of k_A/k_B", change_a_decade, "coordination.all", wanted_equivalent(steady));
+  add_stiffness_choices(judgement, results, "z(A-B) as a part of z", "coordination.parts_of_z.A-B", wanted_within(1.75, 0.1));
   return judgement;
 }
 
@@ -77,20 +77,21 @@ Judgement judge_t14(const Results& results) {
   const auto noise = [&](const char* study, const std::string& set) { return mean_over_seeds(results.runs(study), noise_of_a_c(set)).value; };
   const auto asked = [&](const char* study) {
     return std::vector<Check>{
-        positive("signed a_c of strong contacts", "leans", anisotropy(study, "strong")),
-        positive("signed a_c of strong less that of weak contacts", "> 0", mean_over_seeds(results.runs(study), signed_lead("strong", "weak"))),
-        below("signed a_c of weak contacts", "does not lean", anisotropy(study, "weak"), std::isfinite(noise(study, "weak")) ? noise(study, "weak") : 0)};
+        positive("signed a_c of strong contacts", "oriented along the load", anisotropy(study, "strong")),
+        positive("signed a_c of strong minus that of weak contacts", "> 0", mean_over_seeds(results.runs(study), signed_lead("strong", "weak"))),
+        below("signed a_c of weak contacts", "not oriented along the load", anisotropy(study, "weak"),
+              std::isfinite(noise(study, "weak")) ? noise(study, "weak") : 0)};
   };
   Judgement judgement;
   judgement.checks = asked("thesis-ch5");
-  judgement.checks.back().wanted += ", what as many random directions give";
+  judgement.checks.back().wanted += ", the value for as many random directions";
   for (const std::string set : {"A-A weak", "B-B weak"})
     judgement.checks.push_back(
         differs(fmt::format("signed a_c of {} contacts", set), "not isotropic", anisotropy("thesis-ch5", set), noise("thesis-ch5", set)));
   if (const Value& strong = judgement.checks.front().ours; std::isfinite(strong.value))
     judgement.ours = fmt::format("signed a_c: strong {}, weak {}", text_of(strong), text_of(anisotropy("thesis-ch5", "weak")));
   add_beside(judgement, "under law R", asked("thesis-ch5-r"));
-  add_beside(judgement, "without friction, the control,", asked("thesis-ch5-smooth"));
+  add_beside(judgement, "without friction (control)", asked("thesis-ch5-smooth"));
   add_stiffness_choices(judgement, results, "Signed a_c of strong contacts", "fabric.sets.strong.a_c_signed", wanted_positive());
   add_stiffness_choices(judgement, results, "Signed a_c of weak contacts", "fabric.sets.weak.a_c_signed", wanted_below(0));
   return judgement;
@@ -105,9 +106,9 @@ Judgement judge_t20(const Results& results) {
       quarters.push_back({type, mean_over_seeds(runs, strong_share(type))});
       leads.push_back({type, mean_over_seeds(runs, [&](const Run& run) { return strong_share("A-B").of(run) - strong_share(type).of(run); })});
     }
-    return std::vector<Check>{every("share of A-B among strong contacts less that of another type", "most", leads, {.low = 0}),
-                              number(every("share of A-A, B-B among strong contacts", "a quarter each", quarters, {0.20, 0.30})),
-                              positive("signed a_c of A-A contacts", "leans slightly", mean_over_seeds(runs, "fabric.sets.A-A.a_c_signed"))};
+    return std::vector<Check>{every("fraction of A-B among strong contacts minus that of another type", "most", leads, {.low = 0}),
+                              number(every("fraction of A-A, B-B among strong contacts", "a quarter each", quarters, {0.20, 0.30})),
+                              positive("signed a_c of A-A contacts", "slightly oriented along the load", mean_over_seeds(runs, "fabric.sets.A-A.a_c_signed"))};
   };
   Judgement judgement;
   judgement.checks = asked("thesis-ch5");
@@ -119,7 +120,7 @@ Judgement judge_t20(const Results& results) {
   judgement.checks.push_back(reported("noise of one sample's a_c of A-A contacts", {mean_over_seeds(runs, noise_of_a_c("A-A")).value, 0}));
   add_beside(judgement, "under law R", asked("thesis-ch5-r"));
   add_beside(judgement, "without friction", asked("thesis-ch5-smooth"));
-  add_stiffness_choices(judgement, results, "Share of A-B among strong contacts", strong_share("A-B"), wanted_above(1.0 / 3));
+  add_stiffness_choices(judgement, results, "Fraction of A-B among strong contacts", strong_share("A-B"), wanted_above(1.0 / 3));
   add_stiffness_choices(judgement, results, "Signed a_c of A-A contacts", "fabric.sets.A-A.a_c_signed", wanted_positive());
   return judgement;
 }

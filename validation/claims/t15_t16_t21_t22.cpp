@@ -20,7 +20,7 @@ std::vector<Run> glued(const Results& results) { return results.runs("thesis-ch6
 
 double lead_of_glued(const Run& run) { return run("sigma_norm.by_material.glued.mean_Pa") / run("sigma_norm.by_material.dry.mean_Pa") - 1; }
 
-/// With this glue over with next to none, less 1, seed by seed: they start from one packing.
+/// With this glue over with next to none, minus 1, seed by seed: they start from one packing.
 Value change_by_glue(const Results& results, const char* energy, const Number& number) {
   std::vector<double> changes;
   for (const Run& with : results.runs("thesis-ch6", {{key, energy}}))
@@ -34,13 +34,13 @@ Value change_by_glue(const Results& results, const char* energy, const Number& n
 Family traces(const Results& results, const char* energy) {
   const std::vector<std::pair<const char*, Number>> numbers{
       {"mean stress inside over outside", [](const Run& run) { return 1 + lead_of_glued(run); }},
-      {"share of glued grains above their mean", "sigma_norm.by_material.glued.P0"},
-      {"contacts between glued grains, of one",
+      {"fraction of glued grains above their mean", "sigma_norm.by_material.glued.P0"},
+      {"contacts with glued grains per glued grain",
        [](const Run& run) { return run("force.by_type.glued-glued.count") / run("sigma_norm.by_material.glued.count"); }},
-      {"share of these above their mean force", "force.by_type.glued-glued.strong_share"},
+      {"fraction of these above their mean force", "force.by_type.glued-glued.strong_share"},
       {"mean force between glued grains over that of all", [](const Run& run) { return run("force.by_type.glued-glued.mean_N") / run("force.mean_N"); }},
       {"z of all grains", "coordination.all"},
-      {"share of contacts above the mean force", "force.strong_share"}};
+      {"fraction of contacts above the mean force", "force.strong_share"}};
   Family family;
   for (const auto& [name, number] : numbers)
     if (const Value change = change_by_glue(results, energy, number); std::isfinite(change.value)) family.push_back({name, change});
@@ -54,7 +54,7 @@ std::string stiffness_over(const char* energy) { return fmt::format("k/gamma = {
 
 /// A trace is seen if one of these is not zero after Holm's correction; none is left if all are within the margin.
 Check trace_seen(const std::string& what, const Family& family) {
-  Check check = every(what, "a trace", family, {-no_trace, no_trace});
+  Check check = every(what, "an effect", family, {-no_trace, no_trace});
   check.wanted = "one of them not 0";
   std::vector<double> chances;
   for (const Member& m : family) chances.push_back(chance_of_zero(m.value));
@@ -88,9 +88,9 @@ Judgement judge_t15(const Results& results) {
     if (std::isfinite(ours.value)) judgement.ours += fmt::format("{}{}", judgement.ours.empty() ? "" : ", ", text_of(ours));
   }
   if (!judgement.ours.empty()) judgement.ours += " %";
-  judgement.checks = {every("share of grains above the mean", "less than half", shares, {.high = 50}, "%"),
-                      number(every("share of grains above the mean less table 6.1's", "0", from_table, {-4, 4}, "%"))};
-  add_glue_choices(judgement, results, "Share of grains above the mean", "sigma_norm.P0", wanted_below(0.5));
+  judgement.checks = {every("fraction of grains above the mean", "less than half", shares, {.high = 50}, "%"),
+                      number(every("fraction of grains above the mean minus that of table 6.1", "0", from_table, {-4, 4}, "%"))};
+  add_glue_choices(judgement, results, "Fraction of grains above the mean", "sigma_norm.P0", wanted_below(0.5));
   return judgement;
 }
 
@@ -107,14 +107,15 @@ Judgement judge_t16(const Results& results) {
     const std::string name = set.empty() ? "all" : set;
     over_noise.push_back({name, weighted_sum({{1 / mode.noise_of_one, along}})});
     angle.push_back({name, angle_from(mode, 45, 90)});
-    parts.push_back(reported(fmt::format("4-fold part along 45 degrees, {} (noise {:.2g}, of one sample {:.2g})", name, mode.noise, mode.noise_of_one), along));
+    parts.push_back(
+        reported(fmt::format("4-fold component along 45 degrees, {} (noise {:.2g}, of one sample {:.2g})", name, mode.noise, mode.noise_of_one), along));
     if (set.empty() && mode.contacts > 0)
-      judgement.ours = fmt::format("4-fold part along 45 degrees {} (noise of one sample {:.2g})", text_of(along), mode.noise_of_one);
+      judgement.ours = fmt::format("4-fold component along 45 degrees {} (noise of one sample {:.2g})", text_of(along), mode.noise_of_one);
   }
-  judgement.checks = {every("4-fold part along 45 degrees over the noise of one sample", "peaks", over_noise, {.low = 1}),
+  judgement.checks = {every("4-fold component along 45 degrees over the noise of one sample", "peaks", over_noise, {.low = 1}),
                       every("angle of its peaks from 45 degrees", "0", angle, {.high = 15}, "deg")};
   judgement.checks.insert(judgement.checks.end(), parts.begin(), parts.end());
-  judgement.decides = "The laboratory's grains were stacked by hand and their places are lost; these samples start from random fillings.";
+  judgement.decides = "The laboratory's grains were stacked by hand and their positions are lost; these samples start from random fillings.";
   add_glue_choices(judgement, results, "4-fold amplitude", "fabric.modes.4.amplitude");
   return judgement;
 }
@@ -128,22 +129,24 @@ Judgement judge_t21(const Results& results) {
                 const double ratio = run("force.tensile.mean_over_compressive_mean");
                 return std::isfinite(ratio) || !(run("force.tensile_share") == 0) ? ratio : 0;
               });
-  judgement.checks = {below("share of contacts that pull", "few", rare, 0.05), below("mean pull over mean push", "very small", tiny, 0.05),
-                      negative("mean stress inside of the agglomerate over outside, less 1", "chains avoid it", inside)};
+  judgement.checks = {below("fraction of tensile contacts", "few", rare, 0.05), below("mean tensile over mean compressive force", "very small", tiny, 0.05),
+                      negative("mean stress inside over outside the agglomerate, minus 1", "chains avoid it", inside)};
   if (std::isfinite(rare.value))
-    judgement.ours = fmt::format("{} of the contacts, {} of the push; inside over outside, less 1: {}", text_of(rare), text_of(tiny), text_of(inside));
+    judgement.ours = fmt::format("{} of the contacts are tensile, with {} of the mean compressive force; stress inside over outside, minus 1: {}",
+                                 text_of(rare), text_of(tiny), text_of(inside));
   for (const char* gamma : {"0.5", "0.2735", no_glue}) {
     const auto weaker = results.runs("thesis-ch6", {{key, gamma}});
-    judgement.checks.push_back(reported(fmt::format("mean stress inside over outside, less 1, gamma {} kN/mm", gamma), mean_over_seeds(weaker, lead_of_glued)));
-    judgement.checks.push_back(reported(fmt::format("share of contacts that pull, gamma {} kN/mm", gamma), mean_over_seeds(weaker, "force.tensile_share")));
+    judgement.checks.push_back(
+        reported(fmt::format("mean stress inside over outside, minus 1, gamma {} kN/mm", gamma), mean_over_seeds(weaker, lead_of_glued)));
+    judgement.checks.push_back(reported(fmt::format("fraction of tensile contacts, gamma {} kN/mm", gamma), mean_over_seeds(weaker, "force.tensile_share")));
   }
   if (const Value glue = change_by_glue(results, "1.060", [](const Run& run) { return 1 + lead_of_glued(run); }); std::isfinite(glue.value))
-    judgement.findings.push_back(
-        fmt::format("In the same packings glue changes the stress inside over that outside by {} of itself, seed by seed; with next to no glue the same grains "
-                    "in the middle of the sample have {} of it more than those around.",
-                    text_of(glue), text_of(mean_over_seeds(results.runs("thesis-ch6", {{key, no_glue}}), lead_of_glued))));
-  add_glue_choices(judgement, results, "Mean stress inside over outside, less 1", lead_of_glued, wanted_negative());
-  add_glue_choices(judgement, results, "Share of contacts that pull", "force.tensile_share", wanted_below(0.05));
+    judgement.findings.push_back(fmt::format(
+        "Compared seed by seed in the same packings, glue changes the ratio of the stress inside to that outside by {} (relative); almost without glue, "
+        "the stress of the same grains exceeds that of the grains around them by {} (relative).",
+        text_of(glue), text_of(mean_over_seeds(results.runs("thesis-ch6", {{key, no_glue}}), lead_of_glued))));
+  add_glue_choices(judgement, results, "Mean stress inside over outside, minus 1", lead_of_glued, wanted_negative());
+  add_glue_choices(judgement, results, "Fraction of tensile contacts", "force.tensile_share", wanted_below(0.05));
   return judgement;
 }
 
@@ -152,16 +155,18 @@ Judgement judge_t21(const Results& results) {
 Judgement judge_t22(const Results& results) {
   Judgement judgement;
   for (const char* gamma : {"0.5", "0.2735"})
-    judgement.checks.push_back(every(fmt::format("change by cohesion, {}", stiffness_over(gamma)), "no trace", traces(results, gamma), {-no_trace, no_trace}));
+    judgement.checks.push_back(
+        every(fmt::format("relative change by cohesion, {}", stiffness_over(gamma)), "no effect", traces(results, gamma), {-no_trace, no_trace}));
   const Family strong = traces(results, "1.060");
-  const Check control = trace_seen(fmt::format("change by cohesion, {} (control)", stiffness_over("1.060")), strong);
+  const Check control = trace_seen(fmt::format("relative change by cohesion, {} (control)", stiffness_over("1.060")), strong);
   judgement.checks.push_back(control);
-  for (const Member& m : strong) judgement.checks.push_back(reported(fmt::format("{}, change by cohesion, {}", m.name, stiffness_over("1.060")), m.value));
+  for (const Member& m : strong)
+    judgement.checks.push_back(reported(fmt::format("{}, relative change by cohesion, {}", m.name, stiffness_over("1.060")), m.value));
   if (!strong.empty()) {
     judgement.ours = fmt::format("largest change {}", text_of(judgement.checks.front().ours));
     judgement.decides = fmt::format("The margin is 5 %, in the same packings with and without glue. The control at {} {}: {} {}.", stiffness_over("1.060"),
-                                    control.outcome == Outcome::holds   ? "shows a trace"
-                                    : control.outcome == Outcome::fails ? "has none either"
+                                    control.outcome == Outcome::holds   ? "shows an effect"
+                                    : control.outcome == Outcome::fails ? "shows none either"
                                                                         : "shows none beyond its error",
                                     control.what, text_of(control.ours));
   }

@@ -34,8 +34,8 @@ const std::vector<Choice>& in_samples() {
                                              {{{"contact.restitution", "0.2"}}, "with restitution 0.2"},
                                              {{{"contact.restitution", "0.9"}}, "with restitution 0.9"},
                                              {{{"integration.safety", "0.025"}}, "with half the time step"},
-                                             {{{"stages.1.equilibrium.unbalanced", "1e-6"}}, "at rest a hundred times as strictly"},
-                                             {{{"stages.0.friction", "0"}, {"contact.friction_law", ""}}, "prepared without friction"},
+                                             {{{"stages.1.equilibrium.unbalanced", "1e-6"}}, "with a 100 times stricter equilibrium"},
+                                             {{{"stages.0.friction", "0"}, {"contact.friction_law", ""}}, "with frictionless preparation"},
                                              {{{"stages.1.gravity", "false"}, {"stages.1.bottom.force", ""}}, "without gravity"},
                                              {{{"stages.1.bottom.force", "200"}}, "under 200 kN"},
                                              {{{"stages.1.bottom.force", "5"}}, "under 5 kN"},
@@ -49,9 +49,9 @@ const std::vector<Choice>& at_number_ratios() {
                                          {
                                              {{}, "with law R", "thesis-ch4-r"},
                                              {{{"contact.restitution", "0.2"}}, "with restitution 0.2"},
-                                             {{{"stages.1.equilibrium.unbalanced", "1e-6"}}, "at rest a hundred times as strictly"},
+                                             {{{"stages.1.equilibrium.unbalanced", "1e-6"}}, "with a 100 times stricter equilibrium"},
                                              {{{"packing.solid_fraction", "0.76"}}, "from a solid fraction of 0.76"},
-                                             {{{"stages.0.friction", "0"}}, "prepared without friction"},
+                                             {{{"stages.0.friction", "0"}}, "with frictionless preparation"},
                                              {{{"container.width", "350"}}, "in a box of 350 mm"},
                                              {{{"stages.1.bottom.force", "200"}}, "under 200 kN"},
                                          });
@@ -65,7 +65,7 @@ const std::vector<Choice>& with_two_stiffnesses() {
                                              {{{"contact.restitution", "0.2"}}, "with restitution 0.2"},
                                              {{{"contact.restitution", "0.7"}}, "with restitution 0.7"},
                                              {{{"integration.safety", "0.045"}}, "with half the time step"},
-                                             {{{"stages.0.equilibrium.unbalanced", "1e-6"}}, "at rest a hundred times as strictly"},
+                                             {{{"stages.0.equilibrium.unbalanced", "1e-6"}}, "with a 100 times stricter equilibrium"},
                                          });
   return choices;
 }
@@ -78,7 +78,7 @@ const std::vector<Choice>& with_glue() {
                                              {{{"contact.effective_radius", "sum"}}, "with r_eff = r_i + r_j"},
                                              {{{"contact.effective_radius", "geometric_mean"}}, "with r_eff = 2 sqrt(r_i r_j)"},
                                              {{{"contact.adhesion", "geometrical_breaking"}}, "with glue that breaks for good"},
-                                             {{{"stages.1.equilibrium.unbalanced", "1e-6"}}, "at rest a hundred times as strictly"},
+                                             {{{"stages.1.equilibrium.unbalanced", "1e-6"}}, "with a 100 times stricter equilibrium"},
                                              {{{"stages.1.gravity", "false"}}, "without gravity"},
                                              {{{"stages.1.bottom.force", "200"}}, "under 200 kN"},
                                              {{{"stages.1.bottom.force", "4"}}, "under 4 kN"},
@@ -134,7 +134,7 @@ void add_glue_choices(Judgement& judgement, const Results& results, const std::s
   const auto glued_by = [&](const char* energy) { return mean_of(results, "thesis-choices-glue", {{"contact.surface_energy", energy}}, number); };
   const Choice usual{{}, "", "thesis-ch6"};
   add_sensitivity(judgement, what + ", with glue", usual, with_glue(), glued_by("1.060"), wanted);
-  add_sensitivity(judgement, what + ", with next to none", usual, with_glue(), glued_by("0.000001"), {});
+  add_sensitivity(judgement, what + ", almost without glue", usual, with_glue(), glued_by("0.000001"), {});
 }
 
 void measure_with_other_borders(Results& results) {

@@ -174,7 +174,7 @@ test("keys of numbers become words of the field, without the unit that is declar
   assert.deepEqual(named("S_m"), { name: "S_{m}", symbol: "" });
   assert.deepEqual(named("Z_ls"), { name: "Z_{ls}", symbol: "" });
   assert.deepEqual(named("sigma_yy"), { name: "\u03c3_{yy}", symbol: "" });
-  assert.deepEqual(named("dx_m", "m"), { name: "node distance", symbol: "" });
+  assert.deepEqual(named("dx_m", "m"), { name: "node spacing", symbol: "" });
   assert.deepEqual(named("pressure_Pa", "Pa"), { name: "pressure", symbol: "p" });
   assert.deepEqual(named("POM-ANY"), { name: "POM\u2013any", symbol: "" });
   assert.deepEqual(named("thinnest_neck_m"), { name: "thinnest neck m", symbol: "" }, "a unit is declared, never guessed");

@@ -1,8 +1,8 @@
 """Journal figures from stored results: `save_all(result, folder)`, or `python3 -m arenite.figures RESULT`.
 
-Each file of this package draws one subject on axes that it is given (`draw_*(axes, data)`), so that a figure of your own is
-one call away; `catalogue.figures` lists the figures that `save_all` makes of a result. Text is in DejaVu Sans, which comes with
-Matplotlib, or in your own rcParams' fonts; it is embedded in PDF and kept as text in SVG.
+Each file of this package draws one subject on axes that it is given (`draw_*(axes, data)`), so that your own figure needs
+one call; `catalogue.figures` lists the figures that `save_all` draws of a result. Text is in DejaVu Sans, which comes with
+Matplotlib, or in the fonts of your rcParams; it is embedded in PDF and kept as text in SVG.
 """
 
 from .catalogue import figures, figures_of, save_all, study_figures

@@ -1,4 +1,4 @@
-"""What `arenite figures` does. Its options are declared by the program, and come as one JSON object."""
+"""Implements `arenite figures`. Its options are declared by the program and are passed as one JSON object."""
 
 import json
 import pathlib
@@ -20,7 +20,7 @@ def main(result, formats=("pdf",), out=None, only=None, width=None):
     except ValueError as error:
         sys.exit(said(str(error)))
     except (ArithmeticError, AttributeError, LookupError, MemoryError, RuntimeError, TypeError) as error:  # numbers of another shape than this version's
-        sys.exit(said(f"{given}: holds what these figures cannot draw ({type(error).__name__}: {error}); compute the result again with `arenite run`"))
+        sys.exit(said(f"{given}: cannot be drawn ({type(error).__name__}: {error}); compute the result again with `arenite run`"))
     except OSError as error:
         sys.exit(said(f"{error.filename or out}: cannot be written ({error.strerror or error}); choose another folder with --out"))
     for path in paths:
@@ -29,7 +29,7 @@ def main(result, formats=("pdf",), out=None, only=None, width=None):
         if not only or name in only:
             print(f"{name}: {sentence}", file=sys.stderr)
     if not paths:
-        sys.exit(said(f"{given}: holds nothing that these figures show"))
+        sys.exit(said(f"{given}: holds nothing to draw"))
 
 
 main(**json.loads(sys.argv[1]))

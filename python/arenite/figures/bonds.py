@@ -23,12 +23,12 @@ def strain(history, side):
 
 
 def draw_broken_bonds(axes, history, units={}):
-    """Broken bonds by kind against the strain by the wall that moves farthest, with the force on it; against time where none moves."""
+    """Broken bonds by kind against the strain from the wall that moves farthest, with the force on it; against time if none moves."""
     side = moving_wall(history)
     x = 100 * strain(history, side) if side else history["time"] - history["time"][0]
     for name, colour in kinds.values():
         axes.plot(x, history[f"broken_in_{name}"], color=colour, label=name)
-    axes.set(xlabel=f"strain by the {side} wall, %" if side else "time, s", ylabel="broken bonds", ylim=(0, None))
+    axes.set(xlabel=f"strain from the {side} wall, %" if side else "time, s", ylabel="broken bonds", ylim=(0, None))
     axes.legend(loc="upper left")
     if not side:
         return
@@ -43,7 +43,7 @@ def draw_broken_bonds(axes, history, units={}):
 
 
 def segments(packing, chosen, across):
-    """From centre to centre of these bonds, or as wide as they are across them, where the grains are still near; none through a periodic side."""
+    """Lines from centre to centre of these bonds, or across them with their width, while the grains are near each other; none through a periodic side."""
     i, j = packing.bonds["i"][chosen], packing.bonds["j"][chosen]
     a, b = (np.column_stack([packing.x[k], packing.y[k]]) for k in (i, j))
     near = np.all(np.abs(b - a) < 0.5 * np.array([packing.domain["width"], packing.domain["height"]]), axis=1)
@@ -57,7 +57,7 @@ def segments(packing, chosen, across):
 
 
 def draw_cracks(axes, packing):
-    """Grains with the bonds that hold, and a crack for each that broke, by kind."""
+    """Grains with intact bonds, and a crack for each broken bond, by kind."""
     broken = packing.bonds["broken"]
     axes.add_collection(circles(packing.x, packing.y, packing.radius, linewidth=0.2, edgecolor=pale, facecolor="#f4f4f4"))
     frame(axes, packing)

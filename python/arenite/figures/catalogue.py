@@ -1,4 +1,4 @@
-"""The figures that are made of a result; a new one is one more row."""
+"""The figures of a result; a new one is one more row."""
 
 import pathlib
 import warnings
@@ -16,7 +16,7 @@ def one(draw, data, **options):
 
 
 def of_history(draw):
-    """A drawing of what was sampled while the stage ran."""
+    """A drawing of the history of a stage."""
     return lambda figure, state: draw(figure.add_subplot(), state.history, units=state.stage.history_units)
 
 
@@ -159,7 +159,7 @@ former_names = {"course": "stress-path", "contact-directions": "contact-orientat
 
 
 def figures_of(result, stage=None, state=None):
-    """(figure, part) of all that can be drawn of a result: every field and film, and of its stages the last state. `stage`: only
+    """(figure, part) of everything that can be drawn of a result: every field and film, and the last state of its stages. `stage`: only
     this stage, load or film, by name; `state`: the stored state of this number, counted as in the figure `stress-path`."""
     parts, found = list(parts_of(result, stage, state)), []
     for k, (kind, part) in enumerate(parts):
@@ -169,8 +169,8 @@ def figures_of(result, stage=None, state=None):
 
 
 def study_figures(path):
-    """(figure, part) of all that the page of a study shows and can be drawn yet, `rheology` where its runs are strained at a rate, and what
-    `flows` draws of discharges, collapses, silos and critical states, with or without a page."""
+    """(figure, part) of everything on the page of a study that can be drawn so far, `rheology` if its runs are strained at a rate, and the
+    figures of `flows` for discharges, collapses, silos and critical states, with or without a page."""
     runs, flow = loadings.driven_runs(path), flows.kind_of(path)
     parts = studies.study_document(path)["figures"] if studies.has_page(path) or not (runs or flow) else []
     found = [(Figure(part["id"], "study", studies.draw_study_figure, height=studies.height_of(part)), part) for part in parts if studies.has_content(part)]
@@ -180,7 +180,7 @@ def study_figures(path):
 
 
 def save_all(result, folder, formats=("pdf",), names=None, width=None, stage=None, state=None):
-    """Every figure of a result or a study (a Result or its path) into a folder; gives the paths. `formats`: pdf, svg, png;
+    """Saves every figure of a result or a study (a Result or its path) in a folder; returns the paths. `formats`: pdf, svg, png;
     `names`: only these figures; `stage` and `state` as in `figures_of`."""
     is_path = isinstance(result, (str, pathlib.Path))
     of_study = is_path and studies.is_study(result)

@@ -1,4 +1,4 @@
-"""Curves of a test to failure and of the solver; labels have the units of their columns where these are given (`Field.curve_units`)."""
+"""Curves of a test to failure and of the solver; labels have the units of their columns if these are given (`Field.curve_units`)."""
 
 import numpy as np
 

@@ -47,13 +47,13 @@ def draw_phases(axes, field, key=True):
 
 
 def phase_key(map):
-    """Entries of the phases that there are, with their shares of the area."""
+    """Legend entries of the phases present, with their area fractions."""
     share = np.bincount(kinds_of(map).ravel(), minlength=len(phases)) / (map.width * map.height)
     return [patch(phase_colours[name], f"{name} {100 * share[k]:.3g} %") for k, name in reversed(list(enumerate(phases))) if share[k] > 0]
 
 
 def values_of(field, component):
-    """A component on all nodes, Pa or m: sigma_yy, sigma_xx, sigma_xy, sigma_hyd, sigma_1 and sigma_2 (the principal stresses, the larger first), ux, uy, u (how far)."""
+    """A component on all nodes, Pa or m: sigma_yy, sigma_xx, sigma_xy, sigma_hyd, sigma_1 and sigma_2 (the principal stresses, the larger first), ux, uy, u (magnitude)."""
     if component == "sigma_hyd":
         return 0.5 * (field.sigma_xx + field.sigma_yy)
     if component in ("sigma_1", "sigma_2"):
@@ -65,7 +65,7 @@ def values_of(field, component):
 
 
 def statistics_of(field, **options):
-    """Its stresses by phase; nothing where there is no stress."""
+    """Its stresses by phase; empty without stresses."""
     try:
         return field.statistics(**options)
     except ValueError:
@@ -73,7 +73,7 @@ def statistics_of(field, **options):
 
 
 def unit_of(field):
-    """(Pa, name of the component, "mean" or "root mean square") that the stored statistics give stresses over; nothing without any."""
+    """(Pa, name of the component, "mean" or "root mean square") by which the stored statistics normalise stresses; None without statistics."""
     stored = field.numbers.get("stress") or statistics_of(field, curves=False)
     for component in [name for name in symbols if name in stored]:
         every = stored[component].get("sets", {}).get("all", {})
@@ -85,7 +85,7 @@ def unit_of(field):
 
 def scale_of(field, component):
     """(values, centre, label) of a picture. The component of the statistics is shown over its mean about 1 or over its r.m.s. about 0,
-    the other stresses over the same (without its sign) about their means; displacements in metres, how far from the least on."""
+    the other stresses over the same number (without its sign) about their means; displacements in metres, the magnitude from its smallest value."""
     values, symbol = np.where(field.map.phase > 0, values_of(field, component), np.nan), symbols[component]
     unit = unit_of(field) if component.startswith("sigma") else None
     if unit is None:
@@ -100,7 +100,7 @@ def scale_of(field, component):
 
 
 def draw_field(axes, field, component="sigma_yy", share=0.005, colour_map=diverging_map):
-    """A component as `scale_of` gives it; colours leave out `share` of the nodes at each end, the void is white."""
+    """A component as `scale_of` gives it; the colour range excludes `share` of the nodes at each end, voids are white."""
     values, centre, label = scale_of(field, component)
     low, high = np.nanquantile(values, [share, 1 - share])
     if centre is None:
@@ -119,7 +119,7 @@ def draw_cracks(axes, field):
 
 
 def crack_dots(axes, x, y, kinds, others=()):
-    """A dot at every broken bond, by type; the key says how many, after the entries `others`."""
+    """A dot at every broken bond, by type; the legend states their numbers, after the entries `others`."""
     handles, suffix = [], " bonds" if others else ""
     for kind, (name, colour) in crack_colours.items():
         of = kinds == kind

@@ -1,4 +1,4 @@
-"""What an infrared film says of grains and contacts, with its errors (T figures 3.11 and 3.12)."""
+"""Grains and contacts measured on an infrared film, with errors (T figures 3.11 and 3.12)."""
 
 import numpy as np
 from matplotlib.colors import to_rgba
@@ -10,25 +10,25 @@ simulation_names = {"peak_to_peak": "simulation, peak to peak", "state": "simula
 
 
 def materials_of(film):
-    """(name, colour, which grains) of the materials that there are."""
+    """(name, colour, which grains) of the materials present."""
     material = np.asarray(film.packing.material)
     names = [m.name for m in film.packing.materials] or ["grains"]
     return [(name, colours[m % len(colours)], material == m) for m, name in enumerate(names) if np.any(material == m)]
 
 
 def uncertain(film):
-    """One flag a contact: it counts as there, and may not be."""
+    """One flag per contact: accepted as present, but possibly absent."""
     return np.asarray(film.presence) < 0.95
 
 
 def certainty_sets(film):
     """(name, colour, which contacts)."""
     may = uncertain(film)
-    return [(name, colour, which) for name, colour, which in [(f"{np.sum(~may)} there", strong, ~may), (f"{np.sum(may)} may be absent", tension, may)] if which.any()]
+    return [(name, colour, which) for name, colour, which in [(f"{np.sum(~may)} present", strong, ~may), (f"{np.sum(may)} may be absent", tension, may)] if which.any()]
 
 
 def draw_against_simulation(axes, film, which="peak_to_peak"):
-    """Film against simulation, grain by grain; the correlation is the stored one, of the grains away from the border."""
+    """Film against simulation, grain by grain; the correlation is the stored one, for grains away from the border."""
     x, y = normalised(film, film.simulation[which]), normalised(film, film.sigma_hyd)
     error = film.sigma_hyd_error / abs(mean_stress(film, film.sigma_hyd))
     for name, colour, of in materials_of(film):
@@ -55,7 +55,7 @@ def _ranked(axes, values, errors, unit, label, sets):
 
 
 def draw_ranked_forces(axes, film, component="fn"):
-    """Peak-to-peak forces in order, normal or tangential ("ft"), with standard errors; contacts that may be absent apart."""
+    """Peak-to-peak forces in order, normal or tangential ("ft"), with standard errors; contacts that may be absent are shown separately."""
     errors = film.fn_error if component == "fn" else film.ft_error
     _ranked(axes, np.asarray(getattr(film.packing.contacts, component)), errors, "N", f"${force_symbols[component]}$", certainty_sets(film))
 
@@ -66,7 +66,7 @@ def draw_ranked_stresses(axes, film):
 
 
 def certainty_bins(ratio):
-    """Edges of bars over F_n / standard error: steps of a round number up to what all but 2 % stay below; the rest is in the first and the last."""
+    """Edges of bars over F_n / standard error: round steps up to the value that 98 % do not exceed; the rest is in the first and the last bar."""
     order = np.sort(ratio)
     high, low = max(4.0, order[int(0.98 * (len(order) - 1))]), min(0.0, max(-6.0, order[0]))
     step = next(v for decade in range(-1, 308) for v in (1.0 * 10.0**decade, 2.0 * 10.0**decade, 5.0 * 10.0**decade) if v >= 0.5 and (high - low) / v <= 36)
@@ -75,7 +75,7 @@ def certainty_bins(ratio):
 
 
 def draw_certainty(axes, film):
-    """How many standard errors normal forces are worth."""
+    """Normal forces over their standard errors."""
     with np.errstate(divide="ignore", invalid="ignore"):
         ratio = film.packing.contacts.fn / film.fn_error
     if not np.isfinite(ratio).any():

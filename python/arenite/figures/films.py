@@ -13,7 +13,7 @@ bad_pixel = "#ff2d95"
 
 
 def _show(axes, values, pixel, **options):
-    """A picture, top row first; on the sample with a bar of known length below where the side of a pixel (m) is known."""
+    """A picture, top row first; with a scale bar below if the side of a pixel (m) is known."""
     height, width = values.shape[:2]
     side = pixel if pixel > 0 else 1
     shown = axes.imshow(values, extent=(0, width * side, 0, height * side), interpolation="nearest", rasterized=True, **options)
@@ -25,8 +25,8 @@ def _show(axes, values, pixel, **options):
 
 
 def draw_map(axes, values, label=None, share=0.005, colour_map="inferno", about=None, pixel=0):
-    """A map of pixels, top row first, without `share` of the pixels at each end of its colours, which lie evenly about `about`
-    if it is given; `label` gives it a bar of colours with a title, `pixel` (m) a bar of known length."""
+    """A map of pixels, top row first; the colour range excludes `share` of the pixels at each end and is symmetric about `about`
+    if that is given; `label` adds a colour bar with a title, `pixel` (m) a scale bar."""
     known = values[np.isfinite(values)]
     low, high = np.quantile(known, [share, 1 - share]) if known.size else (0, 1)
     if about is not None:
@@ -40,13 +40,13 @@ def draw_map(axes, values, label=None, share=0.005, colour_map="inferno", about=
 
 
 def draw_fit(figure, film):
-    """What the film shows, what the contact forces make of it, and the first less the second: peak to peak on one scale."""
+    """The measured map, the map predicted from the contact forces, and their difference: peak to peak on one scale."""
     fitted = np.asarray(film.fitted, float)
     full = 1 if film.maps.peak_to_peak else 2
     measured = np.where(np.isfinite(fitted), full * np.asarray(film.maps.in_phase, float), np.nan)
     known = measured[np.isfinite(measured)]
     reach = np.quantile(np.abs(known), 0.99) if known.size else 1
-    for k, (title, values) in enumerate([("measured", measured), ("by the forces", fitted), ("left", measured - fitted)]):
+    for k, (title, values) in enumerate([("measured", measured), ("from the forces", fitted), ("residual", measured - fitted)]):
         axes = figure.add_subplot(1, 3, k + 1)
         shown = _show(axes, values, film.pixel, vmin=-reach, vmax=reach, cmap=diverging_map)
         axes.set_title(title)
@@ -54,24 +54,24 @@ def draw_fit(figure, film):
 
 
 def phase_after_load(maps):
-    """Phase of the signal after that of the load, degrees in (-180, 180]."""
+    """Phase of the signal relative to that of the load, degrees in (-180, 180]."""
     angle = np.degrees(np.asarray(maps.phase, float) - maps.reference_phase)
     return angle - 360 * np.ceil(angle / 360 - 0.5)
 
 
 def draw_phase(axes, maps, pixel=0):
-    """Phase after the load; pale where the amplitude is below three standard errors, so that its phase says nothing."""
+    """Phase relative to the load; pale where the amplitude is below three standard errors and the phase is meaningless."""
     norm = Normalize(-180, 180)
     shown = cyclic_map(norm(phase_after_load(maps)))
     faint = np.asarray(maps.amplitude) < faint_below * np.asarray(maps.standard_error)
     shown[faint, :3] = 1 - 0.2 * (1 - shown[faint, :3])
     _show(axes, shown, pixel)
-    axes.set_title("phase after the load, °")
+    axes.set_title("phase relative to the load, °")
     axes.figure.colorbar(ScalarMappable(norm, cyclic_map), ax=axes, shrink=0.8, ticks=[-180, -90, 0, 90, 180])
 
 
 def draw_bad_pixels(axes, film):
-    """The pixels that were replaced, on the picture at the smallest load."""
+    """The replaced pixels, on the image at the smallest load."""
     draw_map(axes, film.picture, "smallest load, K", colour_map=picture_map, pixel=film.pixel)
     bad = np.asarray(film.bad, bool)
     _show(axes, np.where(bad, 1.0, np.nan), film.pixel, cmap=ListedColormap([bad_pixel]))
@@ -79,7 +79,7 @@ def draw_bad_pixels(axes, film):
 
 
 def map_panels(film):
-    """[function of axes] that draw the maps which a film holds, as the page lists them."""
+    """[function of axes] that draw the maps of a film, in the order of the page."""
     maps = film.maps
 
     def of(values, label, **options):
@@ -92,14 +92,14 @@ def map_panels(film):
         of(1e3 * maps.in_phase, "warming with the load, mK", colour_map=diverging_map, about=0),
         of(1e3 * maps.second_harmonic, "amplitude at 2 f, mK", colour_map=stress_map),
         of(1e3 * maps.standard_error, "standard error, mK", colour_map=even_map),
-        of(1e3 * maps.residual, "left by the fit, mK", colour_map=even_map),
+        of(1e3 * maps.residual, "residual of the fit, mK", colour_map=even_map),
         (lambda axes: draw_bad_pixels(axes, film)) if np.any(getattr(film, "bad", False)) else None,
     ]
     return [draw for draw in drawn if draw]
 
 
 def mean_stress(film, sigma):
-    """Of the grains away from the border that have one, as all statistics of a film take it; of all where there are none."""
+    """Over the grains away from the border, as for all statistics of a film; over all grains if there are none."""
     counted = np.asarray(measure_grains(film.packing)["considered"], bool) & np.isfinite(sigma)
     return np.mean(sigma[counted] if counted.any() else sigma[np.isfinite(sigma)])
 
@@ -109,7 +109,7 @@ def normalised(film, sigma):
 
 
 def _disks(axes, film, values, most):
-    """Grains in metres, or in pixels where their side is not known."""
+    """Grains in metres, or in pixels if their size is not known."""
     grains, side = film.grains, film.pixel if film.pixel > 0 else 1
     x, y, radius = side * grains.x, -side * grains.y, side * grains.radius
     disks = circles(x, y, radius, linewidth=0.25, edgecolor=strong, cmap=stress_map)
@@ -124,10 +124,10 @@ def _disks(axes, film, values, most):
 
 
 def draw_film_grains(axes, film, most=most_stress):
-    """sigma_norm of every grain as the film shows it."""
+    """sigma_norm of every grain from the film."""
     return _disks(axes, film, normalised(film, film.sigma_hyd), most)
 
 
 def draw_simulated_grains(axes, film, which="peak_to_peak", most=most_stress):
-    """The same of the companion simulation, "peak_to_peak" or its "state"."""
+    """The same for the companion simulation, "peak_to_peak" or its "state"."""
     return _disks(axes, film, normalised(film, film.simulation[which]), most)

@@ -1,4 +1,4 @@
-"""Figures of studies of flows under weight and of the critical state (`arenite.flows`)."""
+"""Figures of studies of gravity flows and of the critical state (`arenite.flows`)."""
 
 import pathlib
 import tomllib
@@ -25,7 +25,7 @@ def draw_beverloo(axes, found):
 
 
 def draw_runout(axes, found):
-    """Run-out over the first width against the aspect ratio, with the power laws of either regime."""
+    """Run-out over the initial width against the aspect ratio, with the power laws of both regimes."""
     points(axes, found, "aspect_ratio", "runout")
     for name, law in flows.fit_runout(found).items():
         a = found["aspect_ratio"].values
@@ -36,7 +36,7 @@ def draw_runout(axes, found):
 
 
 def draw_janssen(axes, found):
-    """Pressure at the bottom against the height of the filling, Janssen's law and what a liquid would press with."""
+    """Pressure at the bottom against the height of the filling, with Janssen's law and the pressure of a liquid."""
     law = flows.fit_janssen(found)
     at = np.linspace(0, np.max(found["height"].values), 200)
     axes.plot(1e3 * at, -law["saturation"][0] * np.expm1(-at / law["length"][0]), color=soft, zorder=0)
@@ -54,7 +54,7 @@ def draw_critical(figure, found):
 
 
 def done_runs(study):
-    """Results of a study's runs that are done."""
+    """Results of the finished runs of a study."""
     path = pathlib.Path(study)
     results = []
     for run in sorted(((path if path.is_dir() else path.parent) / "runs").glob("*/status")):
@@ -87,7 +87,7 @@ def critical(figure, study):
 
 
 def kind_of(study):
-    """Which of the figures a study's runs are made for, by the last stage of their recipes; None for any other."""
+    """Name of the figure that suits the runs of a study, by the last stage of their recipes; None for other studies."""
     stages, recipes = last_stages(study)
     if len(stages) < 3:
         return None

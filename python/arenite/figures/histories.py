@@ -1,4 +1,4 @@
-"""What was sampled while a stage ran (`Stage.history`); labels have the units of its columns where these are given (`Stage.history_units`)."""
+"""The history of a stage (`Stage.history`); labels have the units of its columns if these are given (`Stage.history_units`)."""
 
 import numpy as np
 
@@ -12,7 +12,7 @@ def _time(history):
 
 
 def _lines(axes, history, names, factor=1.0, positive=False, columns=3):
-    """Lines of the columns that hold anything; the second and fourth are dashed, so that equal forces are both seen."""
+    """Lines of the columns that have values; the second and fourth are dashed, so that equal forces remain visible."""
     shown = [(k, name, label) for k, (name, label) in enumerate(names) if name in history and np.any(np.abs(history[name]) > 0)]
     for k, name, label in shown:
         values = history[name] / factor
@@ -31,21 +31,21 @@ def draw_wall_forces(axes, history, units={}):
 
 
 def moving_wall(history):
-    """The side whose wall moves farthest; nothing where none moves."""
+    """The side whose wall moves farthest; None if none moves."""
     ways = {side: abs(history[f"{side}_position"][-1] - history[f"{side}_position"][0]) for side in sides if len(history.get(f"{side}_position", [])) > 1 and f"{side}_force" in history}
     side = max(ways, key=ways.get, default=None)
     return side if side and ways[side] > 1e-9 else None
 
 
 def draw_travel(axes, history, frames=(), units={}):
-    """Force on the wall that moves farthest against its travel into the sample; dots: the stored states `frames`."""
+    """Force on the wall that moves farthest against its displacement into the sample; dots: the stored states `frames`."""
     side = moving_wall(history)
     start, force = history[f"{side}_position"][0], history[f"{side}_force"]
     factor, label = labelled("force", force, units.get(f"{side}_force"))
     axes.plot(1e3 * sides[side] * (history[f"{side}_position"] - start), force / factor, color=soft if len(frames) else colours[0])
     walls = [frame.packing.domain[side] for frame in frames]
     axes.plot([1e3 * sides[side] * (w["position"] - start) for w in walls], [w["force"] / factor for w in walls], "o", color=strong, label="stored states")
-    axes.set(xlabel=f"travel of the {side} wall, mm", ylabel=label)
+    axes.set(xlabel=f"displacement of the {side} wall, mm", ylabel=label)
     if walls:
         axes.legend()
 
@@ -62,7 +62,7 @@ def draw_energies(axes, history, units={}):
 
 
 def draw_discharge(axes, history):
-    """Mass of the grains that have passed the height that the recipe counts below."""
+    """Mass of the grains below the height `count_below` of the recipe."""
     mass = history["passed_mass"]
     factor, unit = scaled(1e3 * np.max(np.abs(mass)), "g")
     axes.plot(_time(history), 1e3 * mass / factor, color=strong)
@@ -70,6 +70,6 @@ def draw_discharge(axes, history):
 
 
 def draw_equilibrium(axes, history):
-    """How far the sample is from equilibrium."""
+    """Distance of the sample from equilibrium."""
     _lines(axes, history, [("unbalanced_ratio", "unbalanced force"), ("kinetic_ratio", "kinetic/elastic"), ("mobilisation", r"mean $|F_{\mathrm{t}}|/F_{\mathrm{n}}$")], positive=True, columns=2)
     axes.set(ylabel="ratio", yscale="log")

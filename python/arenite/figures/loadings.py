@@ -15,7 +15,7 @@ many = 400  # rows of a history that are drawn as they are; of more a running me
 
 
 def test_of(state):
-    """The stage of a State with what came before it; the same object as long as the state lives."""
+    """The stage of a State with the packing before it; the same object as long as the state exists."""
     if not hasattr(state, "_test"):
         before = [frame.packing for frame in state.frames if curves.has_history(state.stage) and frame.time < state.stage.history["time"][0]]
         state._test = curves.Test(state.stage, before[-1] if before else None)
@@ -23,7 +23,7 @@ def test_of(state):
 
 
 def smooth(values, rows):
-    """Mean over `rows` rows about each, fewer at the ends."""
+    """Running mean over `rows` rows, fewer at the ends."""
     sums = np.concatenate([[0], np.cumsum(np.nan_to_num(values))])
     known = np.concatenate([[0], np.cumsum(np.isfinite(values))])
     k = np.arange(len(values))
@@ -32,7 +32,7 @@ def smooth(values, rows):
 
 
 def draw_curve(axes, x, y, colour=colours[0], label=None, width=1.1):
-    """A line; one that fluctuates over many rows is pale under its running mean."""
+    """A line; a fluctuating one with many rows is drawn pale, under its running mean."""
     if len(x) > many:
         axes.plot(x, y, color=colour, alpha=0.25, linewidth=0.4)
         y = smooth(y, len(y) // 100)
@@ -40,13 +40,13 @@ def draw_curve(axes, x, y, colour=colours[0], label=None, width=1.1):
 
 
 def strain_of(found):
-    """(values in percent, what they are) against which a test is drawn: the shear strain where something is sheared along a wall."""
+    """(values in per cent, label) of the abscissa of a test: the shear strain if something is sheared along a wall, else the axial strain."""
     name = "shear_strain" if "mu" in found else "axial_strain"
     return 100 * found[name].values, f"{name.replace('_', ' ')}, %"
 
 
 def draw_critical_state(axes, critical):
-    """The plateau of the ratio over the strain that it was taken from, with its band of 95 % (`arenite.critical_state`)."""
+    """The plateau of the ratio over the strain range from which it was determined, with its 95 % band (`arenite.critical_state`)."""
     about = critical["mu" if "mu" in critical else "q_over_p"]
     ends = 100 * np.array([critical["from"], critical["to"]])
     axes.fill_between(ends, about["low_95"], about["high_95"], color=colours[3], alpha=0.35, linewidth=0)
@@ -55,7 +55,7 @@ def draw_critical_state(axes, critical):
 
 
 def uniaxial_stress(found):
-    """The stress along the axis where nothing presses across it or the sample is drawn apart, so that q/p says nothing; else None."""
+    """The axial stress if there is no lateral confinement or the sample is in tension, where q/p is meaningless; else None."""
     if "mu" in found:
         return None
     stresses = [found[name].values for name in ("sigma_xx", "sigma_yy") if name in found]
@@ -90,7 +90,7 @@ def draw_volume(axes, found):
 
 
 def has_test(state):
-    """Whether a stage strains its sample and knows what presses on it."""
+    """Whether a stage strains its sample and has the forces on it."""
     if not curves.has_history(state.stage):
         return False
     history = state.stage.history
@@ -107,7 +107,7 @@ def draw_pressure(axes, found):
 
 
 def stress_strain(figure, state):
-    """Friction over volume; over pressure in a box whose sides stand, where all strain is volumetric."""
+    """Friction above volumetric strain, or above pressure in a box with fixed sides, in which all strain is volumetric."""
     found = curves.curves_of(test_of(state))
     upper, lower = figure.subplots(2, 1, sharex=True)
     draw_friction(upper, found)
@@ -124,7 +124,7 @@ def has_cycles(state):
 
 
 def has_table(state):
-    """Whether every cycle is known, stored or not; results of former versions know those that are stored."""
+    """Whether every cycle is known, stored or not; results of former versions have only the stored ones."""
     return len(getattr(state.stage, "cycles", {}).get("cycle", [])) > 3
 
 
@@ -165,7 +165,7 @@ def is_driven(stage):
 
 
 def driven_runs(study):
-    """Folders of the runs of a study whose last stage strains its sample at a rate; none where it has other runs, too."""
+    """Folders of the runs of a study whose last stage strains its sample at a rate; none if it also has other runs."""
     path = pathlib.Path(study)
     recipes = sorted(((path if path.is_dir() else path.parent) / "runs").glob("*/recipe.toml"))
     stages = [tomllib.loads(recipe.read_text(encoding="utf-8")).get("stages", []) for recipe in recipes]

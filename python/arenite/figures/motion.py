@@ -1,4 +1,4 @@
-"""Pictures of stored states one after the other, drawn fast: grains by any number of theirs, force chains, walls and periodic images."""
+"""Fast drawing of stored states one after another: grains coloured by a quantity, force chains, walls and periodic images."""
 
 import dataclasses
 import functools
@@ -16,7 +16,7 @@ from .style import chain_width, colours, diverging_map, even_map, pale, stress_m
 
 @dataclasses.dataclass
 class Shot:
-    """A stored state and its stage; `sheared` is how far a sheared cell had come by then (strain), 0 in others."""
+    """A stored state and its stage; `sheared` is the shear strain of a sheared cell at that time, 0 in others."""
 
     stage: typing.Any
     frame: typing.Any
@@ -28,14 +28,14 @@ class Shot:
 
 
 def shots_of(result, stage=None):
-    """The stored states of a stage, or of all. Raises ValueError where there are fewer than two."""
+    """The stored states of a stage, or of all. Raises ValueError if there are fewer than two."""
     stages = list(result.stages)
     if stage is not None and stage not in [part.name for part in stages]:
         raise ValueError(f"there is no stage {stage}; there are {', '.join(part.name for part in stages)}")
     shots = [Shot(part, frame, sheared_at(part, frame.time)) for part in stages if stage in (None, part.name) for frame in part.frames]
     if len(shots) < 2:
         what = f"the stage {stage}" if stage else "this result"
-        raise ValueError(f"{what} holds {['no', 'one'][len(shots)]} stored state of a loading, which does not move; `snapshots` or `increments` of a stage store more")
+        raise ValueError(f"{what} holds {['no', 'one'][len(shots)]} stored state of a loading, too few for an animation; `snapshots` or `increments` of a stage store more")
     return shots
 
 
@@ -52,7 +52,7 @@ def ends_of(packing):
 
 
 def contact_numbers(packing):
-    """How many contacts each grain has, those with walls too."""
+    """Number of contacts of each grain, including those with walls."""
     return np.bincount(ends_of(packing)[0], minlength=len(packing)).astype(float)
 
 
@@ -68,7 +68,7 @@ def deviator(shot):
 
 @functools.lru_cache(maxsize=64)
 def friction_of(recipe, stage):
-    """mu between grains in a stage of a recipe; None where it does not say."""
+    """Friction coefficient between grains in a stage of a recipe; None if it is not given."""
     told = tomllib.loads(recipe)
     own = [part.get("friction") for part in told.get("stages", []) if part.get("name") == stage]
     mu = own[-1] if own and own[-1] is not None else told.get("contact", {}).get("friction")
@@ -76,7 +76,7 @@ def friction_of(recipe, stage):
 
 
 def mobilisation(shot):
-    """Mean |F_t|/(mu F_n) of a grain's pressed contacts; 0 without friction, |F_t|/F_n where mu is not told."""
+    """Mean |F_t|/(mu F_n) of a grain's pressed contacts; 0 without friction, |F_t|/F_n if mu is not known."""
     c = shot.packing.contacts
     mu = friction_of(shot.stage.provenance.get("recipe", ""), shot.stage.name)
     if mu == 0:
@@ -93,7 +93,7 @@ def speed(shot):
 
 
 def nearest_image(dx, dy, domain):
-    """Of differences of places, the images that are nearest in a periodic cell."""
+    """Position differences, wrapped to the nearest image in a periodic cell."""
     if domain["periodic_y"]:
         n = np.round(dy / domain["height"])
         dx, dy = dx - n * domain["tilt"], dy - n * domain["height"]
@@ -103,8 +103,8 @@ def nearest_image(dx, dy, domain):
 
 
 def displacements(shots):
-    """How far grains came since the first state, m, (n, 2) for each; without the shear of a sheared cell. In a periodic cell the way
-    from state to state is the shortest one, so states must not be farther apart than half a cell."""
+    """Displacements of grains since the first state, m, (n, 2) for each state; without the shear of a sheared cell. In a periodic cell the
+    displacement between states is the shortest one, so grains must not move farther than half a cell between them."""
     ways = [np.zeros((len(shots[0].packing), 2))]
     for before, now in zip(shots, shots[1:]):
         a, b, domain = before.packing, now.packing, now.packing.domain
@@ -117,7 +117,7 @@ def displacements(shots):
 
 @dataclasses.dataclass
 class Colouring:
-    """How grains are coloured: `values(shots)` gives an array a state, in SI units, and `factor` takes them to `unit`."""
+    """A colouring of grains: `values(shots)` gives one array per state, in SI units, and `factor` converts them to `unit`."""
 
     label: str
     values: typing.Callable
@@ -138,7 +138,7 @@ colourings = {
     "forces": None,
     "pressure": Colouring("pressure", each(pressure), stress_map, "Pa", low=0.0),
     "deviator": Colouring("deviator of stress", each(deviator), stress_map, "Pa", low=0.0),
-    "z": Colouring("contacts of a grain", each(lambda shot: contact_numbers(shot.packing)), even_map),
+    "z": Colouring("contacts per grain", each(lambda shot: contact_numbers(shot.packing)), even_map),
     "velocity": Colouring("speed", each(speed), even_map, "m/s", low=0.0),
     "displacement": Colouring("displacement", lambda shots: [np.hypot(*way.T) for way in displacements(shots)], even_map, "m", low=0.0),
     "rotation": Colouring("rotation", lambda shots: [shot.packing.angle - shots[0].packing.angle for shot in shots], diverging_map, "°", np.pi / 180, symmetric=True),
@@ -147,7 +147,7 @@ colourings = {
 
 
 def limits_of(colouring, values, low=None, high=None):
-    """(lowest, highest) in SI units of the colour scale of all states: what is asked for, else the range of all but one in a hundred
+    """(lowest, highest) of the colour scale of all states, in SI units: as given, else the range without one per cent of the
     values at either end."""
     every = np.concatenate(values)
     every = every[np.isfinite(every)] if np.any(np.isfinite(every)) else np.zeros(1)
@@ -190,7 +190,7 @@ def disks(axes, packing, **options):
 
 
 def spokes(axes, packing):
-    """A radius on every grain, by which its turning is seen."""
+    """A radius on every grain, which shows its rotation."""
     index, x, y = with_images(packing)
     r, angle = 0.9 * packing.radius[index], packing.angle[index]
     ends = np.column_stack([x + r * np.cos(angle), y + r * np.sin(angle)])
@@ -198,8 +198,8 @@ def spokes(axes, packing):
 
 
 def chains(axes, packing, mean):
-    """Forces as bars, as wide as they are over `mean`; strong ones, above the mean of this state, dark, pulling ones red. White
-    rims tell these from dark grains."""
+    """Forces as bars with a width in proportion to force over `mean`; strong ones, above the mean of this state, dark, tensile ones red. White
+    rims distinguish them from dark grains."""
     c = packing.contacts
     push = c.fn[c.fn > 0]
     kinds = kinds_of(c.fn, np.mean(push) if len(push) else 1.0, np.zeros(len(c), bool))
@@ -213,8 +213,8 @@ def chains(axes, packing, mean):
 
 
 def sides(axes, packing):
-    """Walls as thick lines, edges of a periodic cell dashed, and how far a sheared cell's top has gone over its bottom; nothing where a
-    wall was taken away."""
+    """Walls as thick lines, edges of a periodic cell dashed, and the shear displacement of a sheared cell; nothing where a
+    wall was removed."""
     d = packing.domain
     left, right, bottom, top = (d[side]["position"] for side in ("left", "right", "bottom", "top"))
     lines = {"left": ((left, bottom), (left, top)), "right": ((right, bottom), (right, top)), "bottom": ((left, bottom), (right, bottom)), "top": ((left, top), (right, top))}
@@ -227,7 +227,7 @@ def sides(axes, packing):
 
 
 def clip(axes, packing, drawn):
-    """Cuts what reaches across the edges of a periodic cell."""
+    """Clips drawings at the edges of a periodic cell."""
     d = packing.domain
     if d["periodic_x"] or d["periodic_y"]:
         reach = 0.0 if d["periodic_x"] and d["periodic_y"] else np.max(packing.radius)
@@ -238,8 +238,8 @@ def clip(axes, packing, drawn):
 
 
 def draw_shot(axes, shot, values=None, norm=None, colour_map=None, mean=None, spoked=False):
-    """One state on axes that keep their limits; gives what is drawn, to be removed before the next. `values`: a number a grain with
-    `norm` and `colour_map`, "material", or None for outlines; `mean`: force chains over this force; `spoked`: turning is shown."""
+    """One state on axes that keep their limits; returns what is drawn, to be removed before the next. `values`: one number per grain with
+    `norm` and `colour_map`, "material", or None for outlines; `mean`: force chains over this force; `spoked`: rotation is shown."""
     packing = shot.packing
     of_material = isinstance(values, str)
     style = {"linewidth": 0.25, "edgecolor": strong} if values is not None else {"linewidth": 0.4, "edgecolor": pale, "facecolor": "none"}

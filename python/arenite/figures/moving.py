@@ -1,4 +1,4 @@
-"""A figure in which one stored state after the other is drawn, with a curve beside it on which a mark moves."""
+"""A figure that draws one stored state after another, with a curve beside it on which a mark moves."""
 
 import matplotlib
 import numpy as np
@@ -18,7 +18,7 @@ text_size = {"font.size": 9, "axes.labelsize": 9, "xtick.labelsize": 8, "ytick.l
 
 
 class Pictures:
-    """The states of `shots`; what is the same in all of them is laid out once. Options as those of `arenite.animate.save`."""
+    """The states of `shots`; common parts are laid out once. Options as in `arenite.animate.save`."""
 
     def __init__(self, shots, by, chains=False, colour_map=None, low=None, high=None, size=(800, 800), beside=None):
         self.shots, self.beside, self.drawn = shots, beside, []
@@ -63,7 +63,7 @@ def panels(figure, shots, beside):
 
 
 def look(axes, shots, by, chains, colour_map, low, high):
-    """(what draw_shot takes as `values` of each state, its other options); draws the key or the colour bar."""
+    """(`values` of each state for draw_shot, its other options); draws the legend or the colour bar."""
     style = {"spoked": by == "rotation"}
     if chains or by == "forces":
         pushing = [shot.packing.contacts.fn[shot.packing.contacts.fn > 0] for shot in shots]
@@ -84,7 +84,7 @@ def look(axes, shots, by, chains, colour_map, low, high):
 
 
 def whole_numbers(values, low, high):
-    """A colour a number."""
+    """One colour per number."""
     low, high = int(low or 0), int(np.max(np.concatenate(values)) if high is None else high)
     return BoundaryNorm(np.arange(low, max(high, low + 1) + 2) - 0.5, 256)
 
@@ -102,7 +102,7 @@ def bar(axes, colouring, norm, colour_map, by):
 
 
 class Beside:
-    """Two columns of a stage, one over the other, with a mark where the shown state is; the stage is that of the state. `names`: of x
+    """Two columns of the stage of the state shown, one against the other, with a mark at that state. `names`: of x
     and y, or "test"."""
 
     def __init__(self, result, names):
@@ -135,7 +135,7 @@ class Beside:
 
 
 def columns_of(result, stage, names):
-    """((values, label), ...) of two columns of curves.along or of a stage's history, or of a "test". Raises ValueError for what is in neither."""
+    """((values, label), ...) of two columns of curves.along or of a stage's history, or of a "test". Raises ValueError for unknown columns."""
     known = curves.along(result, stage.name)
     known.update({name: curves.Curve(stage.history[name], stage.history_units[name]) for name in stage.history if name not in known})
     if names == "test":
@@ -147,7 +147,7 @@ def columns_of(result, stage, names):
 
 
 def labelled(name, values, unit):
-    """Values in a handy unit, and "axial strain, %"."""
+    """Values in a convenient unit, and a label such as "axial strain, %"."""
     words = {"q_over_p": "$q/p$", "mu": r"$\mu$"}.get(name, name.replace("_", " "))
     if name.endswith("strain"):
         return 100 * values, f"{words}, %"

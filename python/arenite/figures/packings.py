@@ -9,7 +9,7 @@ from .style import bare, chain_width, colours, force_symbols, key_below, length_
 
 
 def frame(axes, packing):
-    """The walls or the edges of the cell, and room around them; gives where a line of text below it has room, (x, y)."""
+    """The walls or the edges of the cell, and space around them; returns the position for a line of text below, (x, y)."""
     d = packing.domain
     x, y = d["left"]["position"], d["bottom"]["position"]
     axes.add_patch(Rectangle((x, y), d["width"], d["height"], fill=False, linewidth=0.6, edgecolor=strong, linestyle="-" if d["left"]["present"] else "--"))
@@ -36,7 +36,7 @@ def material_key(axes, packing):
 
 
 def draw_packing(axes, packing, by="material", colour_map=stress_map, most=most_stress):
-    """Grains coloured `by` "material" or "sigma_norm" (pressure over its mean, up to `most`); gives what a colour bar needs."""
+    """Grains coloured `by` "material" or "sigma_norm" (pressure over its mean, up to `most`); returns what a colour bar needs."""
     disks = circles(packing.x, packing.y, packing.radius, linewidth=0.25, edgecolor=strong)
     axes.add_collection(disks)
     frame(axes, packing)
@@ -50,8 +50,8 @@ def draw_packing(axes, packing, by="material", colour_map=stress_map, most=most_
 
 
 def draw_forces(axes, packing, mean=None, uncertain=None):
-    """Normal forces as bars between centres: width by force, strong ones (above `mean`, that of the pushing ones if not given)
-    dark, pulling ones red; those of `uncertain` (one flag a contact) are pale."""
+    """Normal forces as bars between centres: width in proportion to force, strong ones (above `mean`, by default that of the compressive ones)
+    dark, tensile ones red; those of `uncertain` (one flag per contact) are pale."""
     axes.add_collection(circles(packing.x, packing.y, packing.radius, linewidth=0.2, edgecolor=pale, facecolor="none"))
     at = frame(axes, packing)
     c = packing.contacts
@@ -73,12 +73,12 @@ kind_colours = {"may be absent": pale, "weak": weak, "strong": strong, "tension"
 
 
 def kinds_of(fn, mean, uncertain):
-    """The kind of every force; as on the page a pull counts from a thousandth of the mean."""
+    """The kind of every force; as on the page, a tensile force counts from a thousandth of the mean."""
     return np.select([uncertain, fn < -1e-3 * mean, fn > mean], ["may be absent", "tension", "strong"], "weak")
 
 
 def segments(packing):
-    """(starts, ends) of the contacts, centre to centre or wall; seen from the other grain too where it lies across a periodic side."""
+    """(starts, ends) of the contacts, centre to centre or wall; also from the other grain if it crosses a periodic side."""
     c = packing.contacts
     way = np.column_stack([c.nx, c.ny]) * (c.arm_i + c.arm_j)[:, None]
     from_i = np.column_stack([packing.x[c.i], packing.y[c.i]])
@@ -97,7 +97,7 @@ def bars(start, end, width):
 
 
 def force_scale(axes, at, width, mean):
-    """A bar as wide as the mean force is drawn, and what it is."""
+    """A bar with the width of the mean force, and its value."""
     x, y = at
     length = 0.06 * packing_width(axes)
     axes.add_patch(Rectangle((x, y - width / 2), length, width, facecolor=strong, linewidth=0))

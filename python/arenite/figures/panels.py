@@ -63,7 +63,7 @@ def film_rose_sets(film):
 
 
 def film_roses(figure, film):
-    """Contacts whose force changes in the film, and those of the simulation beside it at the largest load, on one scale."""
+    """Contacts whose force changes in the film, and those of the simulation at the largest load, on one scale."""
     sets = film_rose_sets(film)
     draw_roses(figure, sets, reach=max(textures.reach_of(of) for _, of, _, _ in sets), columns=2)
 
@@ -83,7 +83,7 @@ def components(figure, field, names, columns=3):
 
 
 def density_panels(figure, field, component):
-    """Over the sample's mean and, where each phase has one, over its own with the fits; linear and logarithmic."""
+    """Over the sample's mean and, if each phase has one, over its own with the fits; linear and logarithmic."""
     rows = density_rows(field, component)
     for row, own in enumerate(rows):
         for column, log in enumerate([False, True]):
@@ -96,7 +96,7 @@ def density_rows(field, component):
 
 
 def statistics_of(field):
-    """With curves; measured once a field."""
+    """With curves; measured once per field."""
     if id(field) not in _statistics:
         _statistics.clear()
         _statistics[id(field)] = (field, fields.statistics_of(field))

@@ -1,4 +1,4 @@
-"""What of a result is drawn: a stored state of a stage, fields, films."""
+"""The drawable parts of a result: a stored state of a stage, fields, films."""
 
 import dataclasses
 import functools
@@ -11,7 +11,7 @@ from .._core import measure
 
 @dataclasses.dataclass
 class State:
-    """A stored state with its stage; `frames` are those of all stages, as the page's slider has them."""
+    """A stored state with its stage; `frames` are those of all stages, as in the page's slider."""
 
     name: str
     stage: typing.Any
@@ -36,7 +36,7 @@ class State:
 
 
 def states_of(result, stage=None, state=None):
-    """The state that is drawn: the last of a stage, the last of all, or the `state`-th of all that are stored, from 1."""
+    """The state that is drawn: the last of a stage, the last of all, or the `state`-th of all stored states, from 1."""
     stored = [(part, frame) for part in result.stages for frame in part.frames]
     frames = [frame for _, frame in stored]
     if state is not None:
@@ -49,7 +49,7 @@ def states_of(result, stage=None, state=None):
 
 
 def parts_of(result, stage=None, state=None):
-    """(kind, part) of what is drawn of a result."""
+    """(kind, part) of the drawable parts of a result."""
     names = [part.name for part in [*result.stages, *result.fields, *result.films]]
     if stage is not None and stage not in names:
         raise ValueError(f"there is no stage {stage}; there are {', '.join(names)}")

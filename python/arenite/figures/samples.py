@@ -1,4 +1,4 @@
-"""A sample as a whole: its size curve, a number of its grains against another, coarse-grained fields."""
+"""A sample as a whole: its size curve, one quantity of its grains against another, coarse-grained fields."""
 
 import numpy as np
 
@@ -17,7 +17,7 @@ quantities = {
 
 
 def draw_grains_against(axes, shot, x="diameter", y="pressure"):
-    """One number of the grains against another, a point a grain in the colour of its material; names as in `quantities`."""
+    """One quantity of the grains against another, one point per grain in the colour of its material; names as in `quantities`."""
     packing, drawn = shot.packing, []
     for name in (x, y):
         symbol, unit, find = quantities[name]
@@ -38,7 +38,7 @@ def grain_scatter(figure, state):
 
 
 def recipe_of(state):
-    """The recipe that made a state, if it asks for a size law."""
+    """The recipe of a state, if it has a size law."""
     try:
         recipe = Recipe.from_text(state.stage.provenance.get("recipe", ""))
         return recipe if len(asked_size_curve(recipe)["diameter"]) else None
@@ -47,7 +47,7 @@ def recipe_of(state):
 
 
 def draw_size_curve(axes, measured, asked=None):
-    """Share of the mass in grains no wider than each diameter; curves as `arenite.size_curve` and `asked_size_curve` give them."""
+    """Fraction of the mass in grains no wider than each diameter; curves as returned by `arenite.size_curve` and `asked_size_curve`."""
     for curve, colour, style, label in ((measured, strong, "-", "measured"), (asked, colours[1], "--", "asked")):
         if curve is not None:
             axes.step(1e3 * curve["diameter"], 100 * curve["passing"], where="post", color=colour, linestyle=style, label=label)
@@ -75,7 +75,7 @@ layers = {
 
 
 def draw_coarse_field(axes, fields, name):
-    """One of `layers` of what `arenite.coarse_grained` gives, with the velocity as arrows over its size; gives what a colour bar needs, and its label."""
+    """One of `layers` of the result of `arenite.coarse_grained`, with the velocity as arrows over its magnitude; returns what a colour bar needs, and its label."""
     label, unit, colour_map, find = layers[name]
     values, x, y = find(fields), fields["x"], fields["y"]
     known = np.abs(values[np.isfinite(values)])
@@ -96,7 +96,7 @@ def draw_coarse_field(axes, fields, name):
 
 
 def fields_of(state):
-    """With a kernel as wide as the mean grain, or wider where there are more than 2500 of them."""
+    """With a kernel as wide as the mean grain, or wider for more than 2500 grains."""
     packing, history = state.packing, state.history
     area = packing.domain["width"] * packing.domain["height"]
     width = max(2 * np.mean(packing.radius), np.sqrt(area / 2500))
@@ -105,7 +105,7 @@ def fields_of(state):
 
 
 def coarse_fields(figure, state):
-    """Solid fraction, pressure and, where grains move, velocity and shear stress."""
+    """Solid fraction, pressure and, if grains move, velocity and shear stress."""
     fields = fields_of(state)
     names = list(layers) if np.any(state.packing.vx) or np.any(state.packing.vy) else ["solid_fraction", "pressure"]
     for axes, name in zip(np.ravel(figure.subplots(len(names) // 2, 2)), names):

@@ -1,4 +1,4 @@
-"""A figure and how it becomes a file."""
+"""A figure and how it is written to a file."""
 
 import dataclasses
 import pathlib
@@ -24,7 +24,7 @@ class Figure:
 
 
 def save(figure, part, paths, width=None, **style):
-    """Draws one figure into a file or, once for all, into several; their endings (pdf, svg, png) decide the format. `width`: inches; one or two
+    """Draws one figure and writes it to one or several files; their suffixes (pdf, svg, png) determine the format. `width`: inches; one or two
     columns if not given."""
     with journal_style(**style):
         width = width or (page_width if figure.wide else column_width)
@@ -43,12 +43,12 @@ def save(figure, part, paths, width=None, **style):
 
 
 def number_clips(path):
-    """Names the clipping paths of an SVG by their order: Matplotlib names those that are no rectangles by where they lie in memory."""
+    """Names the clipping paths of an SVG by their order: Matplotlib names those that are not rectangles by their memory address."""
     text = path.read_text(encoding="utf-8")
     names = {name: f"clip{k}" for k, name in enumerate(re.findall(r'<clipPath id="(\w+)"', text))}
     path.write_text(re.sub(r'(<clipPath id="|url\(#)(\w+)', lambda m: m[1] + names.get(m[2], m[2]), text), encoding="utf-8")
 
 
 def listed(words):
-    """A list of words, or the only one."""
+    """A list of words, or a single word as a list."""
     return [words] if isinstance(words, str) else list(words)

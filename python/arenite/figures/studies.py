@@ -1,4 +1,4 @@
-"""Figures of a study, from the numbers that the program writes beside its page study.html: what the page shows is what is printed."""
+"""Figures of a study, from the numbers that the program writes beside its page study.html, so that print and page agree."""
 
 import pathlib
 import re
@@ -22,18 +22,18 @@ def page_of(path):
 
 
 def has_page(path):
-    """Whether the figures of a study have been put on a page."""
+    """Whether a study has a page with figures."""
     return page_of(path).is_file()
 
 
 def study_document(path):
-    """What the page of a study shows, as a dict: `title` and `figures`; `path` is the page or the study's folder."""
+    """The contents of the page of a study, as a dict: `title` and `figures`; `path` is the page or the study's folder."""
     page = page_of(path)
     document = _core._study_figures(page)
     if not document:
         if has_page(path):  # of an older program, or taken out of its folder
-            raise ValueError(f"{page}: the numbers of its figures, study.hdf5, are not beside it; give the study's folder, where `arenite study page RECIPE --out FOLDER` makes both")
-        raise ValueError(f"{page}: there is no page of this study yet; `arenite study page RECIPE --out {page.parent}` makes it")
+            raise ValueError(f"{page}: the numbers of its figures, study.hdf5, are missing beside it; give the study's folder, in which `arenite study page RECIPE --out FOLDER` makes both")
+        raise ValueError(f"{page}: this study has no page yet; `arenite study page RECIPE --out {page.parent}` makes it")
     return document
 
 
@@ -44,7 +44,7 @@ def is_study(path):
 
 
 def not_drawn(path):
-    """{name: why} of the figures of a study that cannot be drawn yet, or not whole."""
+    """{name: reason} of the figures of a study that cannot be drawn yet, or only in part."""
     return {figure["id"]: figure["missing"] for figure in study_document(path)["figures"] if "missing" in figure} if is_study(path) and has_page(path) else {}
 
 
@@ -54,7 +54,7 @@ def label(text):
 
 
 def _colours(figure):
-    """As on the page: shades where curves are values of one key, colours that differ otherwise."""
+    """As on the page: shades if curves are values of one key, distinct colours otherwise."""
     ours = [curve for curve in figure["series"] if not curve["beside"] and not curve["source"]]
     groups = list(dict.fromkeys(curve["group"] for curve in ours))
     if figure["ordered"] and len(groups) > 2:
@@ -66,12 +66,12 @@ def _colours(figure):
 
 
 def _is_hollow(figure, curve):
-    """In a plot a film's points have the colour of what was simulated, and are hollow."""
+    """In a plot the points of a film have the colour of the simulated ones and are hollow."""
     return curve["film"] and not curve["source"] and figure["kind"] == "plot"
 
 
 def _legend(axes, figure):
-    """Within where there is room for it, above where it is long."""
+    """Inside the axes if there is room, above them if it is long."""
     names = [curve["name"] for curve in figure["series"] if curve["name"] and not curve["fit"]]
     if len(names) > 4:
         longest = max(len(re.sub(r"[_^{}]", "", name)) for name in names)
@@ -81,7 +81,7 @@ def _legend(axes, figure):
 
 
 def draw_study_plot(axes, figure):
-    """Points with bars of their scatter, densities with bands of it, what is fitted to them and the source's tables; what its text says is drawn in grey."""
+    """Points with error bars, densities with error bands, their fits and the source's tables; statements of its text are drawn in grey."""
     for curve, colour in zip(figure["series"], _colours(figure)):
         points = np.array([[np.nan if v is None else v for v in point] for point in curve["points"]], float).T
         if curve["fit"]:
@@ -105,7 +105,7 @@ def _style(figure, curve):
 
 
 def _density(axes, figure, curve, points, colour):
-    """A line in the band of its scatter; a bin between empty ones is a dot."""
+    """A line in its error band; a bin between empty ones is a dot."""
     x, y, error = points
     axes.plot(x, y, _style(figure, curve), color=colour, label=label(curve["name"]) or None, linewidth=1.0)
     if error.any():
@@ -119,7 +119,7 @@ def _density(axes, figure, curve, points, colour):
 
 
 def _points(axes, figure, curve, points, colour):
-    """Points with their bars, joined where the figure says so; those that stand beside are diamonds."""
+    """Points with error bars, joined if the figure says so; those of `beside` are diamonds."""
     x, y, error = points
     low = np.minimum(error, 0.95 * y) if figure["y"]["log"] else error
     joined = figure["lines"] and not (curve["beside"] and np.all(x == x[0]))
@@ -145,7 +145,7 @@ def _reference(axes, reference):
 
 
 def draw_study_rose(axes, figure):
-    """Outlines of the contacts in sectors, or of their shares over the isotropic one, which is dotted, with ticks of their scatter; `axes` are polar."""
+    """Outlines of the numbers of contacts in sectors, or of their fractions over the isotropic one, which is dotted, with error ticks; `axes` are polar."""
     for place, (curve, colour) in enumerate(zip(figure["series"], _colours(figure))):
         middle, share, error = np.array(curve["points"], float).T
         half = 180 / (2 * len(middle))
@@ -189,7 +189,7 @@ def draw_study_map(axes, figure):
 
 
 def draw_study_sample(axes, sample):
-    """Grains by material, with their forces, or by their stress over the mean; gives what a colour bar needs, or nothing."""
+    """Grains by material, with their forces, or by their stress over the mean; returns what a colour bar needs, or None."""
     x, y, r = (1e-3 * np.array(sample[name]) for name in ("x", "y", "r"))
     disks = PatchCollection([Circle((a, b), c) for a, b, c in zip(x, y, r)], linewidth=0.15, edgecolor=strong)
     by_stress = "stress" in sample
@@ -229,7 +229,7 @@ def _material_key(axes, sample):
 
 
 def draw_study_nodes(axes, sample):
-    """Phases of a sample on its nodes, or the stress in and about one grain; gives what a colour bar needs, or nothing."""
+    """Phases of a sample on its nodes, or the stress in and around one grain; returns what a colour bar needs, or None."""
     columns, rows = sample["nodes"]
     width, height = (1e-3 * side for side in sample["size"])
     extent = {"extent": (0, width, 0, height), "interpolation": "nearest", "rasterized": True}
@@ -275,12 +275,12 @@ def draw_study_figure(canvas, figure):
 
 
 def has_content(figure):
-    """Whether there is anything to draw yet."""
+    """Whether there is anything to draw so far."""
     return bool(figure["series"] or "sample" in figure)
 
 
 def height_of(figure):
-    """Height over width that suits it."""
+    """A suitable height over width."""
     if "sample" in figure:
         across, up = figure["sample"]["size"]
         bar = "stress" in figure["sample"]

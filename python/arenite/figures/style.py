@@ -48,7 +48,7 @@ def journal_style(**changes):
 
 @contextlib.contextmanager
 def _quiet(name):
-    """No warnings of a library: fontTools remarks on the dates of the fonts that are embedded."""
+    """Suppresses warnings of fontTools about the dates of embedded fonts."""
     logger = logging.getLogger(name)
     before = logger.level
     logger.setLevel(logging.ERROR)
@@ -59,7 +59,7 @@ def _quiet(name):
 
 
 class PlainTicks(ScalarFormatter):
-    """Numbers at ticks as plain text, which costs a hundredth of a formula; the power of ten that they share stays a formula."""
+    """Tick labels as plain text, which is a hundred times faster than a formula; their common power of ten stays a formula."""
 
     def __init__(self):
         super().__init__(useMathText=False)
@@ -73,14 +73,14 @@ class PlainTicks(ScalarFormatter):
 
 
 def make_ticks_plain(canvas):
-    """Of all axes of a figure whose ticks nobody has formatted."""
+    """For all axes of a figure whose ticks have no formatter yet."""
     for axis in (axis for axes in canvas.axes for axis in (axes.xaxis, axes.yaxis)):
         if type(axis.get_major_formatter()) is ScalarFormatter:
             axis.set_major_formatter(PlainTicks())
 
 
 def estimate(statistic):
-    """(value, error) of {"value", "error"}; error 0 where it is not known."""
+    """(value, error) of {"value", "error"}; error 0 if it is not known."""
     return statistic["value"], statistic.get("error") or 0.0
 
 
@@ -94,7 +94,7 @@ def measured(statistic):
 
 
 def colour_of(name, materials, otherwise=0):
-    """Of a material, or of contacts of two, "A-B"; like pairs have their material's colour, the others come after the materials."""
+    """Colour of a material, or of contacts between two, "A-B"; like pairs have their material's colour, the others follow after the materials."""
     if name == "all":
         return strong
     if name in ("wall", "walls"):
@@ -110,7 +110,7 @@ def colour_of(name, materials, otherwise=0):
 
 
 def scaled(largest, unit):
-    """A factor and the unit with the prefix that makes `largest` a handy number: (1e3, "kN")."""
+    """A factor and the unit with the prefix that makes `largest` a convenient number: (1e3, "kN")."""
     for factor, prefix in [(1e9, "G"), (1e6, "M"), (1e3, "k"), (1, ""), (1e-3, "m"), (1e-6, "µ"), (1e-9, "n")]:
         if abs(largest) >= factor:
             return factor, prefix + unit
@@ -118,7 +118,7 @@ def scaled(largest, unit):
 
 
 def labelled(words, values, unit):
-    """(factor, label) of an axis with these values in `unit`, SI; without a unit the words alone."""
+    """(factor, label) of an axis with these values in `unit`, SI; without a unit, the words alone."""
     factor, prefixed = scaled(np.max(np.abs(values), initial=0), unit) if unit else (1, "")
     return factor, f"{words}, {prefixed}" if unit else words
 
@@ -133,7 +133,7 @@ def bare(axes):
 
 
 def length_bar(axes, metres, left, bottom):
-    """A bar of a round length, about a fifth of `metres`."""
+    """A scale bar of a round length, about a fifth of `metres`."""
     per, unit = next(((per, unit) for per, unit in [(1.0, "m"), (1e3, "mm")] if per * metres / 5 >= (1 if unit == "m" else 0.1)), (1e6, "µm"))
     wanted = per * metres / 5
     power = 10 ** math.floor(math.log10(wanted))
@@ -143,11 +143,11 @@ def length_bar(axes, metres, left, bottom):
 
 
 def patch(colour, label):
-    """An entry of a key: a small area of a colour."""
+    """A legend entry: a small coloured area."""
     return Patch(facecolor=colour, edgecolor=strong, linewidth=0.4, label=label)
 
 
 def key_below(axes, handles, columns=4):
-    """A key under a picture."""
+    """A legend below a picture."""
     if handles:
         axes.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, 0), ncols=min(columns, len(handles)), handlelength=1.1, handletextpad=0.4, columnspacing=1.2, borderpad=0.2)

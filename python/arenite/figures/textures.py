@@ -9,7 +9,7 @@ a_c = r"$a_{\mathrm{c}}$"
 
 
 def sets_of(distribution, materials=()):
-    """(name, d, colour) of all, then of the parts by material, zone or type of contact; those with more than one member."""
+    """(name, d, colour) of all, then of the parts by material, zone or type of contact that have more than one member."""
     parts = distribution.get("by_type") or distribution.get("by_material") or {}
     sets = [("all", distribution), *parts.items()]
     return [(name, d, colour_of(name, list(materials), k)) for k, (name, d) in enumerate(sets, -1) if d.get("count", 0) > 1 and "cumulative" in d]
@@ -21,7 +21,7 @@ def name_of(name):
 
 
 def draw_cumulative(axes, distribution, label=sigma_norm, share="P0", materials=(), log=True):
-    """Share above x with its tail P_0 exp(beta (1 - x)) (T figures 3.12, 6.4): all, and the parts in the colours of `materials` (names)."""
+    """Fraction above x with its tail P_0 exp(beta (1 - x)) (T figures 3.12, 6.4): all, and the parts in the colours of `materials` (names)."""
     draw_cumulative_sets(axes, sets_of(distribution, materials), label, share, log)
 
 
@@ -44,7 +44,7 @@ def draw_cumulative_sets(axes, sets, label=sigma_norm, share="P0", log=True):
 
 
 def numbers_of(distribution, share):
-    """The tail's numbers, for a key."""
+    """The tail's numbers, for a legend."""
     symbols = [(r"$P_0$", share), (r"$\beta$", "beta")]
     return "".join(f", {symbol} = {measured(distribution[name])}" for symbol, name in symbols if name in distribution)
 
@@ -66,14 +66,14 @@ def draw_density(axes, force, materials=()):
 
 
 def reach_of(fabric):
-    """How far a rose and its line reach, over the isotropic share."""
+    """Largest radius of a rose and its line, over the isotropic fraction."""
     share = np.array(fabric["sectors"], float)
     return max(1.6, share.max() / share.mean(), 1 + fabric.get("a_c", {}).get("value", 0))
 
 
 def draw_rose(axes, sectors, fabric=None, inner=None, colour=colours[0], reach=None, load_axis=None):
-    """Polar histogram of contact orientations in sectors of 10 degrees over the isotropic share (T Fig. 3.8), darker the sectors of
-    a part of them, `inner`; `reach` is the outer circle, arrows mark `load_axis` (degrees). `axes` are polar."""
+    """Polar histogram of contact orientations in sectors of 10 degrees over the isotropic fraction (T Fig. 3.8), darker the sectors of
+    a subset, `inner`; `reach` is the outer circle, arrows mark `load_axis` (degrees). `axes` are polar."""
     isotropic = np.mean(sectors)
     angle, width = np.radians(np.arange(5, 365, 10)), np.radians(9)
     axes.bar(angle, np.tile(sectors, 2) / isotropic, width=width, color=colour, alpha=0.5 if inner is None else 0.35, linewidth=0)
@@ -94,7 +94,7 @@ def draw_rose(axes, sectors, fabric=None, inner=None, colour=colours[0], reach=N
 
 
 def rose_numbers(fabric):
-    """Two lines: how anisotropic, and in which direction or that noise hides it."""
+    """Two lines: the anisotropy, and its direction or a note that it is below the noise."""
     if "a_c" not in fabric:
         return ""
     lost = fabric["a_c"]["value"] < fabric.get("a_c_noise", 0)
@@ -103,42 +103,42 @@ def rose_numbers(fabric):
 
 
 def draw_coordination(axes, coordination, materials=()):
-    """Mean contacts of a grain by material, with standard errors; X–Y are the Y neighbours of an X grain."""
+    """Mean number of contacts per grain by material, with standard errors; X–Y are the Y neighbours of an X grain."""
     names = [n for n in coordination if isinstance(coordination[n], dict) and "value" in coordination[n] and n != "rattlers"]
     values, errors = zip(*[estimate(coordination[n]) for n in names])
     at = np.arange(len(names))[::-1]
     bars = [soft if n == "without_rattlers" else colour_of(n.removesuffix("-ANY"), list(materials)) for n in names]
     axes.barh(at, values, xerr=errors, color=bars, alpha=0.8, height=0.65, error_kw={"elinewidth": 0.8})
-    axes.set(yticks=at, yticklabels=[name_of(n) for n in names], xlabel="contacts of a grain")
+    axes.set(yticks=at, yticklabels=[name_of(n) for n in names], xlabel="contacts per grain")
 
 
 def draw_contact_numbers(axes, coordination):
-    """Share of grains with 0, 1, 2, ... contacts."""
+    """Fraction of grains with 0, 1, 2, ... contacts."""
     share = 100 * np.array(coordination["histogram"])
     axes.bar(np.arange(len(share)), share, color=colours[0], alpha=0.8)
     axes.set(xlabel="contacts", ylabel="grains, %")
 
 
 def draw_rev(axes, texture):
-    """Solid fraction of windows of growing area and random place: mean, standard error, one deviation (T Fig. 3.6)."""
+    """Solid fraction of windows of growing area at random positions: mean, standard error, standard deviation (T Fig. 3.6)."""
     rev = {name: np.array(values, float) for name, values in texture["rev"].items() if np.ndim(values) == 1}
     x = 100 * rev["area_share"]
     axes.fill_between(x, rev["mean"] - rev["deviation"], rev["mean"] + rev["deviation"], color=colours[0], alpha=0.15, linewidth=0, label="standard deviation")
     axes.errorbar(x, rev["mean"], yerr=rev["error"], fmt="o", color=colours[0], elinewidth=0.7, label="mean")
     if "solid_fraction" in texture:
-        axes.axhline(texture["solid_fraction"]["value"], color=weak, linestyle="--", linewidth=0.8, label="whole, without its border")
+        axes.axhline(texture["solid_fraction"]["value"], color=weak, linestyle="--", linewidth=0.8, label="whole sample, without its border")
     axes.set(xlabel="window, % of the area", ylabel="solid fraction", xlim=(0, 100))
     axes.legend()
 
 
 def draw_threshold(axes, threshold):
-    """Signed anisotropy of the contacts above and below a force threshold (T Fig. 1.12a), with the bands of random directions."""
+    """Signed anisotropy of the contacts above and below a force threshold (T Fig. 1.12a), with bands for random orientations."""
     force, symbol = np.array(threshold["force"], float), force_symbols["fn"]
     for part, sign, colour in [("above", ">", colours[0]), ("below", "<", colours[1])]:
         value, noise = np.array(threshold[f"a_c_{part}"], float), np.array(threshold[f"noise_{part}"], float)
         seen = noise < 0.6
         label = rf"${symbol}{sign}\xi\langle {symbol}\rangle$"
-        axes.fill_between(force[seen], -noise[seen], noise[seen], color=colour, alpha=0.12, linewidth=0, label="random directions")
+        axes.fill_between(force[seen], -noise[seen], noise[seen], color=colour, alpha=0.12, linewidth=0, label="random orientations")
         axes.plot(force[seen], value[seen], color=colour, label=label)
     axes.axhline(0, color=soft, linewidth=0.6)
     axes.set(xlabel=r"$\xi$", ylabel=a_c)
@@ -146,7 +146,7 @@ def draw_threshold(axes, threshold):
 
 
 def stress_path_lines(of):
-    """(label, colour, function of a texture) of what is followed over the states."""
+    """(label, colour, function of a texture) of the quantities shown over the states."""
     def ratio(t):
         return {"value": t["stress_details"]["deviator_Pa"] / t["stress_details"]["pressure_Pa"]}
 
@@ -171,5 +171,5 @@ def draw_stress_path(axes, textures, of="anisotropy", numbers=None):
             state, value, error = np.array(points).T
             axes.errorbar(state, value, yerr=error, fmt=marker + "-", color=colour, elinewidth=0.7, label=label)
     axes.xaxis.get_major_locator().set_params(integer=True)
-    axes.set(xlabel="stored state", ylabel="contacts of a grain" if of == "coordination" else "anisotropy of contacts and stress")
+    axes.set(xlabel="stored state", ylabel="contacts per grain" if of == "coordination" else "anisotropy of contacts and stress")
     axes.legend(ncols=2, loc="lower center", bbox_to_anchor=(0.5, 1))

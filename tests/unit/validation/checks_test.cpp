@@ -63,7 +63,7 @@ TEST(Checks, ToldBesideCountAndNameWhatFails) {
   Judgement judgement;
   add_beside(judgement, "under law R", {above("z", "", {4.2, 0.01, 4}, 4), above("rise", "", {}, 0), above("share", "", {0.1, 0.01, 4}, 0.5)});
   ASSERT_EQ(judgement.findings.size(), 1u);
-  EXPECT_EQ(judgement.findings[0], "Under law R 1 of 2 like checks hold; fails: share (0.100 +- 0.010).");
+  EXPECT_EQ(judgement.findings[0], "Under law R, 1 of 2 corresponding checks hold; failing: share (0.100 +- 0.010).");
   ASSERT_EQ(judgement.checks.size(), 2u);
   EXPECT_EQ(judgement.checks[0].what, "z, under law R");
   EXPECT_EQ(judgement.checks[0].kind, Kind::beside);

@@ -60,10 +60,10 @@ TEST(Verdict, DoesNotHangOnWhatIsToldBeside) {
 
 TEST(WhatDecides, IsTheFactBeforeTheChoiceBeforeTheNumber) {
   Judgement judgement = of({{trend, fails}});
-  EXPECT_EQ(what_decides(judgement), "No choice tried here gives what is wanted. A number: 1.000 +- 0.010, wanted 0.9 to 1.1.");
+  EXPECT_EQ(what_decides(judgement), "None of the choices tried meets the criterion. A number: 1.000 +- 0.010, required 0.9 to 1.1.");
   Sensitivity z{"z", "> 2", {.low = 2}, {{"", {1, 0.1, 4}, fails}, {"without friction", {3, 0.1, 4}, holds}, {"with drag", {1.1, 0.1, 4}, fails}}};
   judgement.sensitivities = {z};
-  EXPECT_EQ(what_decides(judgement), "z is as wanted (> 2) without friction.");
+  EXPECT_EQ(what_decides(judgement), "z meets its criterion (> 2) without friction.");
   judgement.decides = "The glue.";
   EXPECT_EQ(what_decides(judgement), "The glue.");
 }
@@ -71,16 +71,16 @@ TEST(WhatDecides, IsTheFactBeforeTheChoiceBeforeTheNumber) {
 TEST(WhatDecides, IsNoChoiceThatDiffersByChance) {
   Judgement judgement = of({{trend, undecided}});
   judgement.sensitivities = {{"z", "> 2", {.low = 2}, {{"", {2.05, 0.1, 4}, undecided}, {"without friction", {2.2, 0.05, 4}, holds}}}};
-  EXPECT_EQ(what_decides(judgement), "More samples decide. A number: 1.000 +- 0.010, wanted 0.9 to 1.1.");
+  EXPECT_EQ(what_decides(judgement), "More samples are needed. A number: 1.000 +- 0.010, required 0.9 to 1.1.");
 }
 
 TEST(WhatDecides, OfWhatIsReproducedIsTheChoiceThatSpoilsIt) {
   Judgement judgement = of({{trend, holds}});
   judgement.sensitivities = {
       {"z", "> 2", {.low = 2}, {{"", {3, 0.1, 4}, holds}, {"without friction", {1, 0.1, 4}, fails}, {"with drag", {3.1, 0.1, 4}, holds}}}};
-  EXPECT_EQ(what_decides(judgement), "z is no longer as wanted (> 2) without friction.");
+  EXPECT_EQ(what_decides(judgement), "z no longer meets its criterion (> 2) without friction.");
   judgement.sensitivities[0].entries.erase(judgement.sensitivities[0].entries.begin() + 1);
-  EXPECT_EQ(what_decides(judgement), "No choice tried here turns it.");
+  EXPECT_EQ(what_decides(judgement), "None of the choices tried reverses it.");
 }
 
 TEST(Claims, HaveIdsOfTheirOwnAndStudiesThatComeWithTheProgram) {

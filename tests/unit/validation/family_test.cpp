@@ -45,7 +45,7 @@ TEST(Every, HoldsIfEachShowsItAndTellsTheLeastSure) {
   family[7].value = {1, 0.2, 4};
   const Check check = every("rises", "> 0", family, {.low = 0});
   EXPECT_EQ(check.outcome, Outcome::holds);
-  EXPECT_EQ(check.what, "rises, in 45 of 45; least sure pair 7");
+  EXPECT_EQ(check.what, "rises, in 45 of 45; worst case pair 7");
   EXPECT_EQ(check.ours.error, 0.2);
 }
 
@@ -57,7 +57,7 @@ TEST(Every, OneThatStraysByChanceAmongManyFailsNothing) {
   family[7].value = {-2, 0.1, 4};
   const Check check = every("rises", "", family, {.low = 0});
   EXPECT_EQ(check.outcome, Outcome::fails);
-  EXPECT_EQ(check.what, "rises, in 44 of 45, outside in 1; least sure pair 7");
+  EXPECT_EQ(check.what, "rises, in 44 of 45, violated in 1; worst case pair 7");
 }
 
 TEST(Every, IsUndecidedWhereOneIsNotSureAndUnknownWhereOneIsMissing) {
@@ -89,7 +89,7 @@ TEST(OnTheWhole, NeedsTheMeanAndNoContradiction) {
   family[3].value = {-1, 0.1, 4};
   const Check against = on_the_whole("more", "", family, +1);
   EXPECT_EQ(against.outcome, Outcome::fails);
-  EXPECT_NE(against.what.find("against it pair 3 (-1.00 +- 0.10)"), std::string::npos) << against.what;
+  EXPECT_NE(against.what.find("contradicting: pair 3 (-1.00 +- 0.10)"), std::string::npos) << against.what;
   family[3].value = {-0.3, 0.1, 4};
   EXPECT_EQ(on_the_whole("", "", family, +1).outcome, Outcome::holds) << "3 errors of 5 samples the other way are chance among 45";
 }

@@ -33,10 +33,10 @@ Ledger three_claims() {
 
 TEST(LedgerReport, TextHasVerdictsNumbersAndWhatDecides) {
   const std::string text = ledger_text(three_claims());
-  for (const char* part :
-       {"2 of 4 runs done", "trend reproduced, numbers not: source 3|4 kN/mm, ours k: 3.500 +- 0.025 kN/mm\n", "  k|k is as wanted (> 4) without friction.\n",
-        "fails     k: 3.500 +- 0.025 kN/mm (source 3, wanted 3 +- 0.1; number)\n", "More of it would be better.", "  unknown: source 5, ours not known\n",
-        "k|k (wanted > 4): 3.500 +- 0.025; without friction 5.00 +- 0.25 (holds)\n", "  figure: made-up/study.html#k\n"})
+  for (const char* part : {"2 of 4 runs done", "trend reproduced, numbers not: source 3|4 kN/mm, ours k: 3.500 +- 0.025 kN/mm\n",
+                           "  k|k meets its criterion (> 4) without friction.\n", "fails     k: 3.500 +- 0.025 kN/mm (source 3, required 3 +- 0.1; number)\n",
+                           "More of it would be better.", "  unknown: source 5, ours not known\n",
+                           "k|k (required > 4): 3.500 +- 0.025; without friction 5.00 +- 0.25 (holds)\n", "  figure: made-up/study.html#k\n"})
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
 }
 
@@ -56,7 +56,7 @@ TEST(LedgerReport, JsonHasNoNumberThatIsNotKnown) {
 TEST(LedgerReport, ChangedVerdictsAreTold) {
   const std::string same = ledger_verdicts(three_claims(), true);
   EXPECT_TRUE(changed_verdicts(three_claims(), same, "f", true).empty());
-  const std::string other = "claim,verdict\nof,\"the small studies, for the test alone: not the ledger\"\nT1,reproduced\nT3,undecided\n";
+  const std::string other = "claim,verdict\nof,\"the small studies (for tests only, not the ledger)\"\nT1,reproduced\nT3,undecided\n";
   const auto changes = changed_verdicts(three_claims(), other, "f", true);
   ASSERT_EQ(changes.size(), 3u);
   EXPECT_EQ(changes[0], "T1: trend reproduced, numbers not now, reproduced in f");
@@ -66,7 +66,7 @@ TEST(LedgerReport, ChangedVerdictsAreTold) {
 
 TEST(LedgerReport, VerdictsOfSmallStudiesAreNotTakenForTheLedger) {
   const std::string small = ledger_verdicts(three_claims(), true);
-  EXPECT_NE(small.find("of,\"the small studies, for the test alone: not the ledger\"\n"), std::string::npos);
+  EXPECT_NE(small.find("of,\"the small studies (for tests only, not the ledger)\"\n"), std::string::npos);
   EXPECT_THROW(changed_verdicts(three_claims(), small, "f", false), InputError);
   EXPECT_THROW(changed_verdicts(three_claims(), ledger_verdicts(three_claims(), false), "f", true), InputError);
   EXPECT_THROW(changed_verdicts(three_claims(), "[]", "f", true), InputError);
@@ -75,13 +75,12 @@ TEST(LedgerReport, VerdictsOfSmallStudiesAreNotTakenForTheLedger) {
 
 TEST(LedgerReport, ThePageHasOneRowAClaimAndSectionsOnlyForWhatIsNotReproduced) {
   const std::string page = ledger_page(three_claims(), "ledger");
-  EXPECT_NE(
-      page.find(
-          "| [T1](#t1) | k is 3\\|4 | 3\\|4 kN/mm | k: 3.500 ± 0.025 kN/mm | trend reproduced, numbers not | k\\|k is as wanted (> 4) without friction. |\n"),
-      std::string::npos)
+  EXPECT_NE(page.find("| [T1](#t1) | k is 3\\|4 | 3\\|4 kN/mm | k: 3.500 ± 0.025 kN/mm | trend reproduced, numbers not | k\\|k meets its criterion (> 4) "
+                      "without friction. |\n"),
+            std::string::npos)
       << page;
   EXPECT_NE(page.find("| T3 | k rises |"), std::string::npos) << page;
-  EXPECT_NE(page.find("\n### T1\n\n**trend reproduced, numbers not.** k is 3|4 (table 1; drawn in `made-up/study.html#k`)."), std::string::npos) << page;
+  EXPECT_NE(page.find("\n### T1\n\n**trend reproduced, numbers not.** k is 3|4 (table 1; figure: `made-up/study.html#k`)."), std::string::npos) << page;
   EXPECT_EQ(page.find("### T3"), std::string::npos);
   EXPECT_NE(page.find("Runs are missing: `made-up` (2 of 4 runs done)."), std::string::npos) << page;
 }
@@ -99,8 +98,8 @@ TEST(LedgerReport, ASectionHasOnlyChecksThatDoNotHoldAndOnePicture) {
 TEST(LedgerReport, CsvHasAllChecksAndChoices) {
   const std::string csv = ledger_csv(three_claims());
   EXPECT_EQ(csv.substr(0, csv.find('\n')), "claim,kind,what,choice,source,wanted,ours,error,freedom,unit,outcome");
-  for (const char* row : {"T1,number,k,,3,3 +- 0.1,3.5,0.025,4,kN/mm,fails\n", "T1,beside,\"k, under law R\",,3,< 4,9,0.5,4,,fails\n",
-                          "T1,choice,k|k,without friction,,> 4,5,0.25,2,,holds\n", "T1,choice,z,as it is,,,4,,,,\n", "T2,trend,k,,5,> 0,,,,,unknown\n"})
+  for (const char* row : {"T1,number,k,,3,3 +- 0.1,3.5,0.025,4,kN/mm,fails\n", "T1,supplementary,\"k, under law R\",,3,< 4,9,0.5,4,,fails\n",
+                          "T1,choice,k|k,without friction,,> 4,5,0.25,2,,holds\n", "T1,choice,z,reference,,,4,,,,\n", "T2,trend,k,,5,> 0,,,,,unknown\n"})
     EXPECT_NE(csv.find(row), std::string::npos) << row << "\n" << csv;
 }
 
@@ -109,10 +108,10 @@ TEST(LedgerDots, DrawWhatSomethingIsWantedOf) {
   EXPECT_TRUE(has_dots(ledger.claims[0].judgement));
   EXPECT_FALSE(has_dots(ledger.claims[1].judgement));
   const std::string svg = ledger_dots(ledger.claims[0].judgement);
-  EXPECT_NE(svg.find("wanted > 4"), std::string::npos) << svg;
+  EXPECT_NE(svg.find("required > 4"), std::string::npos) << svg;
   EXPECT_NE(svg.find(">without friction</text>"), std::string::npos);
   EXPECT_EQ(svg.find("drag"), std::string::npos) << "a choice without a number has no row";
-  EXPECT_EQ(svg.find(">z</text>"), std::string::npos) << "nothing is wanted of z";
+  EXPECT_EQ(svg.find(">z</text>"), std::string::npos) << "nothing is required of z";
   EXPECT_NE(svg.find("class=\"holds\"/>"), std::string::npos);
   EXPECT_NE(svg.find("class=\"fails\"/>"), std::string::npos);
   EXPECT_NE(svg.find("prefers-color-scheme:dark"), std::string::npos);

@@ -42,7 +42,7 @@ TEST(Monotone, ARiseMayHaveStepsDownWithinTheError) {
 TEST(Monotone, AStepDownBeyondTheErrorFailsWhateverTheSlope) {
   const Check check = monotone("z", "rises", points({4.3, 4.6, 4.2, 4.7, 4.8, 5}, 0.01), +1);
   EXPECT_EQ(check.outcome, Outcome::fails);
-  EXPECT_NE(check.what.find("against it from 1 to 2"), std::string::npos) << check.what;
+  EXPECT_NE(check.what.find("contradicting: from 1 to 2"), std::string::npos) << check.what;
 }
 
 TEST(Monotone, ALevelLineIsUndecidedAndNoneUnknown) {
@@ -53,7 +53,7 @@ TEST(Monotone, ALevelLineIsUndecidedAndNoneUnknown) {
 TEST(Trends, TheLastIsSetAgainstEach) {
   const Family leads = leads_of_last(points({1, 5, 3}, 0.1));
   ASSERT_EQ(leads.size(), 2u);
-  EXPECT_EQ(leads[1].name, "2 less 1");
+  EXPECT_EQ(leads[1].name, "2 minus 1");
   EXPECT_DOUBLE_EQ(leads[1].value.value, -2);
 }
 

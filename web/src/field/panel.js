@@ -56,7 +56,7 @@ function fieldOverlays(state) {
 /** Stress chains: what is below so many times the mean steps back. */
 function thresholdControl(state) {
   const output = h("output");
-  const slider = h("input", { type: "range", min: 0, max: 4, step: 0.1, "aria-label": "Least stress over the mean", oninput: (event) => state.set({ threshold: Number(event.target.value) }) });
+  const slider = h("input", { type: "range", min: 0, max: 4, step: 0.1, "aria-label": "Minimum stress over the mean", oninput: (event) => state.set({ threshold: Number(event.target.value) }) });
   const refresh = () => {
     slider.value = state.get("threshold");
     slider.disabled = !state.get("chains");
@@ -65,13 +65,13 @@ function thresholdControl(state) {
   };
   state.watch(["threshold", "chains"], refresh);
   refresh();
-  return h("div", { class: "choice threshold" }, toggle("Chains", "chains", state, "Only what carries more than so many times the mean"), h("div", { class: "track" }, slider), output);
+  return h("div", { class: "choice threshold" }, toggle("Chains", "chains", state, "Only stresses above this multiple of the mean"), h("div", { class: "track" }, slider), output);
 }
 
 /** How far nodes are drawn from where they were. */
 function deformationControl(result, state) {
   const output = h("output");
-  const slider = h("input", { type: "range", min: 0, max: 1, step: 0.02, "data-slider": "deform", "aria-label": "Deformation, drawn larger", oninput: (event) => state.set({ deform: Number(event.target.value) }) });
+  const slider = h("input", { type: "range", min: 0, max: 1, step: 0.02, "data-slider": "deform", "aria-label": "Magnification of the deformation", oninput: (event) => state.set({ deform: Number(event.target.value) }) });
   const refresh = () => {
     const share = state.get("deform");
     slider.value = share;
@@ -80,7 +80,7 @@ function deformationControl(result, state) {
   };
   state.watch(["deform"], refresh);
   refresh();
-  const title = result.cracks ? "Displacements at the largest stress, drawn larger" : "Displacements, drawn larger";
+  const title = result.cracks ? "Displacements at the largest stress, magnified" : "Displacements, magnified";
   return h("div", { class: "choice threshold", title }, h("span", { class: "name" }, "Deformed"), h("div", { class: "track" }, slider), output);
 }
 
@@ -91,12 +91,12 @@ function cavityControls(state) {
 function overlays(result, state) {
   return h("div", { class: "choice overlays" },
     toggle("Outlines", "outlines", state, "Lines between grains, matrix and void"),
-    result.loaded && toggle("Crosses", "crosses", state, "Crosses of the mean principal stresses of every grain; close up: of its nodes"),
-    result.cracks && toggle("Broken bonds", "cracks", state, "A dot at every bond that is broken at this step"));
+    result.loaded && toggle("Crosses", "crosses", state, "Crosses: mean principal stresses of each grain; in the close-up, of its nodes"),
+    result.cracks && toggle("Broken bonds", "cracks", state, "A dot at every bond broken up to this step"));
 }
 
 function note({ map }) {
   const { stride, about: { full: [width, height] } } = map;
   if (stride === 1) return null;
-  return h("p", { class: "caption note" }, `The map has ${text.count(width)} \u00d7 ${text.count(height)} nodes: every ${stride}${stride === 2 ? "nd" : stride === 3 ? "rd" : "th"} in both directions is drawn; means and tables are of all.`);
+  return h("p", { class: "caption note" }, `The map has ${text.count(width)} \u00d7 ${text.count(height)} nodes: every ${stride}${stride === 2 ? "nd" : stride === 3 ? "rd" : "th"} in both directions is drawn; means and tables include all nodes.`);
 }

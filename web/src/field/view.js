@@ -9,7 +9,7 @@ import { paint } from "./paint.js";
 import { FieldScene } from "./scene.js";
 import { nodeNumbers } from "./tooltip.js";
 
-const label = "The sample, a click shows a grain close up";
+const label = "The sample; a click shows a close-up of a grain";
 const painted = ["show", "component", "around", "law", "clip", "by", "chains", "threshold", "cavities", "theme"];
 
 /** The picture of a sample on a grid: canvas, overlay, legend and what the pointer does on them. */

@@ -38,7 +38,7 @@ export function figureCard(figure, sample, state) {
     const there = !texture || figure.when(texture, sample);
     keys.replaceChildren(...(there && figure.key ? figure.key(about).map(entry) : []));
     const before = drawing.clientHeight;
-    drawing.replaceChildren((there && figure.draw(about)) || h("p", { class: "nothing" }, "Nothing of this kind in this state."));
+    drawing.replaceChildren((there && figure.draw(about)) || h("p", { class: "nothing" }, "No data for this figure in this state."));
     label(picture(), figure);
     drawing.style.minHeight = picture() ? "" : `${before}px`;  // the page does not jump while the slider passes by
     card.querySelectorAll(".save").forEach((button) => { button.disabled = !picture() || (button.dataset.save === "csv" && !rowsOf(picture()).length); });

@@ -13,7 +13,7 @@ function sets(result, theme) {
 
 export const cavityVolumes = {
   id: "cavities", title: "Single pores and voids",
-  caption: "Probability density of the volume of a single pore (not grain) and void (not grain, not matrix) over that of a large grain of nominal radius (reference radius in the table), with counting errors. Those cut by the edge and specks of the grid are left out as the table says.",
+  caption: "Probability density of the volumes of single pores (not grain) and single voids (neither grain nor matrix), over that of a large grain of nominal radius (reference radius in the table), with counting errors. The table states which volumes at the edge and which specks of the grid are left out.",
   when: (_, result) => kinds.some(([kind]) => (volumesOf(result, kind).pdf?.density.filter((d) => d > 0).length ?? 0) > 2),
   key: ({ sample, theme }) => sets(sample, theme).map(({ name, colour, mean, cv }) => ({ name, colour, values: [["mean", { value: mean.value }], ["c.v.", { value: cv.value }]] })),
   draw({ sample, theme, width }) {

@@ -70,7 +70,7 @@ function ramp({ label: words, map }, si, [low, high], theme, y) {
 
 export const coarseFields = {
   id: "coarse-fields", title: "Coarse-grained fields", follows: ["frame", "field"],
-  caption: "Of the state shown or the nearest that has them: fields that obey the balances of mass and momentum, smeared by a kernel about as wide as a grain; stress with its kinetic part, compression positive but for the shear stress. Arrows: velocity.",
+  caption: "Fields of the state shown, or of the nearest state that has them: averages over a kernel about as wide as a grain, which satisfy the balances of mass and momentum. Stress includes its kinetic part; compression is positive, except for the shear stress. Arrows: velocity.",
   when: (texture, sample) => sample.fields(0),
   pickers: { field: ["", (sample) => known(sample.fields(sample.frameCount - 1)).map(([name, layer]) => [name, layer.label])] },
   draw({ sample, state, theme, width }) {

@@ -22,7 +22,7 @@ function of({ statistics }, state, theme) {
 
 export const stressDensities = {
   id: "stress-pdf", title: "Stress of nodes by phase", wide: true, follows: ["component", "norm"],
-  caption: "Probability density of the component that the picture shows, over the mean of the sample or of the phase, without the clamped rows. Over the mean of the phase, left, dotted: q-Gaussian fits; right, dashed: tails exp(\u2212s\u2009x) by maximum likelihood where the density falls from 0.1 to 0.001 of its peak.",
+  caption: "Probability density of the component shown in the picture, over the mean of the sample or of the phase, without the clamped rows. Over the mean of the phase: dotted (left), q-Gaussian fits; dashed (right), tails exp(\u2212s\u2009x) by maximum likelihood where the density falls from 0.1 to 0.001 of its peak.",
   choices: { norm: ["Over the mean of", [["sample", "the sample"], ["own", "the phase"]]] },
   when: (_, { statistics }) => Object.values(statistics?.sigma_yy?.sets ?? {}).some((d) => d.pdf),
   key: ({ sample, state, theme }) => {

@@ -51,7 +51,7 @@ const key = (sets, shareName) => sets.map(({ name, colour, d }) => ({
 
 export const stressDistribution = {
   id: "sigma-norm", title: "Normalised stress of grains, \u03c3_{norm} = \u03c3_{hyd}/\u27e8\u03c3_{hyd}\u27e9", wide: true,
-  caption: "P: survival function, the share of grains above \u03c3_{norm}. Dashed: P_{0} exp[\u03b2(1 \u2212 \u03c3_{norm})], maximum likelihood.",
+  caption: "P: survival function, the fraction of grains above \u03c3_{norm}. Dashed: P_{0} exp[\u03b2(1 \u2212 \u03c3_{norm})], maximum likelihood.",
   follows: ["selected"],
   when: (texture) => texture.sigma_norm?.cumulative,
   key: ({ sample, texture, theme }) => key(materialSets(sample, theme, texture.sigma_norm), "P0"),
@@ -65,7 +65,7 @@ export const stressDistribution = {
 
 export const forceDistribution = {
   id: "forces", title: "Contact forces, F = F_{n}", wide: true,
-  caption: "Left: density of F/\u27e8F\u27e9 (each type over its own mean), all contacts with counting errors, and the fits k x^{\u2212\u03b1} (weak) and k exp[\u03b2(1 \u2212 x)] (strong). Right: survival function, the share of contacts above.",
+  caption: "Left: density of F/\u27e8F\u27e9 (each type over its own mean), all contacts with counting errors, and the fits k x^{\u2212\u03b1} (weak) and k exp[\u03b2(1 \u2212 x)] (strong). Right: survival function, the fraction of contacts above.",
   when: (texture) => texture.force?.pdf,
   key: ({ sample, texture, theme }) => key(typeSets(sample, theme, texture.force), "strong_share"),
   draw({ sample, texture, theme, width }) {

@@ -16,7 +16,7 @@ function here(sample, state) { return Math.min(state.get("step"), sample.steps -
 
 export const stressStrain = {
   id: "stress-strain", title: "Stress and strain", follows: ["step"],
-  caption: "Mean stress of the loaded row against strain, one state before every round of breaking. Dot: the step that the picture shows. A click on the curve goes there.",
+  caption: "Mean stress of the loaded row against strain, one point before each round of breaking. Dot: the step shown in the picture. A click on the curve selects a step.",
   when: hasCurve,
   draw({ sample, state, theme, width }) {
     const { values: stress, unit } = column(sample, "stress");
@@ -64,7 +64,7 @@ export const brokenBonds = {
 
 export const energyBalance = {
   id: "energy-balance", title: "Energy balance of the test", follows: ["step"],
-  caption: "Per unit of thickness. Work of the clamp is stored by bonds (elastic) or released when they break; line: work, areas: where it is.",
+  caption: "Per unit thickness. The work of the clamp is stored in bonds (elastic) or released when they break. Line: work; areas: its parts.",
   when: (_, result) => hasCurve(_, result) && result.curve.work && result.curve.elastic && result.curve.released,
   key: ({ theme }) => [{ name: "work", colour: theme.strong, values: [] }, { name: "elastic", colour: theme.materialLine[0], values: [] }, { name: "released", colour: theme.materialLine[1], values: [] }],
   draw({ sample, state, theme, width }) {

@@ -10,7 +10,7 @@ const shades = 512, gap = 12, line = 15, key = 76;
 function pictures(film) {
   const toFull = film.about.film.convention === "peak_to_peak" ? 1 : 2, fitted = film.values("fitted");
   const measured = film.values("in_phase").map((v, k) => (Number.isFinite(fitted[k]) ? toFull * v : NaN));
-  return [["measured", measured], ["by the forces", fitted], ["residual", measured.map((v, k) => v - fitted[k])]];
+  return [["measured", measured], ["from the forces", fitted], ["residual", measured.map((v, k) => v - fitted[k])]];
 }
 
 function painted(film, values, scale, palette, none) {
@@ -25,7 +25,7 @@ function painted(film, values, scale, palette, none) {
 
 export const fitMaps = {
   id: "film-fit", title: "Measured warming and its fit by contact forces", wide: true,
-  caption: "Warming with the load as measured, as the contact forces predict it seen through lens and pixels, and the residual; one scale, peak to peak. The fit leaves out pixels at rims and contacts, which are shown here.",
+  caption: "Warming with the load as measured, as predicted from the contact forces (through lens and pixels), and the residual; one scale, peak to peak. The fit leaves out pixels at rims and contacts, which are shown here.",
   when: (_, film) => film.hasForces && film.about.maps.fitted,
   draw({ sample: film, theme, width }) {
     const all = pictures(film), order = all[0][1].filter(Number.isFinite).sort();

@@ -8,7 +8,7 @@ import { chart } from "./chart.js";
 
 export const rankedStresses = {
   id: "film-stresses", title: "Grain stresses \u00b1 s.e.",
-  caption: "Peak-to-peak pressure \u2212\u03c3_{hyd} of every grain, ranked, with one standard error on either side (noise of pixels, place of the grain).",
+  caption: "Peak-to-peak pressure \u2212\u03c3_{hyd} of every grain, ranked, with one standard error on either side (pixel noise, position of the grain, lens blur, model).",
   when: (_, film) => film.stresses.film && film.grains.sigma_hyd,
   key: ({ sample, theme }) => (sample.materials.length > 1 ? sample.materials.map(({ name }, m) => ({ name, colour: materialLine(theme, m), values: [] })) : []),
   draw({ sample, theme, width }) {
@@ -45,7 +45,7 @@ function extent({ grains: { x, y, radius } }) {
 
 export const stressMaps = {
   id: "film-maps", title: "Experiment and simulation: \u03c3_{norm} of every grain", wide: true,
-  caption: "Each over its own mean, all in the same colours. A film shows the difference between two loads (peak to peak); the state at the largest load also holds what grains carry at the smallest.",
+  caption: "Each normalised by its own mean, on one colour scale. A film shows the difference between two loads (peak to peak); the state at the largest load also includes the stress at the smallest load.",
   when: (_, film) => film.hasSimulation && film.count > 0,
   draw({ sample, theme, width }) {
     const shown = known(sample), columns = width < 200 * shown.length ? 1 : shown.length, gap = 16;

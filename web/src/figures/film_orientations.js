@@ -4,7 +4,7 @@ import { reachOf, rose } from "./roses.js";
 /** Polar histograms of contact orientations in the film and in the simulation beside it, on one scale. */
 export const filmOrientations = {
   id: "film-orientations", title: "Contact orientations",
-  caption: "Share of contacts between grains in sectors of 10\u00b0, over the isotropic share (dashed circle), away from the border. Film: contacts whose force changes with the load; " +
+  caption: "Fraction of contacts between grains in sectors of 10\u00b0, over the isotropic fraction (dashed circle), away from the border. Film: contacts whose force changes with the load; " +
     "simulation: those at the largest load. Line: 1 + a_{c} cos 2(\u03b8 \u2212 \u03b8_{c}).",
   when: (_, film) => Boolean(film.declared.at("contact_orientations.film.sectors")),
   draw({ sample, theme, width }) {

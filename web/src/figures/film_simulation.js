@@ -30,9 +30,9 @@ const inOrder = ({ value, error }) => {
 
 export const againstSimulation = {
   id: "film-simulation", title: "Film against simulation", follows: ["companion", "over"],
-  caption: "Every grain with the film\u2019s standard error, pale near the border; line: both the same; r and the difference are of the others. Largest load: with what grains carry at the smallest, which no film shows. " +
-    "On virtual films a simulation from places alone comes to a correlation of about 0.4 to 0.5: individual contact forces depend on the friction history of filling and " +
-    "loading left in the sample, and that history is lost.",
+  caption: "Every grain with the film\u2019s standard error, pale near the border; line: equality; r and the difference exclude the border. Largest load: includes the stress at the smallest load, which no film shows. " +
+    "On virtual films a simulation from positions alone reaches a correlation of about 0.4 to 0.5: individual contact forces depend on the friction history of filling and " +
+    "loading, and this history is lost.",
   choices: { companion: ["", [["peak_to_peak", "Peak to peak"], ["state", "Largest load"]]], over: ["", [["mean", "\u03c3_{norm}"], ["unit", "Pa"]]] },
   when: (_, film) => film.hasSimulation,
   key: ({ sample, state, theme }) => {
@@ -77,7 +77,7 @@ function sets(film, theme) {
 
 export const stressTails = {
   id: "film-tails", title: "Tails of \u03c3_{norm}",
-  caption: "P: survival function, the share of grains above \u03c3_{norm}, away from the border. Dashed: P_{0} exp[\u03b2(1 \u2212 \u03c3_{norm})], maximum likelihood.",
+  caption: "P: survival function, the fraction of grains above \u03c3_{norm}, away from the border. Dashed: P_{0} exp[\u03b2(1 \u2212 \u03c3_{norm})], maximum likelihood.",
   when: (_, film) => known(film).some(([name]) => film.stresses[name].statistics.cumulative),
   key: ({ sample, theme }) => sets(sample, theme).map(({ name, colour, d }) => ({ name, colour, values: [["P_{0}", d.P0], ["\u03b2", d.beta]].filter(([, v]) => v) })),
   draw: ({ sample, theme, width }) => cumulativeChart(theme, sets(sample, theme), { x: "\u03c3_{norm}", y: "P(\u03c3_{norm})", semilog: true, width, height: 330 }),

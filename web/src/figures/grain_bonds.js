@@ -20,13 +20,13 @@ function axisOf(stage) {
     return { label: "time", unit: time.unit, values: Array.from(time, (t) => t - time[0]) };
   }
   const length = Math.abs(at[0] - stage.history[`${opposite[side]}_position`][0]);
-  return { label: `strain by the ${side} wall`, short: "strain", unit: "%", values: Array.from(at, (x) => (100 * inward[side] * (x - at[0])) / length) };
+  return { label: `strain from the ${side} wall`, short: "strain", unit: "%", values: Array.from(at, (x) => (100 * inward[side] * (x - at[0])) / length) };
 }
 
 /** Bonds between grains that broke, by what broke them. */
 export const grainBonds = {
   id: "grain-bonds", title: "Broken bonds", wide: true, follows: true,
-  caption: "Bonds between grains that have broken, by what broke them, over the strain of the stage shown. In the picture each is a crack between its grains.",
+  caption: "Broken bonds between grains, by failure mode, against the strain of the stage shown. In the picture each is drawn as a crack between its grains.",
   when: (texture, sample) => sample.stages.some(hasBroken),
   key: ({ theme }) => kinds.map((name, k) => ({ name, colour: colours(theme)[k], values: [] })),
   draw({ sample, state, theme, width }) {

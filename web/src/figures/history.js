@@ -65,7 +65,7 @@ function energyLines(stage) {
 
 export const energies = {
   id: "energies", title: "Energies", follows: true,
-  caption: "Stored and dissipated energy and work, logarithmic; only what is positive can be shown.",
+  caption: "Stored and dissipated energy and work, on a logarithmic scale, which shows positive values only.",
   when: (texture, sample) => sample.stages.some((stage) => energyLines(stage).length > 0),
   key: ({ sample, state, theme }) => energyLines(stageOf(sample, state)).map(({ label }, k) => ({ name: label, colour: lineColours(theme)[k], values: [] })),
   draw({ sample, state, theme, width }) {
@@ -83,11 +83,11 @@ export const energies = {
   },
 };
 
-const measures = [["unbalanced_ratio", "unbalanced force ratio"], ["kinetic_ratio", "kinetic/elastic energy"], ["loose_kinetic_ratio", "kinetic/elastic energy of rattlers"], ["falling", "share of falling grains"], ["mobilisation", "mean |F_{t}|/F_{n}"]];
+const measures = [["unbalanced_ratio", "unbalanced force ratio"], ["kinetic_ratio", "kinetic/elastic energy"], ["loose_kinetic_ratio", "kinetic/elastic energy of rattlers"], ["falling", "fraction of falling grains"], ["mobilisation", "mean |F_{t}|/F_{n}"]];
 
 export const approach = {
   id: "equilibrium", title: "Approach to equilibrium", follows: true,
-  caption: "How far the sample is from equilibrium while it is loaded; every increment ends in equilibrium.",
+  caption: "Distance of the sample from equilibrium during loading; every increment ends in equilibrium.",
   when: (texture, sample) => anyStageHas(sample, ["unbalanced_ratio"]),
   key: ({ theme }) => measures.map(([, name], k) => ({ name, colour: lineColours(theme)[k], values: [] })),
   draw({ sample, state, theme, width }) {

@@ -7,7 +7,7 @@ const sectorCount = 18;
 /** Polar histograms of contact orientations: all, by strength, by type; strong contacts darker within. */
 export const roses = {
   id: "fabric", title: "Contact orientations", wide: true,
-  caption: "Share of contacts in sectors of 10\u00b0, over the isotropic share (dashed circle); darker: strong contacts, F_{n} > \u27e8F_{n}\u27e9. " +
+  caption: "Fraction of contacts in sectors of 10\u00b0, over the isotropic fraction (dashed circle); darker: strong contacts, F_{n} > \u27e8F_{n}\u27e9. " +
     "Line: 1 + a_{c} cos 2(\u03b8 \u2212 \u03b8_{c}). \u25b6 marks the axis of compression.",
   when: (texture) => texture.fabric?.sectors,
   draw({ sample, texture, theme, width }) {

@@ -5,7 +5,7 @@ const rows = ({ diameter, passing }) => Array.from(diameter, (d, k) => ({ x: 1e3
 
 export const sizeCurve = {
   id: "size-curve", title: "Size curve", follows: ["selected"],
-  caption: "Share of the mass in grains no wider than the diameter: of the grains drawn, and of the size laws that the recipe asks for.",
+  caption: "Fraction of the mass in grains no wider than the given diameter, for the grains drawn and for the size laws of the recipe.",
   when: (texture, sample) => sample.sizes,
   key: ({ theme }) => [{ name: "measured", colour: theme.strong, values: [] }, { name: "asked", colour: theme.accent, dash: "6 3", values: [] }],
   draw({ sample, state, theme, width }) {

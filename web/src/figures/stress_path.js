@@ -51,7 +51,7 @@ function spread(labels, data) {
 
 export const stressPath = {
   id: "stress-path", title: "Stress path", wide: true, follows: true,
-  caption: "Stored states in order, with standard errors: coordination; a_{c} of the contacts, signed against the axis of loading, beside the stress ratio q/p.",
+  caption: "Stored states in order, with standard errors: coordination number; signed a_{c} of the contacts along the loading axis, and the stress ratio q/p.",
   when: (texture, sample) => states(sample).length > 2,
   draw({ sample, state, theme, width }) {
     const list = states(sample);

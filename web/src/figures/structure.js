@@ -23,7 +23,7 @@ function coordinationRows(sample, texture, theme) {
 
 export const coordination = {
   id: "coordination", title: "Coordination number z",
-  caption: "Mean contacts of a grain with its standard error; X\u2013Y counts the Y neighbours of an X grain.",
+  caption: "Mean number of contacts per grain with its standard error; X\u2013Y counts the Y neighbours of an X grain.",
   when: (texture) => texture.coordination?.all,
   draw({ sample, texture, theme, width }) {
     const rows = coordinationRows(sample, texture, theme);
@@ -46,7 +46,7 @@ export const coordination = {
 
 export const contactNumbers = {
   id: "contact-numbers", title: "Contacts per grain",
-  caption: "Share of grains by their number of contacts with other grains.",
+  caption: "Fraction of grains by number of contacts with other grains.",
   when: (texture) => texture.coordination?.histogram?.length,
   draw({ texture, theme, width }) {
     const bars = texture.coordination.histogram.map((share, z) => ({ z, share: 100 * share }));
@@ -62,7 +62,7 @@ export const contactNumbers = {
 
 export const rev = {
   id: "rev", title: "Representative volume",
-  caption: "Solid fraction of windows at random places: mean with standard error, band of one standard deviation. Dashed: whole sample without its border.",
+  caption: "Solid fraction of windows at random positions: mean with standard error, band of one standard deviation. Dashed: whole sample without its border.",
   when: (texture) => texture.rev,
   draw({ texture, theme, width }) {
     const { area_share: share, mean, deviation, error } = texture.rev;
@@ -85,7 +85,7 @@ export const rev = {
 
 export const threshold = {
   id: "threshold", title: "Anisotropy by force",
-  caption: "a_{c} signed against the axis of loading, of the contacts above and below a force threshold; bands: what random orientations would give.",
+  caption: "Signed a_{c} along the loading axis, for the contacts above and below a force threshold; bands: values for random orientations.",
   when: (texture) => texture.fabric?.threshold,
   key: ({ theme }) => [
     { name: "F > \u03be\u27e8F\u27e9", colour: theme.strong, values: [] }, { name: "F < \u03be\u27e8F\u27e9", colour: theme.accent, values: [] },

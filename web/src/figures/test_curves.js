@@ -4,7 +4,7 @@ import { prefixOf } from "../text.js";
 import { chart, sideBySide } from "./chart.js";
 import { stageOf } from "./history.js";
 
-const ratioLabels = { mu: "friction, shear over normal force", q_over_p: "q/p by the forces on the sides", axial_stress: "stress along the axis" };
+const ratioLabels = { mu: "friction, shear over normal force", q_over_p: "q/p from the forces on the sides", axial_stress: "stress along the axis" };
 const symbols = { mu: "\u03bc", q_over_p: "q/p" };
 
 /** The curves of a stage as the program measured them: { strain, ratio: [{ x, y }], volume, critical }. Strains of sides in per cent. */
@@ -85,7 +85,7 @@ function panel(theme, strain, points, y, width, critical = null) {
 
 export const testCurves = {
   id: "test-curves", title: "Curves of the test", wide: true, follows: true,
-  caption: "Of the stage shown, or of the nearest that has any (its name is at the axis then), from the forces on its sides and their places: stress ratio (without confinement or in tension: the stress) and volumetric strain (compaction positive) against strain; thin: every sample, line: means. Coloured: the critical state, over the strain where the ratio only fluctuates, with its 95 % band.",
+  caption: "Curves of the stage shown, or of the nearest stage that has curves (named on the axis), from the forces on its sides and their positions: stress ratio (without confinement or in tension, the stress) and volumetric strain (compaction positive) against strain. Thin: all sampled values; thick: running mean. Coloured: the critical state with its 95 % band, over the strains at which the ratio only fluctuates.",
   when: (texture, sample) => sample.stages.some((stage) => curvesOf(stage)),
   key: ({ sample, state, theme }) => {
     const { critical, symbol } = curvesOf(stageWithCurves(sample, state)) ?? {};
@@ -105,7 +105,7 @@ export const testCurves = {
 
 export const discharge = {
   id: "discharge", title: "Discharge", follows: true,
-  caption: "Mass of the grains that have passed the height that the recipe counts below; its slope is the rate of discharge.",
+  caption: "Mass of the grains below the height count_below of the recipe; its slope is the discharge rate.",
   when: (texture, sample) => sample.stages.some((stage) => stage.history?.passed_mass),
   draw({ sample, state, theme, width }) {
     const { time, passed_mass: mass } = stageOf(sample, state).history;

@@ -13,5 +13,5 @@ export function comparisonNumbers(film) {
   ];
   return h("section", { class: "card numbers" }, h("div", { class: "title" }, h("h3", {}, film.hasSimulation ? "Experiment and simulation" : "Stress of grains")),
     h("div", { class: "tables even" }, tables),
-    h("p", { class: "caption" }, rich("\u03c3_{hyd}, P_{0}, \u03b2: grains away from the border; each set over its own mean. Agreement: all grains; slope of the film on the simulation, r.m.s. of their difference.")));
+    h("p", { class: "caption" }, rich("Grains away from the border; \u03c3_{norm} of each set is over its own mean. Agreement: correlation, slope of the film on the simulation, r.m.s. difference.")));
 }

@@ -28,6 +28,6 @@ function overlays(film, state) {
   const fills = [["off", "Off"], ["rims", "Rims"], ...(film.materials.length ? [["material", "Material"]] : []), ...(film.stresses.film ? [["stress", "\u03c3_{norm}"]] : [])];
   return h("div", { class: "controls" }, choice("Grains", "grains", state, fills),
     h("div", { class: "choice overlays" },
-      film.hasForces && toggle("Forces", "forces", state, "Contact forces as bars whose thickness is F_n; pale: one standard error more; dashed: may be absent"),
-      film.grains.motion_x && toggle("Motion", "motion", state, "How every grain moves between the smallest and the largest load, magnified")));
+      film.hasForces && toggle("Forces", "forces", state, "Contact forces as bars of thickness F_n; pale: plus one standard error; dashed: may be absent"),
+      film.grains.motion_x && toggle("Motion", "motion", state, "Motion of each grain from the smallest to the largest load, magnified")));
 }

@@ -11,11 +11,11 @@ export function colourControls(sample, state) {
     const { factor } = scaleOf(sample, state);
     change({ [name]: target.value === "" || !Number.isFinite(target.valueAsNumber) ? undefined : target.valueAsNumber * factor });
   } });
-  const low = end("low", "Lower end of the colours"), high = end("high", "Upper end of the colours"), unit = h("span", { class: "name" });
+  const low = end("low", "Lower end of the colour range"), high = end("high", "Upper end of the colour range"), unit = h("span", { class: "name" });
   const map = h("select", { "data-pick": "map", "aria-label": "Colour map", onchange: ({ target }) => change({ map: target.value }) },
     colourMaps.map(([value, label]) => h("option", { value }, label)));
-  const log = h("button", { class: "toggle", "data-toggle": "log", title: "Logarithmic colours", onclick: () => change({ log: !scaleOf(sample, state).log }) }, "Log");
-  const usual = h("button", { class: "toggle", "data-toggle": "usual", title: "Map and range as they were", onclick: () => {
+  const log = h("button", { class: "toggle", "data-toggle": "log", title: "Logarithmic colour scale", onclick: () => change({ log: !scaleOf(sample, state).log }) }, "Log");
+  const usual = h("button", { class: "toggle", "data-toggle": "usual", title: "Restore the default map and range", onclick: () => {
     const { [mode()]: _, ...scales } = state.get("scales");
     state.set({ scales });
   } }, "Reset");

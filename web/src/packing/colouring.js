@@ -21,7 +21,7 @@ export const colourings = {
   stress: { title: "\u03c3_{norm} = \u03c3_{hyd} / \u27e8\u03c3_{hyd}\u27e9", range: (sample) => [0, Math.max(1, Math.ceil(2 * topOf("stress", sample)) / 2)], map: "magma" },
   pressure: { range: fromZero("pressure"), map: "magma" },
   deviator: { range: fromZero("deviator"), map: "magma" },
-  coordination: { title: "Contacts of a grain", range: () => [0, 6], map: "viridis" },
+  coordination: { title: "Contacts per grain", range: () => [0, 6], map: "viridis" },
   displacement: { title: "Displacement since the first state of the stage", range: fromZero("displacement", 1e-9), map: "viridis" },
   rotation: { title: "Rotation since the first state of the stage, counter-clockwise", range: bothWays("rotation", 1e-6), map: "diverging" },
   speed: { range: fromZero("speed", 1e-12), map: "viridis" },

@@ -24,7 +24,7 @@ function columnsOf(sample) {
     A click on a row selects its grain everywhere, arrows go from row to row. */
 export function grainTable(sample, state) {
   const columns = columnsOf(sample), sorting = { column: columns[0], down: false };
-  const scroller = h("div", { class: "scroller grains-rows", tabindex: 0, role: "region", "aria-label": "Grains, arrows go from row to row" });
+  const scroller = h("div", { class: "scroller grains-rows", tabindex: 0, role: "region", "aria-label": "Grains; arrow keys move from row to row" });
   const body = h("tbody"), before = h("tr", { class: "gap", "aria-hidden": "true" }, h("td")), after = before.cloneNode(true);
   let order = [], values = [];
 
@@ -82,6 +82,6 @@ export function grainTable(sample, state) {
     h("div", { class: "title" }, h("h3", {}, "Grains"),
       h("span", { class: "saves" }, h("button", { class: "save", "data-save": "csv", "aria-label": "Save the table of grains as CSV", onclick: csv }, "CSV"))),
     scroller,
-    h("p", { class: "caption" }, rich(`${text.count(sample.count)} grains in the state shown; click a column header to sort, click a row to mark the grain in picture and charts. `
-      + "p, q: half the sum and half the difference of the principal stresses of a grain, compression positive; u, \u03b8: since the first state of the stage. The file holds SI units.")));
+    h("p", { class: "caption" }, rich(`${text.count(sample.count)} grains in the state shown; click a column header to sort, click a row to mark the grain in the picture and the charts. `
+      + "p, q: half the sum and half the difference of the principal stresses of a grain, compression positive; u, \u03b8: since the first state of the stage. The CSV file is in SI units.")));
 }

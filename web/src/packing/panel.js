@@ -53,7 +53,7 @@ function typeFilter(sample, state) {
         "data-type": type.key, "aria-pressed": String(shown.has(t)), disabled: !state.get("chains"),
         onclick: () => state.set({ types: toggled(shown, t) }),
       }, h("span", { class: "dot", style: `background:${pairColour(theme, type)}` }), `${type.label} `, h("small", {}, text.count(count)));
-    }), h("button", { class: "marks", "aria-pressed": String(state.get("marks")), title: "Mark how far each grain has turned", onclick: () => state.set({ marks: !state.get("marks") }) }, "Rotation"));
+    }), h("button", { class: "marks", "aria-pressed": String(state.get("marks")), title: "Mark the rotation of each grain", onclick: () => state.set({ marks: !state.get("marks") }) }, "Rotation"));
   };
   state.watch(["types", "theme", "frame", "chains", "marks"], refresh);
   refresh();

@@ -2,8 +2,8 @@
     the document whose unit it has, where it has one, `when(sample)` = is it known (always unless given). Colours, the table, the scatter and what the pointer tells are made from these;
     a new one is one more row. */
 export const quantities = {
-  x: { label: "Place along x", symbol: "x", like: "x", find: (sample, frame) => frame.x },
-  y: { label: "Place along y", symbol: "y", like: "y", find: (sample, frame) => frame.y },
+  x: { label: "Position along x", symbol: "x", like: "x", find: (sample, frame) => frame.x },
+  y: { label: "Position along y", symbol: "y", like: "y", find: (sample, frame) => frame.y },
   size: { label: "Diameter", symbol: "d", like: "radius", find: (sample) => sample.radius.map((r) => 2 * r) },
   coordination: { label: "Contacts", symbol: "z", find: (sample, frame) => byGrain(sample, (g) => sample.coordination(frame, g)) },
   pressure: { label: "Pressure of grains", symbol: "p", like: "pressure", find: (sample, frame) => frame.pressure },

@@ -31,7 +31,7 @@ export function textureCard(title, t) {
   const column = (...tables) => h("div", {}, tables.filter(Boolean));
   return h("section", { class: "card numbers" }, h("div", { class: "title" }, h("h3", {}, title)),
     h("div", { class: "tables" }, column(structure(t), coordination(t)), column(fabric(t), forces(t)), column(grainStress(t), stress(t))),
-    h("p", { class: "caption" }, rich("With standard errors, from grains away from the walls. a_{c}, \u03b8_{c}: contact orientations; noise: a_{c} of as many random orientations; a_{n}: normal forces.")),
+    h("p", { class: "caption" }, rich("With standard errors, from grains away from the walls. a_{c}, \u03b8_{c}: contact orientations; noise: a_{c} of the same number of random orientations; a_{n}: normal forces.")),
     remainder(t), notes(t));
 }
 

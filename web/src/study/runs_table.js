@@ -35,5 +35,5 @@ export function runsTable(title, { keys, names, rows }) {
   return h("section", { class: "card numbers runs", "aria-label": "Runs" },
     h("div", { class: "title" }, h("h3", {}, "Runs"), h("span", { class: "saves" }, h("button", { class: "save", "data-save": "csv", "aria-label": "Save the table of runs as CSV", onclick: csv }, "CSV"))),
     h("div", { class: "scroller grains-rows", tabindex: 0, role: "region", "aria-label": "Runs" }, h("table", {}, h("thead", {}, h("tr", {}, heads)), body)),
-    h("p", { class: "caption" }, "Numbers of the last state of each run with their standard errors; arenite study collect writes all that there are."));
+    h("p", { class: "caption" }, "Numbers of the last state of each run with their standard errors; arenite study collect writes all numbers."));
 }

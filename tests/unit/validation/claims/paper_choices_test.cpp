@@ -44,14 +44,14 @@ TEST(PaperChoices, AreSetAgainstTheUsualRunsAtTheSamePairs) {
   EXPECT_EQ(found.entries[1].outcome, Outcome::fails);
   EXPECT_TRUE(std::isnan(found.entries[2].value.value));
   ASSERT_EQ(j.findings.size(), 1u);
-  EXPECT_EQ(j.findings[0], "Open choices, below: 3 samples a pair as it is, 2 with each choice.");
+  EXPECT_EQ(j.findings[0], "Open choices (below): 3 samples per pair with the reference settings, 2 with each choice.");
 }
 
 TEST(PaperChoices, SayWhereAllPairsGiveAnotherVerdict) {
   Judgement j;
   add_choices(j, made_up(), "z", greatest, wanted_below(3));
   ASSERT_EQ(j.findings.size(), 2u);
-  EXPECT_NE(j.findings[1].find("with all pairs 5.0200 +- 0.0058 (fails), with those that choices are made at 2.0200 +- 0.0058 (holds)"), std::string::npos)
+  EXPECT_NE(j.findings[1].find("5.0200 +- 0.0058 (fails) over all pairs, 2.0200 +- 0.0058 (holds) over those for which choices were varied"), std::string::npos)
       << j.findings[1];
 }
 

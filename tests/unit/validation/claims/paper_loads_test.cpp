@@ -27,7 +27,7 @@ TEST(PaperLoads, CompressionIsComparedNumberByNumber) {
   Judgement same, other;
   add_compression(same, made_up(7));
   ASSERT_EQ(same.findings.size(), 1u);
-  EXPECT_NE(same.findings[0].find("of 6 numbers of 2 samples loaded both ways 0 differ"), std::string::npos) << same.findings[0];
+  EXPECT_NE(same.findings[0].find("of 6 numbers of 2 samples loaded in both directions, 0 differ"), std::string::npos) << same.findings[0];
   add_compression(other, made_up(7.000000001));
   EXPECT_NE(other.findings[0].find("2 differ"), std::string::npos) << other.findings[0];
 }
@@ -44,8 +44,8 @@ TEST(PaperLoads, ShearIsJudgedByItsOwnComponentBesideTheClaim) {
   add_shear(j, made_up(7), asked(5));
   add_shear(j, made_up(7), asked(3));
   ASSERT_EQ(j.findings.size(), 2u);
-  EXPECT_EQ(j.findings[0], "In shear, by sigma_xy, 2 of 2 like checks hold.");
-  EXPECT_EQ(j.findings[1], "In shear, by sigma_xy, 1 of 2 like checks hold; fails: variance (4.150 +- 0.050).");
+  EXPECT_EQ(j.findings[0], "In shear (sigma_xy), 2 of 2 corresponding checks hold.");
+  EXPECT_EQ(j.findings[1], "In shear (sigma_xy), 1 of 2 corresponding checks hold; failing: variance (4.150 +- 0.050).");
   EXPECT_EQ(j.checks.size(), 4u);
   EXPECT_EQ(j.verdict(), Verdict::unknown) << "what is told beside decides nothing";
 }
