@@ -1,4 +1,4 @@
-#include "grains/packing/size_laws/size_laws.hpp"
+#include "grains/packing/size_laws.hpp"
 
 #include <gtest/gtest.h>
 
