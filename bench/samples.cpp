@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "core/random.hpp"
-#include "grains/packing/shapes/grain_shapes.hpp"
+#include "grains/packing/grain_shapes.hpp"
 #include "model/shapes.hpp"
 
 namespace arenite::bench {

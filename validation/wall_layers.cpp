@@ -44,7 +44,7 @@ texture::Rev rev_within(const FinalState& state) {
   texture::Options options;
   options.border = 0;
   texture::Texture texture;
-  texture::measure_rev(texture::View(cut, options), texture);
+  texture::rev(texture::View(cut, options), texture);
   return texture.rev;
 }
 

@@ -1,6 +1,9 @@
 #pragma once
+#include <algorithm>
+#include <cstddef>
 #include <functional>
 #include <iterator>
+#include <numeric>
 #include <type_traits>
 #include <vector>
 
@@ -13,6 +16,14 @@ template <class As = void, class Range, class Of> auto mapped(const Range& range
   results.reserve(std::size(range));
   for (const auto& item : range) results.emplace_back(std::invoke(of, item));
   return results;
+}
+
+/// 0 .. n-1 by rising `key` of each; of equal ones the first comes first.
+template <class Key> std::vector<std::size_t> ordered_by(std::size_t n, const Key& key) {
+  std::vector<std::size_t> order(n);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {}, key);
+  return order;
 }
 
 }  // namespace arenite

@@ -29,12 +29,6 @@ InputError in_file(const InputError& error, const std::string& file) {
   return InputError(std::move(problems));
 }
 
-namespace {
-
-constexpr std::size_t longest_word = 64;  // a longer one is no typing slip, and the table stays small
-
-}  // namespace
-
 void Problems::raise(std::initializer_list<Problems*> inputs) {
   std::vector<Problem> all;
   for (Problems* of : inputs) {
@@ -62,6 +56,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }
 
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates) {
+  constexpr std::size_t longest_word = 64;  // a longer one is no typing slip, and the table stays small
   if (word.empty() || word.size() > longest_word) return {};
   const std::string wanted = lower_case(word);
   std::string best;

@@ -2,7 +2,6 @@
 
 #include <immintrin.h>
 
-#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstdint>

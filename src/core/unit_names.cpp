@@ -6,7 +6,6 @@
 #include <cmath>
 #include <utility>
 
-#include "core/error.hpp"
 #include "core/problems.hpp"
 #include "core/text.hpp"
 #include "core/units.hpp"
@@ -119,7 +118,7 @@ class UnitReader {
  private:
   static constexpr int deepest = 8, largest_power = 9, most_factors = 16;
 
-  [[noreturn]] void fail(const std::string& why) const { throw InputError(fmt::format("cannot read the unit \"{}\": {}", text_, why)); }
+  [[noreturn]] void fail(const std::string& why) const { throw refusal("cannot read the unit \"{}\": {}", text_, why); }
 
   bool take(std::string_view token) {
     if (!rest_.starts_with(token)) return false;

@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <optional>
 
-#include "core/error.hpp"
+#include "core/problems.hpp"
 #include "core/text.hpp"
 
 namespace arenite {
@@ -47,8 +47,8 @@ std::optional<double> shifted(std::string_view number, const NumberSpan& span, i
 
 [[noreturn]] void no_number(std::string_view text) {
   for (const std::string_view word : {"nan", "inf", "+inf", "-inf", "NaN", "Inf", "infinity"})
-    if (text.starts_with(word)) throw InputError(fmt::format("\"{}\" is not a finite number", text));
-  throw InputError(fmt::format("\"{}\" does not start with a number; write for example \"350 mm\"", text));
+    if (text.starts_with(word)) throw refusal("\"{}\" is not a finite number", text);
+  throw refusal("\"{}\" does not start with a number; write for example \"350 mm\"", text);
 }
 
 std::string with_unit(Dimension d) {
@@ -68,11 +68,11 @@ Quantity parse_quantity(std::string_view text) {
   const NumberSpan span = number_span(text);
   if (span.length == 0) no_number(text);
   const std::string_view rest = trimmed(text.substr(span.length));
-  if (rest.starts_with(',')) throw InputError(fmt::format("\"{}\" has a comma; write a decimal point", text));
+  if (rest.starts_with(',')) throw refusal("\"{}\" has a comma; write a decimal point", text);
   const Unit unit = rest.empty() ? Unit{} : parse_unit(rest);
   const auto value = shifted(text, span, unit.decade);
   if (!value || !is_in_reach(*value * unit.factor))
-    throw InputError(fmt::format("\"{}\" is beyond the range of numbers, 1e-60 to 1e60 in SI units; write 0 or a number in it", text));
+    throw refusal("\"{}\" is beyond the range of numbers, 1e-60 to 1e60 in SI units; write 0 or a number in it", text);
   return {*value * unit.factor, unit.dimension, std::string(rest)};
 }
 
@@ -80,7 +80,7 @@ double parse_si(std::string_view text, Dimension wanted, std::string_view unit) 
   const Quantity quantity = parse_quantity(text);
   if (quantity.dimension == wanted && (!quantity.unit.empty() || wanted == dimension::none)) return quantity.value;
   const std::string suggested = unit.empty() ? si_unit(wanted) : std::string(unit);
-  if (quantity.unit.empty()) throw InputError(fmt::format("\"{0}\" has no unit; write it with its unit, for example \"{0} {1}\"", trimmed(text), suggested));
+  if (quantity.unit.empty()) throw refusal("\"{0}\" has no unit; write it with its unit, for example \"{0} {1}\"", trimmed(text), suggested);
   throw InputError(suggested.empty() ? fmt::format("\"{}\" is {}, but a number without unit is needed", trimmed(text), with_unit(quantity.dimension))
                                      : fmt::format("\"{}\" is {}, but {} is needed; write it in {}", trimmed(text), with_unit(quantity.dimension),
                                                    with_unit(wanted), suggested));

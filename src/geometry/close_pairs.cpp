@@ -1,7 +1,6 @@
 #include "geometry/close_pairs.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/error.hpp"
 #include "geometry/cell_grid.hpp"

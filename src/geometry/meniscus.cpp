@@ -9,6 +9,20 @@
 namespace arenite::geometry {
 namespace {
 
+/// Angles at the two centres from the joining line to the points where the arc touches, rad.
+struct MeniscusAngles {
+  double i = 0, j = 0;
+};
+
+MeniscusAngles meniscus_angles(const MeniscusDisks& d, double curvature) {
+  // Half angles of the triangle with sides r_i + R, r_j + R, distance; divided by R so that R may be infinite.
+  const double difference = d.radius_i - d.radius_j, skew = (d.distance - difference) / (d.distance + difference);
+  const double perimeter = 0.5 * (d.radius_i + d.radius_j + d.distance);
+  const double ratio = std::isinf(curvature) ? -0.5 * d.gap() / perimeter : (1 - 0.5 * curvature * d.gap()) / (1 + curvature * perimeter);
+  const double root = std::max(ratio, 0.0);
+  return {2 * std::atan(std::sqrt(root * skew)), 2 * std::atan(std::sqrt(root / skew))};
+}
+
 /// Centre i is the origin and centre j lies on the x axis.
 struct TouchPoints {
   Vec2 i, j;
@@ -25,17 +39,7 @@ double lens_area(const MeniscusDisks& d) {
   return circular_segment_area(d.radius_i, 2 * half.i) + circular_segment_area(d.radius_j, 2 * half.j);
 }
 
-}  // namespace
-
-MeniscusAngles meniscus_angles(const MeniscusDisks& d, double curvature) {
-  // Half angles of the triangle with sides r_i + R, r_j + R, distance; divided by R so that R may be infinite.
-  const double difference = d.radius_i - d.radius_j, skew = (d.distance - difference) / (d.distance + difference);
-  const double perimeter = 0.5 * (d.radius_i + d.radius_j + d.distance);
-  const double ratio = std::isinf(curvature) ? -0.5 * d.gap() / perimeter : (1 - 0.5 * curvature * d.gap()) / (1 + curvature * perimeter);
-  const double root = std::max(ratio, 0.0);
-  return {2 * std::atan(std::sqrt(root * skew)), 2 * std::atan(std::sqrt(root / skew))};
-}
-
+/// Half the width of the bridge where it is narrowest, m; not positive: the two arcs meet and there is no bridge.
 double meniscus_neck(const MeniscusDisks& d, double curvature) {
   if (std::isinf(curvature)) return d.gap() < 0 ? d.radius_i * std::sin(meniscus_angles(d, curvature).i) : 0;
   const MeniscusAngles angle = meniscus_angles(d, curvature);
@@ -46,6 +50,8 @@ double meniscus_neck(const MeniscusDisks& d, double curvature) {
   const double s = std::sin(angle.i), c = std::cos(angle.i);
   return d.radius_i * s - c * c / (1 + s) / curvature;
 }
+
+}  // namespace
 
 double meniscus_area(const MeniscusDisks& d, double curvature) {
   if (std::isinf(curvature)) return 0;

@@ -12,15 +12,6 @@ struct MeniscusDisks {
   double gap() const { return distance - radius_i - radius_j; }
 };
 
-/// Angles at the two centres from the joining line to the points where the arc touches, rad.
-struct MeniscusAngles {
-  double i = 0, j = 0;
-};
-MeniscusAngles meniscus_angles(const MeniscusDisks& disks, double curvature);
-
-/// Half the width of the bridge where it is narrowest, m; not positive: the two arcs meet and there is no bridge.
-double meniscus_neck(const MeniscusDisks& disks, double curvature);
-
 /// Area of the liquid on both sides of the joining line (disks' overlap not counted), m^2.
 double meniscus_area(const MeniscusDisks& disks, double curvature);
 

@@ -120,10 +120,7 @@ bool contains(const Outline& o, Vec2 p) {
   return o.kind == Outline::Kind::quadrilateral || dot(d, d) >= o.radius * o.radius;
 }
 
-Rectangle bounds(const Outline& o) {
-  if (o.kind == Outline::Kind::disk) return {o.centre.x - o.radius, o.centre.x + o.radius, o.centre.y - o.radius, o.centre.y + o.radius};
-  return bounds(o.corner);
-}
+Rectangle bounds(const Outline& o) { return o.kind == Outline::Kind::disk ? square_about(o.centre, o.radius) : bounds(o.corner); }
 
 Vec2 Edge::at(double t) const {
   if (straight()) return a + t * (b - a);
@@ -159,7 +156,7 @@ Edges edges(const Outline& o) {
 }
 
 Rectangle bounds(const Edge& e) {
-  if (std::abs(e.sweep) > std::numbers::pi) return {e.centre.x - e.radius, e.centre.x + e.radius, e.centre.y - e.radius, e.centre.y + e.radius};
+  if (std::abs(e.sweep) > std::numbers::pi) return square_about(e.centre, e.radius);
   Rectangle box{std::min(e.a.x, e.b.x), std::max(e.a.x, e.b.x), std::min(e.a.y, e.b.y), std::max(e.a.y, e.b.y)};
   if (e.straight()) return box;
   // An arc leaves the box of its ends by no more than its rise over the chord.
@@ -193,8 +190,8 @@ void add_covered_parts(const Edge& edge, const Outline& outline, CoveredSide sid
 
 void add_parts_outside(const Edge& edge, const Rectangle& w, double step, std::vector<Part>& parts) {
   Cuts cuts;
-  const Vec2 corner[4] = {{w.x_min, w.y_min}, {w.x_max, w.y_min}, {w.x_max, w.y_max}, {w.x_min, w.y_max}};
-  for (int k = 0; k < 4; ++k) cut_by_line(edge, corner[k], corner[(k + 1) & 3], cuts);
+  const auto corner = w.corners();
+  for (std::size_t k = 0; k < 4; ++k) cut_by_line(edge, corner[k], corner[(k + 1) & 3], cuts);
   const auto inside = [&](Vec2 p) { return p.x > w.x_min && p.x < w.x_max && p.y > w.y_min && p.y < w.y_max; };
   add_where(
       edge, cuts, [&](Vec2 p, Vec2 outward) { return !inside(p + step * outward) || !inside(p - step * outward); }, parts);

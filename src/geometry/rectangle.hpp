@@ -14,9 +14,17 @@ struct Rectangle {
   double width() const { return x_max - x_min; }
   double height() const { return y_max - y_min; }
   double area() const { return width() * height(); }
+  Vec2 middle() const { return {0.5 * (x_min + x_max), 0.5 * (y_min + y_max)}; }
+  /// Counter-clockwise from the lower left one.
+  std::array<Vec2, 4> corners() const { return {{{x_min, y_min}, {x_max, y_min}, {x_max, y_max}, {x_min, y_max}}}; }
   /// True inside and on the border.
   bool holds(Vec2 p) const { return p.x >= x_min && p.x <= x_max && p.y >= y_min && p.y <= y_max; }
 };
+
+constexpr Rectangle operator+(const Rectangle& r, Vec2 by) { return {r.x_min + by.x, r.x_max + by.x, r.y_min + by.y, r.y_max + by.y}; }
+
+/// As far as `reach` from a place to every side.
+constexpr Rectangle square_about(Vec2 place, double reach) { return {place.x - reach, place.x + reach, place.y - reach, place.y + reach}; }
 
 /// The smallest upright rectangle around points, one at least.
 inline Rectangle bounds(std::span<const Vec2> points) {
@@ -44,7 +52,7 @@ inline Vec2 nearest_on_segment(Vec2 a, Vec2 b, Vec2 place) {
 
 constexpr bool overlap(const Rectangle& a, const Rectangle& b) { return a.x_min <= b.x_max && b.x_min <= a.x_max && a.y_min <= b.y_max && b.y_min <= a.y_max; }
 
-/// Area that a disk and a rectangle have in common, exact to rounding.
+/// Area that a disk and a rectangle have in common, exact to rounding (union_area.cpp).
 double disk_window_area(Vec2 centre, double radius, const Rectangle& window);
 
 /// What holds disks (D = 2) or spheres (3): from its lowest corner, m; a direction may be periodic.

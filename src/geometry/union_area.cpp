@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <vector>
 
 #include "geometry/cell_grid.hpp"
@@ -80,17 +82,48 @@ bool is_inside(const Rectangle& a, const Rectangle& window) {
   return a.x_min > window.x_min && a.x_max < window.x_max && a.y_min > window.y_min && a.y_max < window.y_max;
 }
 
+double sector(Vec2 a, Vec2 b, double radius) { return 0.5 * radius * radius * std::atan2(cross(a, b), dot(a, b)); }
+
+/// Signed area common to the disk about the origin and the triangle (origin, a, b).
+double triangle_part(Vec2 a, Vec2 b, double radius) {
+  const Vec2 d = b - a;
+  const double length2 = dot(d, d);
+  if (length2 == 0) return 0;
+  const double middle = -dot(a, d) / length2;  // foot of the perpendicular, as share of a..b
+  const double distance2 = std::pow(cross(a, d), 2) / length2;
+  const double half2 = (radius * radius - distance2) / length2;
+  if (half2 <= 0) return sector(a, b, radius);
+  const double half = std::sqrt(half2);
+  const double enter = std::clamp(middle - half, 0.0, 1.0), leave = std::clamp(middle + half, 0.0, 1.0);
+  if (enter >= leave) return sector(a, b, radius);
+  const Vec2 p = a + enter * d, q = a + leave * d;
+  double area = 0.5 * cross(p, q);
+  if (enter > 0) area += sector(a, p, radius);
+  if (leave < 1) area += sector(q, b, radius);
+  return area;
+}
+
 }  // namespace
+
+double disk_window_area(Vec2 centre, double radius, const Rectangle& w) {
+  const auto [x0, x1, y0, y1] = w + -centre;
+  if (x0 >= radius || x1 <= -radius || y0 >= radius || y1 <= -radius) return 0;
+  if (x0 <= -radius && x1 >= radius && y0 <= -radius && y1 >= radius) return std::numbers::pi * radius * radius;
+  const auto corners = Rectangle{x0, x1, y0, y1}.corners();
+  double area = 0;
+  for (std::size_t k = 0; k < 4; ++k) area += triangle_part(corners[k], corners[(k + 1) % 4], radius);
+  return std::clamp(area, 0.0, std::numbers::pi * radius * radius);
+}
 
 double union_area(std::span<const Outline> outlines, const Rectangle& window) {
   // About the window's middle, so that a far origin costs no digits.
-  const Vec2 middle{0.5 * (window.x_min + window.x_max), 0.5 * (window.y_min + window.y_max)};
+  const Vec2 middle = window.middle();
   std::vector<Outline> moved(outlines.begin(), outlines.end());
   for (auto& o : moved) {
     o.centre -= middle;
     for (auto& c : o.corner) c -= middle;
   }
-  const Rectangle w{window.x_min - middle.x, window.x_max - middle.x, window.y_min - middle.y, window.y_max - middle.y};
+  const Rectangle w = window + -middle;
   Index index(moved, w);
   std::vector<std::int32_t> near;
   std::vector<Part> covered;
@@ -115,8 +148,8 @@ double union_area(std::span<const Outline> outlines, const Rectangle& window) {
       area += uncovered;
     }
   }
-  const Vec2 corner[4] = {{w.x_min, w.y_min}, {w.x_max, w.y_min}, {w.x_max, w.y_max}, {w.x_min, w.y_max}};
-  for (int k = 0; k < 4; ++k) {
+  const auto corner = w.corners();
+  for (std::size_t k = 0; k < 4; ++k) {
     const Edge side = straight_edge(corner[k], corner[(k + 1) & 3]);
     const Rectangle box = bounds(side);
     index.find(box, near);

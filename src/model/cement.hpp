@@ -43,12 +43,11 @@ struct PlacedCement {
     Vec2 a, b;                  ///< centres of grains i and j
     double radius_a, radius_b;  ///< of the grains, m
     double half_a, half_b;      ///< half bases of a bridge, m
-    double arc;                 ///< radius of the arcs of a meniscus, m
-    std::int32_t index;         ///< in Cement::bridges or Cement::menisci
+    double arc;                 ///< radius of the arcs of a meniscus, m; 0: a bridge
   };
   geometry::Rectangle window;
   std::vector<Grain> grains;  ///< in the order of the packing
-  std::vector<Neck> bridges, menisci;
+  std::vector<Neck> necks;    ///< bridges, then menisci
   bool full = false;
   double coating = 0;  ///< m
 };
@@ -59,10 +58,8 @@ PlacedCement place(const Packing& packing, const Cement& cement, const geometry:
 /// grains of the packing and have finite sizes.
 void check(const Packing& packing, const Cement& cement);
 
-std::vector<geometry::Outline> grain_outlines(const PlacedCement& placed);
-/// Of matrix, each as if there were no grains: trapezia, halves of menisci, disks of grain with layer. Not for `full`.
-std::vector<geometry::Outline> matrix_outlines(const PlacedCement& placed);
-void add_bridge_outline(const PlacedCement::Neck& bridge, std::vector<geometry::Outline>& outlines);
-void add_meniscus_outlines(const PlacedCement::Neck& meniscus, std::vector<geometry::Outline>& outlines);
+/// The trapezium of a bridge, or the halves of a meniscus on either side of its grains' joining line; nothing of a bridge without length or width, or
+/// where the arcs meet.
+std::vector<geometry::Outline> outlines_of(const PlacedCement::Neck& neck);
 
 }  // namespace arenite

@@ -1,12 +1,22 @@
 #include "model/packing.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
+#include <numbers>
+#include <numeric>
 
 #include "model/shapes.hpp"
 
 namespace arenite {
+
+double Grains::area() const {
+  double sum = 0;
+  for (const double r : radius) sum += std::numbers::pi * r * r;
+  return sum;
+}
+
+double Grains::mean_diameter() const {
+  return radius.empty() ? 0 : 2 * std::accumulate(radius.begin(), radius.end(), 0.0) / static_cast<double>(radius.size());
+}
 
 void Grains::resize(std::size_t n) {
   const std::size_t old = size();
@@ -68,18 +78,6 @@ void Contacts::add(std::int32_t a, std::int32_t b, Vec2 n, double normal_force, 
   sliding_velocity.push_back(unknown);
   glued.push_back(0);
 }
-
-namespace {
-
-Vec2 branch_between(const Packing& packing, std::int32_t i, std::int32_t j) {
-  const Grains& g = packing.grains;
-  return packing.domain.nearest_image(g.position[i] - g.position[j]);
-}
-
-}  // namespace
-
-Vec2 branch_of(const Packing& packing, const Bond& bond) { return branch_between(packing, bond.i, bond.j); }
-Vec2 branch_of(const Packing& packing, const CohesivePair& pair) { return branch_between(packing, pair.i, pair.j); }
 
 Vec2 force_on_i(const Packing& packing, const Bond& bond) {
   const Vec2 branch = branch_of(packing, bond), n = branch / norm(branch);

@@ -59,6 +59,8 @@ struct Grains {
   Shapes shapes;
 
   std::size_t size() const { return position.size(); }
+  double area() const;           ///< of all, m^2
+  double mean_diameter() const;  ///< m; 0 without grains
   /// Resizes every array; new grains are at rest at the origin, radius 0, id = index.
   void resize(std::size_t n);
 };
@@ -66,7 +68,7 @@ struct Grains {
 /// Those of the grains, at rest, with centres counted from `origin`.
 Grains picked(const Grains& from, const std::vector<std::int32_t>& grains, Vec2 origin = {});
 
-/// The rigid planes of a frame, two an axis, in this order everywhere (arrays, files, figures).
+/// The rigid planes of a container, two an axis, in this order everywhere (arrays, files, figures).
 enum Side : int { left = 0, right = 1, bottom = 2, top = 3 };
 template <int D> inline constexpr int sides_in = 2 * D;
 inline constexpr int sides = sides_in<2>;
@@ -98,7 +100,7 @@ struct Wall {
   double shear_force = 0;  ///< tangential force that the grains exert on it, N, along +y (left, right) or +x (bottom, top)
 };
 
-/// A rigid boundary of straight segments within the frame: a hopper, a gate, a drum, an intruder. It is thin, with grains on either side, and moves as
+/// A rigid boundary of straight segments within the container: a hopper, a gate, a drum, an intruder. It is thin, with grains on either side, and moves as
 /// it is told, whatever the grains do. Like a wall it may be absent.
 struct Boundary {
   std::string name;
@@ -250,7 +252,7 @@ struct Contacts {
   void add(std::int32_t i, std::int32_t j, Vec2 normal, double fn, double ft, double arm_i, double arm_j);
 };
 
-/// Grains in their frame, with the contacts between them where these are known. This is what one stage hands to the next, and what texture, exports
+/// Grains in their container, with the contacts between them where these are known. This is what one stage hands to the next, and what texture, exports
 /// and figures read, whether it was simulated or measured.
 struct Packing {
   Materials materials;
@@ -264,14 +266,14 @@ struct Packing {
 /// Mean normal force of the contacts between grains that push; a contact above it is strong. 0 without such contacts.
 double mean_compressive_force(const Contacts& contacts);
 
-/// From j to i of a bond now, m, and its force on i, N.
-Vec2 branch_of(const Packing& packing, const Bond& bond);
+/// From j to i of a bond now, or of a pair that a pull joins, m, and its force on i, N.
+template <class Link> Vec2 branch_of(const Packing& packing, const Link& link) {
+  return packing.domain.nearest_image(packing.grains.position[link.i] - packing.grains.position[link.j]);
+}
 Vec2 force_on_i(const Packing& packing, const Bond& bond);
+Vec2 force_on_i(const Packing& packing, const CohesivePair& pair);
 
 /// A pull across a gap, which no contact has in it.
 inline bool acts_across_gap(const CohesivePair& pair) { return pair.gap > 0; }
-/// From j to i of such a pair, m, and the pull on i, N.
-Vec2 branch_of(const Packing& packing, const CohesivePair& pair);
-Vec2 force_on_i(const Packing& packing, const CohesivePair& pair);
 
 }  // namespace arenite

@@ -1,8 +1,6 @@
 #include "model/periodic_images.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <utility>
 
 #include "core/error.hpp"
 

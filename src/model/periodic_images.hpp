@@ -11,6 +11,9 @@
 
 namespace arenite {
 
+/// What holds a sample as a rectangle.
+inline geometry::Rectangle box_of(const Domain& d) { return {d.wall[left].position, d.wall[right].position, d.wall[bottom].position, d.wall[top].position}; }
+
 /// One periodic image: so many widths and heights away, and by how much that moves a point, m.
 struct ImageShift {
   int columns = 0, rows = 0;

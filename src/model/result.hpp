@@ -100,11 +100,11 @@ struct StageResult : ResultHead {
   std::vector<Frame> frames;  ///< in time order; the last is the state handed on
   History history;
   History cycles;                          ///< of a stage with cycles: a row at the end of each half, as in the history, behind "cycle" and "at_maximum"
-  Numbers texture;                         ///< texture of the last frame, as `show --json` gives it; empty if not measured
+  Numbers texture;                         ///< texture of the last state, as `show --json` gives it; empty if not measured
   std::vector<std::uint8_t> continuation;  ///< the engine's state at the end, for the next stage; empty if there is none
 };
 
-/// A bond that broke while a sample was pulled apart.
+/// A bond that broke in a test to failure.
 struct Crack {
   float x = 0, y = 0;     ///< middle of the bond, m
   std::uint8_t type = 0;  ///< 1 matrix, 2 interface, 3 particle
@@ -116,9 +116,9 @@ struct FieldResult : ResultHead {
   Packing packing;  ///< what was rasterised, in the map's coordinates; no grains if the map came from an image
   Cement cement;    ///< of that packing
   PhaseMap map;
-  StressField field;          ///< empty (size 0) if nothing was loaded; for a pull to failure that at the largest stress
+  StressField field;          ///< empty (size 0) if nothing was loaded; for a test to failure that at the largest stress
   History convergence;        ///< columns "iteration", "residual"
-  History curve;              ///< of a pull to failure: "strain", "stress", "work", "elastic", "released", "broken"
+  History curve;              ///< of a test to failure: "strain", "stress", "work", "elastic", "released", "broken"
   std::vector<Crack> cracks;  ///< in the order of breaking
   Numbers numbers;            ///< report and statistics as `show --json` gives them
 };

@@ -64,18 +64,13 @@ std::vector<Vec2> outline_of(const Grains& grains, std::size_t g, double step) {
   return points;
 }
 
-namespace {
-
-/// 1/(n (n + 1)) at n: products, which cost less than quotients.
-constexpr std::array<double, 17> inverse_of_product = [] {
-  std::array<double, 17> inverse{};
-  for (int n = 1; n < 17; ++n) inverse[n] = 1.0 / (n * (n + 1));
-  return inverse;
-}();
-
-}  // namespace
-
 Vec2 direction(double angle) {
+  // 1/(n (n + 1)) at n: products, which cost less than quotients.
+  static constexpr std::array<double, 17> inverse_of_product = [] {
+    std::array<double, 17> inverse{};
+    for (int n = 1; n < 17; ++n) inverse[n] = 1.0 / (n * (n + 1));
+    return inverse;
+  }();
   // Quarter turns are taken off with pi/2 in two parts, the rest is at most pi/4, where the series end below the last bit.
   constexpr double quarter = 1.5707963267948966, rest_of_quarter = 6.123233995736766e-17;
   const double quarters = std::nearbyint(angle / quarter);

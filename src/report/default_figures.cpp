@@ -41,14 +41,9 @@ std::vector<Swept> swept_keys(const campaign::CollectedTable& table) {
   return keys;
 }
 
-/// Over two decades and without zero.
+/// Over more than a decade and without zero.
 bool is_wide(const campaign::CollectedTable& table, const Swept& key) {
-  double low = 0, high = 0;
-  for (const auto& row : table.rows) {
-    const double v = parse_number<double>(row.values[key.place]).value_or(0);
-    low = low == 0 ? v : std::min(low, v);
-    high = std::max(high, v);
-  }
+  const auto [low, high] = std::ranges::minmax(mapped(table.rows, [&](const auto& row) { return parse_number<double>(row.values[key.place]).value_or(0); }));
   return low > 0 && high >= 30 * low;
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <vector>
 
 #include "core/mapped.hpp"
 #include "solid/stress/stress.hpp"
@@ -33,35 +32,26 @@ int kind_of(const PhaseMap& map, std::size_t node) {
   return size == GrainClass::small ? 3 : size == GrainClass::large ? 4 : 2;
 }
 
-/// Of a grain, in nodes.
-struct Disk {
-  Vec2 centre;
-  double radius = 0;
-};
-
-/// The large grain nearest to the middle.
-Disk middle_grain(const PhaseMap& map) {
+/// Nodes in and about the large grain nearest to the middle.
+View about_middle_grain(const PhaseMap& map) {
   const stress::GrainStresses grains = stress::measure_grains(map, {}, 0, 1);
   const bool classes = std::ranges::count(map.grain_class, GrainClass::large) > 0;
-  Disk best;
-  double least = INFINITY;
+  Vec2 middle;
+  double radius = 0, least = INFINITY;
   for (std::size_t g = 0; g < grains.nodes.size(); ++g) {
     const Vec2 centre = (1 / map.dx) * grains.centre[g] - Vec2{0.5, 0.5};
     const double away = norm(centre - 0.5 * Vec2{static_cast<double>(map.width), static_cast<double>(map.height)});
     if (grains.nodes[g] == 0 || (classes && map.grain_class[g] != GrainClass::large) || away >= least) continue;
-    best = {centre, std::sqrt(static_cast<double>(grains.nodes[g]) / std::numbers::pi)};
+    middle = centre;
+    radius = std::sqrt(static_cast<double>(grains.nodes[g]) / std::numbers::pi);
     least = away;
   }
-  if (best.radius == 0) throw InputError("the sample has no grain to draw");
-  return best;
-}
-
-View about(const Disk& disk, const PhaseMap& map) {
-  const int reach = static_cast<int>(std::ceil(view_over_radius * disk.radius));
+  if (radius == 0) throw InputError("the sample has no grain to draw");
+  const int reach = static_cast<int>(std::ceil(view_over_radius * radius));
   View view;
   view.step = (2 * reach + most_zoomed - 1) / most_zoomed;
-  view.x = std::max(0, static_cast<int>(disk.centre.x + rounding) - reach);
-  view.y = std::max(0, static_cast<int>(disk.centre.y + rounding) - reach);
+  view.x = std::max(0, static_cast<int>(middle.x + rounding) - reach);
+  view.y = std::max(0, static_cast<int>(middle.y + rounding) - reach);
   view.width = std::min(map.width - view.x, 2 * reach) / view.step;
   view.height = std::min(map.height - view.y, 2 * reach) / view.step;
   return view;
@@ -120,7 +110,7 @@ Numbers phases_drawing(const FieldResult& sample) { return phases_of(sample.map,
 
 Numbers zoom_drawing(const FieldResult& load) {
   if (load.field.size() == 0) throw InputError("this run has no stress field to draw");
-  const View view = about(middle_grain(load.map), load.map);
+  const View view = about_middle_grain(load.map);
   const double mean = solid_mean(load);
   Numbers j = view.json(load.map), stress = Numbers::list();
   for (int row = 0; row < view.height; ++row)
@@ -133,15 +123,15 @@ Numbers zoom_drawing(const FieldResult& load) {
   return j;
 }
 
-Numbers cracks_drawing(const FieldResult& pull) {
-  if (pull.cracks.empty()) throw InputError("no bond of this run is broken; `failure = true` in [[loads]] loads the sample to failure");
-  const View view = whole(pull.map);
-  const double node = pull.map.dx * view.step;
+Numbers cracks_drawing(const FieldResult& test) {
+  if (test.cracks.empty()) throw InputError("no bond of this run is broken; `failure = true` in [[loads]] loads the sample to failure");
+  const View view = whole(test.map);
+  const double node = test.map.dx * view.step;
   const auto rounded = [](double v) { return std::round(10 * v) / 10; };
-  Numbers j = phases_of(pull.map, view);
-  j["cracks"] = {{"x", mapped(pull.cracks, [&](const Crack& c) { return rounded(static_cast<double>(c.x) / node); })},
-                 {"y", mapped(pull.cracks, [&](const Crack& c) { return rounded(view.height - static_cast<double>(c.y) / node); })},
-                 {"type", mapped(pull.cracks, &Crack::type)}};
+  Numbers j = phases_of(test.map, view);
+  j["cracks"] = {{"x", mapped(test.cracks, [&](const Crack& c) { return rounded(static_cast<double>(c.x) / node); })},
+                 {"y", mapped(test.cracks, [&](const Crack& c) { return rounded(view.height - static_cast<double>(c.y) / node); })},
+                 {"type", mapped(test.cracks, &Crack::type)}};
   return j;
 }
 

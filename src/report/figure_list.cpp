@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <set>
-#include <utility>
 
 #include "core/error.hpp"
 #include "core/mapped.hpp"
@@ -223,8 +222,6 @@ Figure read_figure(const Node& node, const std::string& file, std::vector<Proble
 }  // namespace
 
 const char* word_for(FigureKind kind) { return words[static_cast<std::size_t>(kind)]; }
-
-bool shows_a_run(FigureKind kind) { return kind >= FigureKind::grains; }
 
 std::vector<Figure> read_figures(const std::string& text, const std::string& file, std::vector<std::string>* notices) {
   const Node root = recipe::read_document(text, file);

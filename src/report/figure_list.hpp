@@ -45,7 +45,7 @@ enum class Spread { error, deviation };
 enum class FigureKind { plot, rose, map, grains, forces, stresses, film, phases, zoom, cracks };
 const char* word_for(FigureKind kind);
 /// Whether it shows one run.
-bool shows_a_run(FigureKind kind);
+constexpr bool shows_a_run(FigureKind kind) { return kind >= FigureKind::grains; }
 
 /// A figure of a study, as figures.toml declares it. Its points are runs, averaged over those that differ in their seed
 /// alone, or its curves are densities.

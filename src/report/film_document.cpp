@@ -2,7 +2,6 @@
 #include <cmath>
 #include <tuple>
 
-#include "core/mapped.hpp"
 #include "report/page_document.hpp"
 #include "workflow/run_film.hpp"
 
@@ -18,14 +17,17 @@ constexpr std::pair<std::string_view, double> steps_of_maps[] = {
 /// Kelvin are digital levels in a film of these.
 std::string unit_in(const FilmInfo& film, const std::string& unit) { return unit == "K" && film.quantity == FilmQuantity::digital_level ? "DL" : unit; }
 
+std::vector<std::uint32_t> places_of_ones(const std::vector<std::uint8_t>& marks) {
+  std::vector<std::uint32_t> places;
+  for (std::size_t k = 0; k < marks.size(); ++k)
+    if (marks[k]) places.push_back(static_cast<std::uint32_t>(k));
+  return places;
+}
+
 /// One map, rows from the top; where pixels have no value, "holes" lists them.
 Numbers map_of(int width, int height, const std::vector<float>& values, double levels, NumberBlock& block) {
-  std::vector<std::uint8_t> known(values.size());
-  std::vector<std::uint32_t> holes;
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    known[k] = std::isfinite(values[k]);
-    if (!known[k]) holes.push_back(static_cast<std::uint32_t>(k));
-  }
+  const auto known = mapped<std::uint8_t>(values, [](float v) { return std::isfinite(v); });
+  const auto holes = places_of_ones(mapped<std::uint8_t>(values, [](float v) { return !std::isfinite(v); }));
   Numbers out = numbers_of(code_field(width, height, {values.begin(), values.end()}, known, true, levels), block);
   if (!holes.empty()) out["holes"] = block.add_indices(holes);
   return out;
@@ -122,7 +124,7 @@ Numbers contacts_of(const FilmResult& r, NumberBlock& block) {
 }
 
 /// The container's inner sides in pixels: left, right, bottom, top; y down.
-Numbers frame_of(const FilmResult& r) {
+Numbers container_of(const FilmResult& r) {
   const Domain& domain = r.packing.domain;
   if (!(r.pixel > 0) || !(domain.area() > 0)) return nullptr;
   const FilmPlace place{r.origin, r.pixel};
@@ -139,22 +141,17 @@ Numbers stresses_of(const workflow::FilmStresses& stresses, NumberBlock& block) 
 
 Numbers one_film(const FilmResult& r, const texture::Texture* texture, NumberBlock& block) {
   const workflow::FilmStresses stresses = texture ? workflow::film_stresses(r, texture->per_grain.considered) : workflow::FilmStresses{};
-  std::vector<std::uint32_t> bad;
-  for (std::size_t k = 0; k < r.bad.size(); ++k)
-    if (r.bad[k]) bad.push_back(static_cast<std::uint32_t>(k));
-  Numbers materials = Numbers::list();
-  for (const Material& m : r.packing.materials) materials.push_back({{"name", m.name}});
   Numbers out{{"name", r.name},
               {"converged", r.converged},
               {"outcome", r.outcome},
               {"provenance", provenance_of(r.provenance)},
               {"film", film_of(r)},
               {"maps", maps_of(r, block)},
-              {"bad", block.add_indices(bad)},
-              {"materials", materials},
+              {"bad", block.add_indices(places_of_ones(r.bad))},
+              {"materials", materials_of(r.packing.materials)},
               {"grains", grains_of(r, stresses, block)},
               {"contacts", contacts_of(r, block)},
-              {"frame", frame_of(r)},
+              {"container", container_of(r)},
               {"stresses", stresses_of(stresses, block)}};
   add_numbers(out, r.numbers);
   for (auto&& [name, meaning] : out["meanings"].items()) meaning[0] = unit_in(r.film, meaning[0].get<std::string>());

@@ -10,14 +10,7 @@ namespace {
 
 using statistics::described;
 
-const char* name_of(FilmQuantity quantity) {
-  switch (quantity) {
-    case FilmQuantity::digital_level: return "digital_level";
-    case FilmQuantity::kelvin: return "kelvin";
-    case FilmQuantity::unknown: return "unknown";
-  }
-  return "";
-}
+constexpr const char* quantities[] = {"digital_level", "kelvin", "unknown"};  // in the order of FilmQuantity
 
 }  // namespace
 
@@ -39,7 +32,7 @@ Numbers film_summary(FilmSource& source, std::size_t most_frames) {
             {"filter", film.filter},
             {"bits", described(film.bits, "", "Bits of a pixel")},
             {"floating", described(film.floating, "", "Whether pixels are floating-point numbers")},
-            {"quantity", described(name_of(film.quantity), "", "What pixels hold")},
+            {"quantity", described(quantities[static_cast<std::size_t>(film.quantity)], "", "What pixels hold")},
             {"emissivity", known(film.emissivity, "", "Emissivity set in the camera")},
             {"ambient_K", known(film.ambient, "K", "Temperature of the surroundings set in the camera")},
             {"band_low_m", known(film.band_low, "m", "Shortest wavelength of its band")},

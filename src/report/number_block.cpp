@@ -24,7 +24,8 @@ std::int32_t median_prediction(const std::vector<std::int32_t>& code, int width,
   return std::clamp(left + below - corner, low, high);
 }
 
-Coding coding_of(std::vector<double> sample, bool companded, double levels) {
+/// Without residuals.
+CodedField coding_of(std::vector<double> sample, bool companded, double levels) {
   if (sample.empty()) return {};
   const auto at = [&](double share) {
     const auto k = static_cast<std::ptrdiff_t>(share * static_cast<double>(sample.size() - 1));
@@ -104,28 +105,23 @@ CodedField code_field(int width, int height, const std::vector<double>& values, 
   std::vector<double> sample;
   for (std::size_t k = 0; k < values.size(); ++k)
     if (known[k] && std::isfinite(values[k])) sample.push_back(values[k]);
-  CodedField out{coding_of(std::move(sample), companded, levels), std::vector<std::uint32_t>(values.size())};
-  const Coding& c = out.coding;
+  CodedField out = coding_of(std::move(sample), companded, levels);
   std::vector<std::int32_t> code(values.size());
   std::size_t k = 0;
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x, ++k) {
       const std::int32_t guess = median_prediction(code, width, x, y);
-      const double t = (values[k] - c.centre) / c.width;
-      code[k] = known[k] && std::isfinite(t) ? static_cast<std::int32_t>(std::lround(c.levels * (companded ? std::asinh(t) : t))) : guess;
+      const double t = (values[k] - out.centre) / out.width;
+      code[k] = known[k] && std::isfinite(t) ? static_cast<std::int32_t>(std::lround(out.levels * (companded ? std::asinh(t) : t))) : guess;
       const std::int32_t off = code[k] - guess;
-      out.residual[k] = static_cast<std::uint32_t>(off) << 1 ^ static_cast<std::uint32_t>(off >> 31);
+      out.residual.push_back(static_cast<std::uint32_t>(off) << 1 ^ static_cast<std::uint32_t>(off >> 31));
     }
   return out;
 }
 
-Numbers numbers_of(const CodedField& field, NumberBlock& block) {
-  const Coding& c = field.coding;
-  return {{"law", c.companded ? "sinh" : "linear"},
-          {"centre", c.centre},
-          {"width", c.width},
-          {"levels", c.levels},
-          {"residual", block.add_indices(field.residual)}};
+Numbers numbers_of(const CodedField& c, NumberBlock& block) {
+  return {
+      {"law", c.companded ? "sinh" : "linear"}, {"centre", c.centre}, {"width", c.width}, {"levels", c.levels}, {"residual", block.add_indices(c.residual)}};
 }
 
 }  // namespace arenite::report

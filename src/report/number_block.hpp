@@ -51,19 +51,14 @@ class NumberBlock {
 std::string packed_text(std::span<const std::uint8_t> bytes);
 std::string base64(std::span<const std::uint8_t> bytes);
 
-/// How a number became a code: v = centre + width code/levels, or centre + width sinh(code/levels), whose steps widen
-/// with the distance from the centre, so that a long tail costs few codes.
-struct Coding {
+/// A field on a grid as whole numbers that deflate well: a code v = centre + width code/levels, or, companded, centre + width sinh(code/levels), whose
+/// steps widen with the distance from the centre, so that a long tail costs few codes. Each node's code less a prediction from its neighbours to the
+/// left and below (the median of both and of left + below - their corner), with the sign in the lowest bit. The first node is predicted as 0. Nodes that
+/// are left out take the prediction.
+struct CodedField {
   bool companded = false;
   double centre = 0, width = 1, levels = 1;
-};
-
-/// A field on a grid as whole numbers that deflate well: each node's code less a prediction from its neighbours to the
-/// left and below (the median of both and of left + below - their corner), with the sign in the lowest bit. The
-/// first node is predicted as 0. Nodes that are left out take the prediction.
-struct CodedField {
-  Coding coding;
-  std::vector<std::uint32_t> residual;
+  std::vector<std::uint32_t> residual = {};
 };
 
 /// The field with its coding, residuals in the block.

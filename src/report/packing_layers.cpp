@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "core/error.hpp"
-#include "core/mapped.hpp"
 #include "grains/fields/coarse_grained.hpp"
 #include "grains/packing/population.hpp"
 #include "model/shapes.hpp"
@@ -14,38 +12,11 @@
 namespace arenite::report {
 namespace {
 
-constexpr double most_cells = 2500;
-
 Numbers curve_of(const packing::SizeCurve& curve, NumberBlock& block) {
   return {{"diameter", block.add_reals(curve.diameter, "m")}, {"passing", block.add_coarse(curve.passing)}};
 }
 
-}  // namespace
-
-Numbers coarse_fields_of(const Packing& packing, double shear_rate, NumberBlock& block) {
-  if (!fields::has_fields(packing)) return {};
-  const double spacing = std::max(fields::mean_diameter(packing.grains), std::sqrt(packing.domain.area() / most_cells));
-  const auto f = fields::coarse_fields(packing, shear_rate, spacing, spacing);
-  const auto& b = f.grid.bounds;
-  Numbers out{{"bounds", {b.x_min, b.x_max, b.y_min, b.y_max}}, {"columns", f.grid.columns}, {"rows", f.grid.rows}, {"width", spacing}};
-  out["solid_fraction"] = block.add_coarse(f.solid_fraction);
-  out["density"] = block.add_coarse(f.density, "kg/m^3");
-  const auto add = [&](const char* name, auto of_stresses) {  // of contacts and kinetic
-    std::vector<double> values;
-    for (std::size_t k = 0; k < f.grid.size(); ++k) values.push_back(of_stresses(f.contact_stress[k], f.kinetic_stress[k]));
-    out[name] = block.add_coarse(values, "Pa");
-  };
-  using Stress = const Tensor2&;
-  add("pressure", [](Stress c, Stress t) { return -0.5 * (trace(c) + trace(t)); });
-  add("deviator", [](Stress c, Stress t) { return 0.5 * std::hypot(c.xx + t.xx - c.yy - t.yy, c.xy + c.yx + t.xy + t.yx); });
-  add("shear", [](Stress c, Stress t) { return 0.5 * (c.xy + c.yx + t.xy + t.yx); });
-  if (std::ranges::all_of(f.kinetic_stress, [](Stress t) { return trace(t) == 0; })) return out;
-  out["vx"] = block.add_coarse(mapped(f.velocity, &Vec2::x), "m/s");
-  out["vy"] = block.add_coarse(mapped(f.velocity, &Vec2::y), "m/s");
-  add("kinetic", [](Stress, Stress t) { return -0.5 * trace(t); });
-  return out;
-}
-
+/// Rims of grains that are no disks, from their centres where their angles are 0: those of grain g are points first[g] to first[g + 1] - 1.
 Numbers shapes_of(Grains grains, NumberBlock& block) {
   grains.angle.assign(grains.size(), 0.0);
   std::vector<std::uint32_t> first{0};
@@ -57,6 +28,8 @@ Numbers shapes_of(Grains grains, NumberBlock& block) {
   return {{"first", block.add_indices(first)}, {"x", block.add_reals(mapped(rim, &Vec2::x), "m")}, {"y", block.add_reals(mapped(rim, &Vec2::y), "m")}};
 }
 
+/// What the page knows of every grain in a state: place and angle, pressure p = -sigma_hyd and deviator q of its stress (half the sum and half the
+/// difference of the principal ones), velocity and spin. Of a state at rest the last two are left out.
 void add_grain_values(Numbers& out, const Packing& packing, const std::vector<Tensor2>& stresses, NumberBlock& block) {
   std::vector<double> pressure, deviator;
   for (const Tensor2& stress : stresses) {
@@ -74,12 +47,14 @@ void add_grain_values(Numbers& out, const Packing& packing, const std::vector<Te
   if (!std::ranges::all_of(grains.omega, [](double v) { return v == 0; })) add_motion({"omega"});
 }
 
+/// Bonds that hold, and how the others broke.
 Numbers bonds_of(const Packing& packing, NumberBlock& block) {
   return {{"i", block.add_indices(mapped(packing.bonds, &Bond::i))},
           {"j", block.add_indices(mapped(packing.bonds, &Bond::j))},
           {"broken", block.add_indices(mapped(packing.bonds, &Bond::broken))}};
 }
 
+/// Pairs that a pull joins, touching or not.
 Numbers cohesive_of(const Packing& packing, NumberBlock& block) {
   return {{"i", block.add_indices(mapped(packing.cohesive, &CohesivePair::i))},
           {"j", block.add_indices(mapped(packing.cohesive, &CohesivePair::j))},
@@ -99,6 +74,102 @@ Numbers boundaries_of(const Domain& domain, NumberBlock& block) {
                     {"torque", boundary.torque}});
   }
   return list;
+}
+
+Numbers contacts_of(const Packing& packing, NumberBlock& block) {
+  Numbers out = pairs_of(packing, block);
+  add_columns(out, packing.contacts, io::contact_columns, {"fn", "ft"}, block);
+  out["glued"] = block.add_indices(packing.contacts.glued);
+  return out;
+}
+
+Numbers domain_of(const Domain& domain, NumberBlock& block) {
+  const auto walls = mapped(domain.wall, [](const Wall& wall) {
+    return Numbers{{"present", wall.present}, {"position", wall.position}, {"force", wall.force}, {"shear", wall.shear_force}};
+  });
+  Numbers out{{"walls", walls}, {"periodic", {domain.periodic[0], domain.periodic[1]}}, {"tilt", domain.tilt}, {"thickness", domain.thickness}};
+  if (!domain.boundaries.empty()) out["boundaries"] = boundaries_of(domain, block);
+  return out;
+}
+
+/// The statistics as texture writes them, with what else is `known` of the state; the rows by grain go into the block.
+Numbers texture_of(const texture::Texture& texture, const Numbers& known, NumberBlock& block) {
+  Numbers out = texture::numbers(texture, true);
+  out.erase("by_grain");
+  for (const auto& [name, number] : known.items())
+    if (!out.contains(name)) out[name] = number;
+  out = shortened(std::move(out));
+  const texture::PerGrain& rows = texture.per_grain;
+  const texture::Window& window = texture.window;
+  out["window"] = {{"known", window.known}, {"x", {window.x_min, window.x_max}}, {"y", {window.y_min, window.y_max}}};
+  if (!rows.sigma_norm.empty()) out["grain_sigma_norm"] = block.add_reals(rows.sigma_norm);
+  out["grain_considered"] = block.add_indices(rows.considered);
+  return out;
+}
+
+}  // namespace
+
+Numbers materials_of(const Materials& materials) {
+  return mapped(materials, [](const Material& m) { return Numbers{{"name", m.name}, {"density", m.density}, {"stiffness", m.stiffness}}; });
+}
+
+Numbers grains_of(const Grains& grains, NumberBlock& block) {
+  Numbers out = {{"count", grains.size()},
+                 {"id", block.add_integers(std::vector<std::int32_t>(grains.id.begin(), grains.id.end()))},
+                 {"radius", block.add_reals(grains.radius, "m")},
+                 {"material", block.add_indices(grains.material)},
+                 {"zone", block.add_indices(grains.zone)}};
+  if (!grains.shapes.empty()) out["shapes"] = shapes_of(grains, block);
+  return out;
+}
+
+Numbers pairs_of(const Packing& packing, NumberBlock& block) {
+  const Contacts& contacts = packing.contacts;
+  const auto grains = static_cast<std::uint32_t>(packing.grains.size());
+  std::vector<std::uint32_t> partner(contacts.size());
+  for (std::size_t c = 0; c < contacts.size(); ++c)
+    partner[c] = contacts.is_wall(c) ? grains + static_cast<std::uint32_t>(contacts.wall_side(c)) : static_cast<std::uint32_t>(contacts.j[c]);
+  return {{"i", block.add_indices(contacts.i)}, {"j", block.add_indices(partner)}};
+}
+
+Numbers frame_of(const Frame& frame, std::size_t stage, const texture::Texture* texture, const Numbers& also_known, NumberBlock& block) {
+  Numbers out{{"stage", stage},
+              {"label", frame.label},
+              {"time", frame.time},
+              {"step", frame.step},
+              {"domain", domain_of(frame.packing.domain, block)},
+              {"contacts", contacts_of(frame.packing, block)}};
+  const bool known = texture && !texture->per_grain.sigma.empty();
+  add_grain_values(out, frame.packing, known ? texture->per_grain.sigma : texture::grain_stresses(frame.packing), block);
+  if (!frame.packing.bonds.empty()) out["bonds"] = bonds_of(frame.packing, block);
+  if (!frame.packing.cohesive.empty()) out["cohesive"] = cohesive_of(frame.packing, block);
+  if (texture) out["texture"] = texture_of(*texture, also_known, block);
+  return out;
+}
+
+Numbers coarse_fields_of(const Packing& packing, double shear_rate, NumberBlock& block) {
+  if (!fields::has_fields(packing)) return {};
+  constexpr double most_cells = 2500;
+  const double spacing = std::max(packing.grains.mean_diameter(), std::sqrt(packing.domain.area() / most_cells));
+  const auto f = fields::coarse_fields(packing, shear_rate, spacing, spacing);
+  const auto& b = f.grid.bounds;
+  Numbers out{{"bounds", {b.x_min, b.x_max, b.y_min, b.y_max}}, {"columns", f.grid.columns}, {"rows", f.grid.rows}, {"width", spacing}};
+  out["solid_fraction"] = block.add_coarse(f.solid_fraction);
+  out["density"] = block.add_coarse(f.density, "kg/m^3");
+  const auto add = [&](const char* name, auto of_stresses) {  // of contacts and kinetic
+    std::vector<double> values;
+    for (std::size_t k = 0; k < f.grid.size(); ++k) values.push_back(of_stresses(f.contact_stress[k], f.kinetic_stress[k]));
+    out[name] = block.add_coarse(values, "Pa");
+  };
+  using Stress = const Tensor2&;
+  add("pressure", [](Stress c, Stress t) { return -0.5 * (trace(c) + trace(t)); });
+  add("deviator", [](Stress c, Stress t) { return 0.5 * std::hypot(c.xx + t.xx - c.yy - t.yy, c.xy + c.yx + t.xy + t.yx); });
+  add("shear", [](Stress c, Stress t) { return 0.5 * (c.xy + c.yx + t.xy + t.yx); });
+  if (std::ranges::all_of(f.kinetic_stress, [](Stress t) { return trace(t) == 0; })) return out;
+  out["vx"] = block.add_coarse(mapped(f.velocity, &Vec2::x), "m/s");
+  out["vy"] = block.add_coarse(mapped(f.velocity, &Vec2::y), "m/s");
+  add("kinetic", [](Stress, Stress t) { return -0.5 * trace(t); });
+  return out;
 }
 
 Numbers size_curves_of(const Packing& packing, const std::string& recipe, NumberBlock& block) {

@@ -4,7 +4,6 @@
 #include <stdexcept>
 #include <utility>
 #include <variant>
-#include <vector>
 
 #include "io/disk/file.hpp"
 #include "io/results/results.hpp"

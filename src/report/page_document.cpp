@@ -2,16 +2,13 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <deque>
 #include <tuple>
 #include <utility>
 
-#include "core/mapped.hpp"
 #include "grains/fields/coarse_grained.hpp"
 #include "report/test_curves.hpp"
-#include "workflow/run.hpp"
 #include "workflow/run_film.hpp"
 
 namespace arenite::report {
@@ -36,62 +33,11 @@ void shorten(Numbers& value) {
   value = std::move(kept);
 }
 
-Numbers materials_of(const Materials& materials) {
-  return mapped(materials, [](const Material& m) { return Numbers{{"name", m.name}, {"density", m.density}, {"stiffness", m.stiffness}}; });
-}
-
-Numbers grains_of(const Grains& grains, NumberBlock& block) {
-  Numbers out = {{"count", grains.size()},
-                 {"id", block.add_integers(std::vector<std::int32_t>(grains.id.begin(), grains.id.end()))},
-                 {"radius", block.add_reals(grains.radius, "m")},
-                 {"material", block.add_indices(grains.material)},
-                 {"zone", block.add_indices(grains.zone)}};
-  if (!grains.shapes.empty()) out["shapes"] = shapes_of(grains, block);
-  return out;
-}
-
-Numbers contacts_of(const Packing& packing, NumberBlock& block) {
-  Numbers out = pairs_of(packing, block);
-  add_columns(out, packing.contacts, io::contact_columns, {"fn", "ft"}, block);
-  out["glued"] = block.add_indices(packing.contacts.glued);
-  return out;
-}
-
-Numbers domain_of(const Domain& domain, NumberBlock& block) {
-  const auto walls = mapped(domain.wall, [](const Wall& wall) {
-    return Numbers{{"present", wall.present}, {"position", wall.position}, {"force", wall.force}, {"shear", wall.shear_force}};
-  });
-  Numbers out{{"walls", walls}, {"periodic", {domain.periodic[0], domain.periodic[1]}}, {"tilt", domain.tilt}, {"thickness", domain.thickness}};
-  if (!domain.boundaries.empty()) out["boundaries"] = boundaries_of(domain, block);
-  return out;
-}
-
-/// The statistics as texture writes them, with what else is `known` of the state; the rows by grain go into the block.
-Numbers texture_of(const texture::Texture& texture, const Numbers& known, NumberBlock& block) {
-  Numbers out = texture::numbers(texture, true);
-  out.erase("by_grain");
-  for (const auto& [name, number] : known.items())
-    if (!out.contains(name)) out[name] = number;
-  out = shortened(std::move(out));
-  const texture::PerGrain& rows = texture.per_grain;
-  const texture::Window& window = texture.window;
-  out["window"] = {{"known", window.known}, {"x", {window.x_min, window.x_max}}, {"y", {window.y_min, window.y_max}}};
-  if (!rows.sigma_norm.empty()) out["grain_sigma_norm"] = block.add_reals(rows.sigma_norm);
-  out["grain_considered"] = block.add_indices(rows.considered);
-  return out;
-}
-
-Numbers frame_of(const Frame& frame, std::size_t stage, const texture::Texture* texture, NumberBlock& block) {
-  Numbers out{{"stage", stage},
-              {"label", frame.label},
-              {"time", frame.time},
-              {"step", frame.step},
-              {"domain", domain_of(frame.packing.domain, block)},
-              {"contacts", contacts_of(frame.packing, block)}};
-  const bool known = texture && !texture->per_grain.sigma.empty();
-  add_grain_values(out, frame.packing, known ? texture->per_grain.sigma : texture::grain_stresses(frame.packing), block);
-  if (!frame.packing.bonds.empty()) out["bonds"] = bonds_of(frame.packing, block);
-  if (!frame.packing.cohesive.empty()) out["cohesive"] = cohesive_of(frame.packing, block);
+/// Unit and sentence of each number that a statistic declares, by its dotted name: {"solid_fraction": ["", "Area of grains over ..."]}.
+Numbers meanings_of(const Numbers& numbers) {
+  Numbers out = Numbers::tree();
+  for (const auto& [name, number, meaning] : named_numbers(numbers))
+    if (meaning) out[name] = Numbers::list({meaning->unit, meaning->sentence});
   return out;
 }
 
@@ -177,8 +123,7 @@ void add_states(Numbers& frames, Numbers& meanings, const ShownStage& stage, std
     std::optional<texture::Texture> now;
     const texture::Texture* texture = is_last ? stage.last : nullptr;
     if (!texture && (is_last || grains <= small)) texture = &now.emplace(texture::measure(packing, stage.options));
-    frames.push_back(frame_of(states[f], s, texture, block));
-    if (texture) frames.back()["texture"] = texture_of(*texture, is_last ? stage.result->texture : Numbers::tree(), block);
+    frames.push_back(frame_of(states[f], s, texture, is_last ? stage.result->texture : Numbers::tree(), block));
     if (is_last) meanings.update(meanings_of(frames.back()["texture"]));
     if (!is_last && f % every != 0) continue;
     const double rate = fields::shear_rate_at(stage.result->history, states[f].time);
@@ -187,15 +132,6 @@ void add_states(Numbers& frames, Numbers& meanings, const ShownStage& stage, std
 }
 
 }  // namespace
-
-Numbers pairs_of(const Packing& packing, NumberBlock& block) {
-  const Contacts& contacts = packing.contacts;
-  const auto grains = static_cast<std::uint32_t>(packing.grains.size());
-  std::vector<std::uint32_t> partner(contacts.size());
-  for (std::size_t c = 0; c < contacts.size(); ++c)
-    partner[c] = contacts.is_wall(c) ? grains + static_cast<std::uint32_t>(contacts.wall_side(c)) : static_cast<std::uint32_t>(contacts.j[c]);
-  return {{"i", block.add_indices(contacts.i)}, {"j", block.add_indices(partner)}};
-}
 
 Numbers history_of(const History& history, NumberBlock& block) {
   Numbers columns = Numbers::tree();
@@ -208,13 +144,6 @@ Numbers provenance_of(const Provenance& p) {
   for (const auto& [name, value] : p.options) options[name] = value;
   return {{"version", p.version}, {"stage", p.stage},   {"input_hash", p.input_hash}, {"seed", p.seed},
           {"kernel", p.kernel},   {"options", options}, {"recipe", p.recipe}};
-}
-
-Numbers meanings_of(const Numbers& numbers) {
-  Numbers out = Numbers::tree();
-  for (const auto& [name, number, meaning] : named_numbers(numbers))
-    if (meaning) out[name] = Numbers::list({meaning->unit, meaning->sentence});
-  return out;
 }
 
 void add_numbers(Numbers& out, const Numbers& numbers) {

@@ -39,8 +39,6 @@ Numbers pairs_of(const Packing& packing, NumberBlock& block);
 /// Every column by its name, at most about a thousand rows of it.
 Numbers history_of(const History& history, NumberBlock& block);
 Numbers provenance_of(const Provenance& provenance);
-/// Unit and sentence of each number that a statistic declares, by its dotted name: {"solid_fraction": ["", "Area of grains over ..."]}.
-Numbers meanings_of(const Numbers& numbers);
 /// Adds "numbers", shortened, and their "meanings": from these the page names all that it shows of them.
 void add_numbers(Numbers& out, const Numbers& numbers);
 /// With six significant digits: more than a figure or a standard error can use, and a third of the bytes. A tree where nothing is known.
@@ -75,27 +73,19 @@ void add_fields(Numbers& document, const PageData& data, NumberBlock& block);
 /// companion simulation. `texture` is the film's (workflow::texture_of), if it has grains.
 void add_film(Numbers& document, const FilmResult& film, const texture::Texture* texture, NumberBlock& block);
 
-// What the page shows of a packing beside its grains and contacts.
+// What the page shows of packings.
+
+Numbers materials_of(const Materials& materials);
+/// What is the same of all states: names, radii, materials, zones and shapes of the grains.
+Numbers grains_of(const Grains& grains, NumberBlock& block);
+
+/// One state: its container, grains, contacts, bonds and pulls, and its texture, where that is known, with what else is.
+Numbers frame_of(const Frame& frame, std::size_t stage, const texture::Texture* texture, const Numbers& also_known, NumberBlock& block);
 
 /// The coarse-grained fields of a state on a grid over its box: {bounds, columns, rows, width of the kernel} and arrays of solid fraction,
 /// density, velocity, pressure and deviator of the whole stress, its shear and the kinetic pressure. The kernel is as wide as the mean grain,
 /// or as a cell where the sample has many. `shear_rate`, 1/s: of a cell that is sheared. Not known without grains or box.
 Numbers coarse_fields_of(const Packing& packing, double shear_rate, NumberBlock& block);
-
-/// Rims of grains that are no disks, from their centres where their angles are 0: those of grain g are points first[g] to first[g + 1] - 1.
-Numbers shapes_of(Grains grains, NumberBlock& block);
-
-/// What the page knows of every grain in a state: place and angle, pressure p = -sigma_hyd and deviator q of its stress (half the sum and half the
-/// difference of the principal ones), velocity and spin. Of a state at rest the last two are left out.
-void add_grain_values(Numbers& out, const Packing& packing, const std::vector<Tensor2>& stresses, NumberBlock& block);
-
-/// Bonds that hold, and how the others broke.
-Numbers bonds_of(const Packing& packing, NumberBlock& block);
-
-/// Pairs that a pull joins, touching or not.
-Numbers cohesive_of(const Packing& packing, NumberBlock& block);
-
-Numbers boundaries_of(const Domain& domain, NumberBlock& block);
 
 /// Asked and measured size curve of the grains that the recipe asked a size law for; not known where it asked for none.
 Numbers size_curves_of(const Packing& packing, const std::string& recipe, NumberBlock& block);

@@ -1,6 +1,5 @@
 #include "report/run_drawing.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <vector>
@@ -8,7 +7,7 @@
 #include "campaign/virtual_film.hpp"
 #include "core/mapped.hpp"
 #include "geometry/rectangle.hpp"
-#include "io/disk/file.hpp"
+#include "io/disk/store_file.hpp"
 #include "report/run_means.hpp"
 #include "report/study_page.hpp"
 
@@ -22,15 +21,13 @@ double hundredth(double value) { return std::isfinite(value) ? std::round(100 * 
 double in_mm(double metres) { return hundredth(1e3 * metres); }
 
 Numbers contacts_json(const Contacts& contacts) {
-  double sum = 0, count = 0;
-  for (std::size_t c = 0; c < contacts.size(); ++c)
-    if (!contacts.is_wall(c) && contacts.fn[c] > 0) sum += contacts.fn[c], ++count;
+  const double mean = mean_compressive_force(contacts);
   Numbers i = Numbers::list(), j = Numbers::list(), f = Numbers::list();
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     if (contacts.is_wall(c)) continue;
     i.push_back(contacts.i[c]);
     j.push_back(contacts.j[c]);
-    f.push_back(hundredth(contacts.fn[c] * count / sum));
+    f.push_back(hundredth(contacts.fn[c] / mean));
   }
   return {{"i", i}, {"j", j}, {"f", f}};
 }

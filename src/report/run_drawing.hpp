@@ -26,9 +26,9 @@ Numbers phases_drawing(const FieldResult& sample);
 /// of different grains or of grain and matrix, [x, y, 1 where it is upright] in nodes from the upper left corner.
 Numbers zoom_drawing(const FieldResult& load);
 
-/// A pull to failure: its phases as above, and `cracks`, the middles of its broken bonds in the order of breaking: `x` and `y` in
+/// A test to failure: its phases as above, and `cracks`, the middles of its broken bonds in the order of breaking: `x` and `y` in
 /// nodes of the picture from its upper left corner, `type` 1 matrix, 2 interface, 3 particle. InputError where nothing broke.
-Numbers cracks_drawing(const FieldResult& pull);
+Numbers cracks_drawing(const FieldResult& test);
 
 /// What a figure shows of one run, from the files in its folder, as JSON: sample_drawing, film_drawing, phases_drawing,
 /// zoom_drawing or cracks_drawing by the figure's kind. Throws InputError where the run does not have it.

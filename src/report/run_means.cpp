@@ -47,16 +47,12 @@ Density read(const Numbers& j) {
 std::vector<double> places(const std::vector<Density>& densities) {
   std::vector<double> x;
   if (densities.front().shared) {
-    const auto& edge =
-        std::max_element(densities.begin(), densities.end(), [](const Density& a, const Density& b) { return a.edge.back() < b.edge.back(); })->edge;
+    const auto& edge = std::ranges::max_element(densities, {}, [](const Density& d) { return d.edge.back(); })->edge;
     for (std::size_t k = 0; k + 1 < edge.size(); ++k) x.push_back(0.5 * (edge[k] + edge[k + 1]));
     return x;
   }
-  double low = densities.front().edge.front(), high = low;
-  for (const Density& d : densities) {
-    low = std::min(low, d.edge.front());
-    high = std::max(high, d.edge.back());
-  }
+  const double low = std::ranges::min(mapped(densities, [](const Density& d) { return d.edge.front(); }));
+  const double high = std::ranges::max(mapped(densities, [](const Density& d) { return d.edge.back(); }));
   constexpr int bins = 40;
   if (!(low > 0)) return x;
   for (int k = 0; k < bins; ++k) x.push_back(low * std::pow(high / low, (k + 0.5) / bins));

@@ -1,10 +1,9 @@
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
 
 #include "core/mapped.hpp"
+#include "core/problems.hpp"
 #include "io/table/table.hpp"
 #include "report/run_means.hpp"
 #include "report/study_page.hpp"
@@ -17,22 +16,17 @@ using Row = Table::Row;
 
 double number_of(const std::string& text) { return io::to_number(text).value_or(statistics::unknown); }
 
-std::size_t key_place(const Table& table, const std::string& key) {
-  return static_cast<std::size_t>(std::find_if(table.keys.begin(), table.keys.end(), [&](const auto& k) { return k.name == key; }) - table.keys.begin());
-}
-
 std::size_t key_of(const Table& table, const std::string& key, const Figure& figure) {
-  const std::size_t k = key_place(table, key);
-  if (k == table.keys.size()) throw InputError(fmt::format("figure {}: `{}` is not swept by the study", figure.id, key));
+  const std::size_t k = index_of(table.keys, key);
+  if (k == table.keys.size()) throw refusal("figure {}: `{}` is not swept by the study", figure.id, key);
   return k;
 }
 
 /// Whether a figure's `where` wants this run.
 bool is_wanted(const Table& table, const Row& row, const Figure& figure) {
-  return std::all_of(figure.where.begin(), figure.where.end(), [&](const auto& where) {
+  return std::ranges::all_of(figure.where, [&](const auto& where) {
     const std::string& here = row.values[key_of(table, where.first, figure)];
-    return std::any_of(where.second.begin(), where.second.end(),
-                       [&](const std::string& value) { return value == here || number_of(value) == number_of(here); });
+    return std::ranges::any_of(where.second, [&](const std::string& value) { return value == here || number_of(value) == number_of(here); });
   });
 }
 
@@ -50,7 +44,7 @@ std::vector<Group> groups_of(const Table& table, const Figure& figure) {
   for (const Row& row : table.rows) {
     if (!is_wanted(table, row, figure)) continue;
     const std::string value = figure.by.empty() ? "" : row.values[k];
-    auto at = std::find_if(groups.begin(), groups.end(), [&](const Group& group) { return group.value == value; });
+    auto at = std::ranges::find(groups, value, &Group::value);
     if (at == groups.end()) at = groups.insert(at, {value, {}, {}});
     at->rows.push_back(&row);
   }
@@ -110,7 +104,7 @@ statistics::Estimate value_of(const Table& table, const Row& row, const std::str
     const auto [value, error] = value_of(table, row, name.substr(slash + 1));
     return {over / value, std::abs(over) * error / (value * value)};
   }
-  if (const std::size_t k = key_place(table, name); k < table.keys.size()) return {number_of(row.values[k])};
+  if (const std::size_t k = index_of(table.keys, name); k < table.keys.size()) return {number_of(row.values[k])};
   const auto at = std::find(table.names.begin(), table.names.end(), name);
   if (at == table.names.end()) return {number_of(name)};
   return row.numbers[static_cast<std::size_t>(at - table.names.begin())];
@@ -155,8 +149,7 @@ class MeanRows {
   std::size_t samples(const Row& mean, const std::string& y) const {
     const auto at = of_values_.find(mean.values);
     if (at == of_values_.end()) return 0;
-    return static_cast<std::size_t>(
-        std::count_if(at->second.begin(), at->second.end(), [&](const Row* row) { return std::isfinite(value_of(runs_, *row, y).value); }));
+    return static_cast<std::size_t>(std::ranges::count_if(at->second, [&](const Row* row) { return std::isfinite(value_of(runs_, *row, y).value); }));
   }
 
   const Table& runs_;
@@ -206,8 +199,6 @@ std::vector<FigureCurve> curves_of(const Figure& figure, const Table& table, con
   add_beside(curves, figure, table);
   return curves;
 }
-
-bool is_of_film(const std::string& path) { return path.starts_with("film."); }
 
 std::vector<std::string> filmed_runs(const std::vector<Figure>& figures, const Table& table) {
   std::vector<std::string> runs;

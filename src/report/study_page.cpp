@@ -152,8 +152,7 @@ void add_drawing(Numbers& shown, const Figure& figure, const std::string& run, c
 /// All that the page shows.
 Numbers document_of(const StudyPage& page) {
   Numbers about{{"title", page.title}};
-  const auto done =
-      static_cast<std::size_t>(std::count_if(page.table.rows.begin(), page.table.rows.end(), [](const auto& row) { return row.status == "done"; }));
+  const auto done = std::ranges::count(page.table.rows, "done", &campaign::CollectedTable::Row::status);
   about["runs"] = fmt::format("{} of {} runs; the caption of each figure says what its bars, bands and ticks are", done, page.table.rows.size());
   const bool has_source =
       std::ranges::any_of(page.figures, [](const Figure& f) { return !f.source.empty() || !f.references.empty() || !f.source_points.empty(); });
@@ -195,8 +194,6 @@ std::string spread_text(const Figure& figure, const std::vector<FigureCurve>& cu
   if (ours.most > 0 && film.most > 0 && (film.fewest != ours.fewest || film.most != ours.most)) text += fmt::format("; of the film: {}", number_of(film));
   return text;
 }
-
-std::string study_page(const StudyPage& page) { return html_of(document_of(page)); }
 
 void write_study_page(const fs::path& path, const StudyPage& page) {
   const Numbers document = document_of(page);

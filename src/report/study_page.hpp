@@ -30,7 +30,7 @@ using NumbersOf = std::function<Numbers(const std::string& run, const std::strin
 std::vector<FigureCurve> curves_of(const Figure& figure, const campaign::CollectedTable& table, const NumbersOf& numbers);
 
 /// Whether a path to numbers says what a film gives.
-bool is_of_film(const std::string& path);
+inline bool is_of_film(const std::string& path) { return path.starts_with("film."); }
 /// The runs of which figures want a film: all that those of kind `film` want.
 std::vector<std::string> filmed_runs(const std::vector<Figure>& figures, const campaign::CollectedTable& table);
 
@@ -52,10 +52,8 @@ struct StudyPage {
   std::function<std::string(const std::string& run)> link = {};  ///< to the page of a run from that of the study; empty where there is none
 };
 
-/// One HTML file without references to others: all figures with their curves, error bars and what the source says.
-std::string study_page(const StudyPage& page);
-
-/// Writes the page, and beside it as numbers (study.hdf5 of study.html) the title and the figures, from which these are drawn for print.
+/// Writes one HTML file without references to others, all figures with their curves, error bars and what the source says, and beside it as numbers
+/// (study.hdf5 of study.html) the title and the figures, from which these are drawn for print.
 void write_study_page(const std::filesystem::path& path, const StudyPage& page);
 
 /// {"title", "figures"} as they are on a page; not known where they do not lie beside it. Throws InputError for what is damaged.

@@ -29,7 +29,7 @@ class Summary {
   std::string how_stages_ended() const;
   struct Stage {
     std::string file;
-    StageResult result;  ///< with its last frame only
+    StageResult result;  ///< with its last state only
     std::size_t states = 0;
   };
   struct Field {
@@ -44,12 +44,6 @@ class Summary {
   std::vector<Field> fields_;  ///< after the stages
   std::vector<FilmResult> films_;
 };
-
-/// How the last state of a stage stands: its balance, its grains by material, the forces on its walls.
-std::string state_text(const StageResult& last);
-
-/// The numbers that one asks for first, of grains, of what flows and of nodes, as rows of a table.
-std::string headlines(const Numbers& numbers);
 
 /// One field by itself, as text for people and as numbers.
 std::string field_summary(const FieldResult& result);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <span>
 #include <utility>
 
@@ -21,11 +20,11 @@ struct Sides {
   std::vector<double> along_x, along_y;     ///< half the difference of the shear forces on bottom and top, on left and right, N
 };
 
-/// Mean of two columns, or half their difference; zeros where there is none.
-std::vector<double> half_sum(const History& history, const std::string& one, const std::string& other, double sign, std::size_t rows) {
+/// A sum of two columns with these weights; zeros where there is none.
+std::vector<double> weighed(const History& history, double x, const std::string& one, double y, const std::string& other, std::size_t rows) {
   std::vector<double> result(rows, 0.0);
   const auto *a = history.find(one), *b = history.find(other);
-  for (std::size_t k = 0; k < rows; ++k) result[k] = 0.5 * ((a ? (*a)[k] : 0) + sign * (b ? (*b)[k] : 0));
+  for (std::size_t k = 0; k < rows; ++k) result[k] = x * (a ? (*a)[k] : 0) + y * (b ? (*b)[k] : 0);
   return result;
 }
 
@@ -37,14 +36,12 @@ std::optional<Sides> sides_of(const History& history) {
     if (!history.find(std::string(side) + "_position")) return {};
   Sides s;
   s.time = *time;
-  s.width = half_sum(history, "right_position", "left_position", -1, rows);
-  s.height = half_sum(history, "top_position", "bottom_position", -1, rows);
-  for (auto* size : {&s.width, &s.height})
-    for (double& v : *size) v *= 2;
-  s.normal_x = half_sum(history, "left_force", "right_force", 1, rows);
-  s.normal_y = half_sum(history, "bottom_force", "top_force", 1, rows);
-  s.along_x = half_sum(history, "bottom_shear_force", "top_shear_force", -1, rows);
-  s.along_y = half_sum(history, "left_shear_force", "right_shear_force", -1, rows);
+  s.width = weighed(history, 1, "right_position", -1, "left_position", rows);
+  s.height = weighed(history, 1, "top_position", -1, "bottom_position", rows);
+  s.normal_x = weighed(history, 0.5, "left_force", 0.5, "right_force", rows);
+  s.normal_y = weighed(history, 0.5, "bottom_force", 0.5, "top_force", rows);
+  s.along_x = weighed(history, 0.5, "bottom_shear_force", -0.5, "top_shear_force", rows);
+  s.along_y = weighed(history, 0.5, "left_shear_force", -0.5, "right_shear_force", rows);
   return s;
 }
 
@@ -111,12 +108,6 @@ std::optional<std::vector<double>> uniaxial_stress(const Sides& s, double thickn
   return {};
 }
 
-double area_of_grains(const Packing& packing) {
-  double area = 0;
-  for (const double r : packing.grains.radius) area += std::numbers::pi * r * r;
-  return area;
-}
-
 /// Shear along the sides, in a cell that is sheared or between walls that slide. False where neither is.
 bool strain_by_shear(TestCurves& curves, const StageResult& stage, const Sides& s) {
   const auto slide = slide_of(stage);
@@ -137,12 +128,7 @@ statistics::Measured over(const std::vector<double>& values, std::size_t first, 
   const statistics::Measured mean = fields::block_average(plateau).mean;
   if (std::isfinite(mean.error)) return mean;
   sure = false;
-  constexpr std::size_t blocks = 6;
-  std::vector<double> means(blocks);
-  const std::size_t length = plateau.size() / blocks, rest = plateau.size() % blocks;
-  for (std::size_t b = 0; b < blocks; ++b)
-    for (const double v : plateau.subspan(rest + b * length, length)) means[b] += v / static_cast<double>(length);
-  return statistics::mean_of(means);
+  return fields::mean_of_blocks(plateau, 6);
 }
 
 Numbers with_interval(const statistics::Measured& m, const char* sentence) {
@@ -163,7 +149,7 @@ std::optional<TestCurves> test_curves(const StageResult& stage) {
     curves.ratio = stress ? std::move(*stress) : q_over_p(*s);
   }
   if (std::ranges::none_of(curves.strain, [](double v) { return std::abs(v) >= least_strain; })) return {};
-  const double grains = area_of_grains(stage.frames.back().packing), start = s->width.front() * s->height.front();
+  const double grains = stage.frames.back().packing.grains.area(), start = s->width.front() * s->height.front();
   for (std::size_t k = 0; k < s->time.size(); ++k) {
     const double area = s->width[k] * s->height[k];
     curves.volume.push_back(1 - area / start);

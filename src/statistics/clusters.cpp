@@ -77,9 +77,7 @@ bool stand_apart(const Clusters& c, const ClusterOptions& options) {
 
 Clusters cluster(const std::vector<double>& values, const ClusterOptions& options) {
   if (values.empty()) return {};
-  std::vector<std::size_t> order(values.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
+  const auto order = ordered_by(values.size(), [&](std::size_t i) { return values[i]; });
   const auto sorted = mapped(order, [&](std::size_t i) { return values[i]; });
   const Sums sums(sorted, sorted[sorted.size() / 2]);
   const auto ends = partings(sums, sorted.size(), std::max<std::size_t>(1, std::min(options.most, sorted.size())));

@@ -1,12 +1,11 @@
 #include "statistics/correlation.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
-#include "core/error.hpp"
+#include "core/mapped.hpp"
+#include "core/problems.hpp"
 #include "statistics/jackknife.hpp"
 
 namespace arenite::statistics {
@@ -37,9 +36,7 @@ Line fit_line(const std::vector<double>& x, const std::vector<double>& y) {
 }
 
 std::vector<double> ranks(const std::vector<double>& values) {
-  std::vector<std::size_t> order(values.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
+  const auto order = ordered_by(values.size(), [&](std::size_t i) { return values[i]; });
   std::vector<double> rank(values.size());
   for (std::size_t first = 0, last = 0; first < order.size(); first = last) {
     while (last < order.size() && values[order[last]] == values[order[first]]) ++last;
@@ -62,28 +59,18 @@ double pearson(const std::vector<double>& x, const std::vector<double>& y) {
 double spearman(const std::vector<double>& x, const std::vector<double>& y) { return pearson(ranks(x), ranks(y)); }
 
 Relation relate(const std::vector<double>& x, const std::vector<double>& y) {
-  if (x.size() != y.size())
-    throw InputError(fmt::format("a correlation of {} values with {} has no pairs; give as many of one as of the other", x.size(), y.size()));
-  std::vector<double> a, b;
+  if (x.size() != y.size()) throw refusal("a correlation of {} values with {} has no pairs; give as many of one as of the other", x.size(), y.size());
+  Items known;
   for (std::size_t k = 0; k < x.size(); ++k)
-    if (std::isfinite(x[k]) && std::isfinite(y[k])) {
-      a.push_back(x[k]);
-      b.push_back(y[k]);
-    }
-  Relation relation;
-  relation.count = a.size();
-  relation.line = fit_line(a, b);
-  std::vector<std::vector<double>> replicates;
-  for (std::size_t k = 0; k < a.size() && a.size() > 2; ++k) {
-    std::vector<double> p = a, q = b;
-    p.erase(p.begin() + static_cast<std::ptrdiff_t>(k));
-    q.erase(q.begin() + static_cast<std::ptrdiff_t>(k));
-    replicates.push_back({pearson(p, q), spearman(p, q)});
-  }
-  const auto e = with_errors({pearson(a, b), spearman(a, b)}, replicates);
-  relation.pearson = e[0];
-  relation.spearman = e[1];
-  return relation;
+    if (std::isfinite(x[k]) && std::isfinite(y[k])) known.push_back(k);
+  std::vector<int> own(x.size());  // each a block of its own
+  std::iota(own.begin(), own.end(), 0);
+  const auto of = [](const Items& rows, const std::vector<double>& values) { return mapped(rows, [&](std::size_t k) { return values[k]; }); };
+  const auto e = jackknife(known, own, [&](const Items& rows) {
+    const auto p = of(rows, x), q = of(rows, y);
+    return std::vector<double>{pearson(p, q), spearman(p, q)};
+  });
+  return {known.size(), e[0], e[1], fit_line(of(known, x), of(known, y))};
 }
 
 }  // namespace arenite::statistics

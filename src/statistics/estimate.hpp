@@ -1,7 +1,6 @@
 #pragma once
 #include <limits>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -31,23 +30,5 @@ struct Curve {
 
 /// Values by name ("all", "POM-HDPE", "strong"), in a fixed order.
 template <class T> using ByName = std::vector<std::pair<std::string, T>>;
-
-/// The value of that name, or nullptr.
-template <class T> const T* find(const ByName<T>& values, std::string_view name) {
-  for (const auto& [key, value] : values)
-    if (key == name) return &value;
-  return nullptr;
-}
-
-/// "value +- error" with two digits of the error, and the value to the same place. The value alone where the error is not known, or is that of
-/// rounding (at most 1e-12 of the value).
-std::string with_error(const Estimate& e, double scale = 1);
-
-/// Unit in which stresses of this size are read easily.
-struct StressUnit {
-  const char* name;
-  double scale;
-};
-StressUnit stress_unit(double size);
 
 }  // namespace arenite::statistics

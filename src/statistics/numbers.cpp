@@ -31,26 +31,17 @@ Json json_of(const Numbers& numbers) {
   return out;
 }
 
-Numbers numbers_of(const Json& j) {
-  if (j.is_boolean()) return j.get<bool>();
-  if (j.is_number_unsigned()) return j.get<std::uint64_t>();
-  if (j.is_number_integer()) return j.get<std::int64_t>();
-  if (j.is_number()) return j.get<double>();
-  if (j.is_string()) return j.get<std::string>();
-  if (j.is_null()) return {};
-  Numbers out = j.is_array() ? Numbers::list() : Numbers::tree();
-  if (j.is_array())
-    for (const Json& item : j) out.push_back(numbers_of(item));
-  else
-    for (const auto& [name, value] : j.items()) out[name] = numbers_of(value);
-  return out;
-}
-
 void add_named(std::vector<NamedNumber>& all, const std::string& name, const Numbers& node, const Meaning* of_group) {
   const Meaning* meaning = node.meaning() ? node.meaning() : of_group;
   if (node.is_number() || node.is_truth() || (node.is_tree() && node.contains("value"))) all.push_back({name, &node, meaning});
   else if (node.is_tree())
     for (const auto& [own, item] : node.items()) add_named(all, name.empty() ? own : name + "." + own, item, meaning);
+}
+
+template <class Node> auto beside(const std::vector<std::string>& names, auto& nodes) {
+  std::vector<std::pair<const std::string&, Node&>> out;
+  for (std::size_t i = 0; i < names.size(); ++i) out.emplace_back(names[i], nodes[i]);
+  return out;
 }
 
 Numbers matrix(const Tensor2& t) { return {{t.xx, t.xy}, {t.yx, t.yy}}; }
@@ -110,17 +101,8 @@ std::size_t Numbers::size() const {
   return is_list() || is_tree() ? items_.size() : 1;
 }
 
-std::vector<std::pair<const std::string&, const Numbers&>> Numbers::items() const {
-  std::vector<std::pair<const std::string&, const Numbers&>> out;
-  for (std::size_t i = 0; i < names_.size(); ++i) out.emplace_back(names_[i], items_[i]);
-  return out;
-}
-
-std::vector<std::pair<const std::string&, Numbers&>> Numbers::items() {
-  std::vector<std::pair<const std::string&, Numbers&>> out;
-  for (std::size_t i = 0; i < names_.size(); ++i) out.emplace_back(names_[i], items_[i]);
-  return out;
-}
+std::vector<std::pair<const std::string&, const Numbers&>> Numbers::items() const { return beside<const Numbers>(names_, items_); }
+std::vector<std::pair<const std::string&, Numbers&>> Numbers::items() { return beside<Numbers>(names_, items_); }
 
 Numbers::Items::const_iterator Numbers::find(std::string_view name) const {
   const auto at = std::find(names_.begin(), names_.end(), name);
@@ -183,25 +165,9 @@ void Numbers::update(const Numbers& other) {
   for (const auto& [name, value] : other.items()) (*this)[name] = value;
 }
 
-bool Numbers::as_truth() const {
-  if (!is_truth()) throw NumbersError("a value is neither true nor false");
-  return integer_ != 0;
-}
-
-const std::string& Numbers::as_text() const {
-  if (!is_text()) throw NumbersError("a value is not a text");
-  return text_;
-}
-
-const Numbers::Items& Numbers::as_list() const {
-  if (!is_list()) throw NumbersError("a value is not a list");
-  return items_;
-}
-
-double Numbers::as_real() const {
-  if (kind_ == Kind::truth) return static_cast<double>(integer_);
-  if (kind_ != Kind::real) throw NumbersError("a value is not a number");
-  return real_;
+const Numbers& Numbers::expect(bool holds, const char* what) const {
+  if (!holds) throw NumbersError(std::string("a value is ") + what);
+  return *this;
 }
 
 bool operator==(const Numbers& a, const Numbers& b) {
@@ -224,12 +190,6 @@ void erase_if(Numbers& tree, const std::function<bool(std::string_view, const Nu
 }
 
 std::string to_json(const Numbers& numbers, int indent) { return json_of(numbers).dump(indent, ' ', false, Json::error_handler_t::replace); }
-
-std::optional<Numbers> from_json(std::string_view text) {
-  const Json j = Json::parse(text, nullptr, false);
-  if (j.is_discarded()) return std::nullopt;
-  return numbers_of(j);
-}
 
 }  // namespace arenite
 

@@ -6,7 +6,6 @@
 #include <initializer_list>
 #include <map>
 #include <memory>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -114,13 +113,13 @@ class Numbers {
 
   /// As a number, truth, text or list of such; throws NumbersError if it is none.
   template <class T> T get() const {
-    if constexpr (std::same_as<T, bool>) return as_truth();
+    if constexpr (std::same_as<T, bool>) return expect(is_truth(), "neither true nor false").integer_ != 0;
     else if constexpr (std::is_arithmetic_v<T>) return as_number<T>();
-    else if constexpr (std::same_as<T, std::string>) return as_text();
+    else if constexpr (std::same_as<T, std::string>) return expect(is_text(), "not a text").text_;
     else if constexpr (std::same_as<T, Numbers>) return *this;
     else {
       T values;
-      for (const Numbers& item : as_list()) values.push_back(item.get<typename T::value_type>());
+      for (const Numbers& item : expect(is_list(), "not a list").items_) values.push_back(item.get<typename T::value_type>());
       return values;
     }
   }
@@ -135,13 +134,11 @@ class Numbers {
 
  private:
   static Numbers real_of(double value);
-  bool as_truth() const;
-  const std::string& as_text() const;
-  const Items& as_list() const;
-  double as_real() const;
+  /// This; throws NumbersError where it is not what was asked for.
+  const Numbers& expect(bool holds, const char* what) const;
   template <class T> T as_number() const {
-    if (is_integer()) return kind_ == Kind::natural ? static_cast<T>(static_cast<std::uint64_t>(integer_)) : static_cast<T>(integer_);
-    return static_cast<T>(as_real());
+    if (kind_ == Kind::natural) return static_cast<T>(static_cast<std::uint64_t>(integer_));
+    return kind_ == Kind::real ? static_cast<T>(real_) : static_cast<T>(expect(is_integer() || is_truth(), "not a number").integer_);
   }
 
   Kind kind_ = Kind::unknown;
@@ -167,8 +164,6 @@ void erase_if(Numbers& tree, const std::function<bool(std::string_view name, con
 
 /// As JSON, in one line or with `indent` spaces a level. Text that is not UTF-8 is written with marks in its place.
 std::string to_json(const Numbers& numbers, int indent = -1);
-/// Nothing where the text is not JSON.
-std::optional<Numbers> from_json(std::string_view text);
 
 /// What is left out of a table: nodes with one of these names, or whose names end with one of these words, separated by blanks.
 struct LeftOut {
@@ -190,6 +185,10 @@ Numbers described(Numbers value, const char* unit, const char* sentence);
 
 /// Adds a value, with its unit and what it is, unless it is not known.
 void put(Numbers& to, const std::string& name, Numbers value, const char* unit, const char* sentence);
+
+/// "value +- error" with two digits of the error, and the value to the same place. The value alone where the error is not known, or is that of
+/// rounding (at most 1e-12 of the value).
+std::string with_error(const Estimate& e, double scale = 1);
 
 /// Takes out the curves of these names, separated by blanks, at any depth: lists, and trees of lists. A set that somebody gave such a name stays.
 void erase_curves(Numbers& tree, std::string_view names);

@@ -11,6 +11,13 @@ namespace {
 
 constexpr std::size_t most_items = 4, longest_text = 80;
 
+/// Unit in which stresses of this size are read easily, and pascals over it.
+std::pair<const char*, double> stress_unit(double size) {
+  if (size >= 1e5) return {"MPa", 1e-6};
+  if (size >= 1e2) return {"kPa", 1e-3};
+  return {"Pa", 1};
+}
+
 double largest_of(const Numbers& value) {
   if (value.is_number()) return std::abs(value.get<double>());
   double largest = 0;
@@ -43,7 +50,7 @@ std::string value_text(const Numbers& node, const std::string& unit) {
   }
   const bool is_estimate = node.is_tree() && node.contains("value");
   const Numbers& value = is_estimate ? node["value"] : node;
-  const auto [prefixed, scale] = unit == "Pa" ? statistics::stress_unit(largest_of(value)) : statistics::StressUnit{unit.c_str(), 1};
+  const auto [prefixed, scale] = unit == "Pa" ? stress_unit(largest_of(value)) : std::pair{unit.c_str(), 1.0};
   std::string text = number_text(value, is_estimate ? node.at_path("/error") : nullptr, scale);
   if (text.empty()) return text;
   if (*prefixed) text += fmt::format(" {}", prefixed);
@@ -112,6 +119,15 @@ std::string rows_of(const Numbers& tree, std::string_view names) {
   Table table{{}, {}, {}};
   for (const std::string_view name : split_blanks(names)) table.add_at(name, "", tree, nullptr);
   return table.rows;
+}
+
+std::string statistics::with_error(const Estimate& e, double scale) {
+  const double value = e.value * scale, error = e.error * scale;
+  if (!std::isfinite(error)) return fmt::format("{:.4g}", value);
+  if (error <= 1e-12 * std::abs(value)) return fmt::format("{:.6g}", value);
+  if (error < 1e-4 || error >= 1e5 || std::abs(value) >= 1e6) return fmt::format("{:.4g} +- {:.2g}", value, error);
+  const int places = std::max(0, 1 - static_cast<int>(std::floor(std::log10(error))));
+  return fmt::format("{:.{}f} +- {:.{}f}", value, places, error, places);
 }
 
 }  // namespace arenite

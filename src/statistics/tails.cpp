@@ -13,7 +13,7 @@ namespace arenite::statistics {
 namespace {
 
 /// Vuong's comparison of two fits of the excesses y > 0: exponential of rate beta, half-Gaussian of the same data.
-void compare_with_half_gaussian(const std::vector<double>& y, double beta, ExponentialTail& tail) {
+void compare_with_half_gaussian(const std::vector<double>& y, double beta, TailFit& tail) {
   double variance = 0;
   const double n = static_cast<double>(y.size());
   for (const double v : y) variance += v * v / n;
@@ -77,8 +77,8 @@ void compare(const std::vector<TailSums>& sums, TailSums all, TailRange range, d
 
 }  // namespace
 
-ExponentialTail exponential_tail(const std::vector<double>& sorted) {
-  ExponentialTail tail;
+TailFit exponential_tail(const std::vector<double>& sorted) {
+  TailFit tail;
   const auto first = std::upper_bound(sorted.begin(), sorted.end(), 1.0);
   std::vector<double> excess, logarithm;
   double sum = 0;
@@ -91,9 +91,9 @@ ExponentialTail exponential_tail(const std::vector<double>& sorted) {
   tail.count = excess.size();
   if (tail.count < 2) return tail;
   const double count = static_cast<double>(tail.count), beta = count / sum;
-  tail.beta = {beta, beta / std::sqrt(count)};
+  tail.slope = {beta, beta / std::sqrt(count)};
   const Line line = fit_line(excess, logarithm);
-  tail.line_beta = {-line.slope, line.slope_error};
+  tail.line_slope = {-line.slope, line.slope_error};
   tail.line_r2 = line.r2;
   compare_with_half_gaussian(excess, beta, tail);
   return tail;

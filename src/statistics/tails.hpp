@@ -7,39 +7,31 @@
 
 namespace arenite::statistics {
 
-/// Exponential tail beyond the mean, x > 1: P = P_0 exp(beta (1 - x)).
-struct ExponentialTail {
+/// Exponential fall-off exp(-s x) of the upper tail of values over their own mean, x.
+struct TailFit {
+  double low = unknown, high = unknown;  ///< where it was fitted
   std::size_t count = 0;
-  Estimate beta;       ///< maximum likelihood; error beta/sqrt(n)
-  Estimate line_beta;  ///< straight line through ln of the cumulative
+  Estimate slope, line_slope;  ///< s by maximum likelihood, and by a straight line through a logarithm
   double line_r2 = unknown;
-  double likelihood_ratio = unknown;  ///< ln L(exponential) - ln L(half-Gaussian)
+  double likelihood_ratio = unknown;  ///< ln L(exponential) - ln L(Gaussian)
   double p_value = unknown;           ///< that the exponential's lead is chance (Vuong's test, one-sided)
 };
 
-/// Exponential tail of x beyond 1: maximum likelihood, straight line through ln of the cumulative, and the likelihood ratio against a half-Gaussian
-/// (Vuong's test). `sorted` rises; shares refer to all of its values.
-ExponentialTail exponential_tail(const std::vector<double>& sorted);
+/// That of x beyond 1, P = P_0 exp(s (1 - x)): maximum likelihood with error s/sqrt(n), straight line through ln of the cumulative, and the likelihood
+/// ratio against a half-Gaussian. `sorted` rises; shares refer to all of its values.
+TailFit exponential_tail(const std::vector<double>& sorted);
 
-/// Exponential fall-off exp(-s x) of the upper tail of values over their own mean (P IV.B), between two x: `low`, beyond which the pdf stays below
-/// 0.1 of its peak, and `high`, where it first falls below 0.001 of it (edges of pdf_bins, running mean of three bins).
-struct TailFit {
-  double low = unknown, high = unknown;
-  std::size_t count = 0;
-  Estimate slope, line_slope;
-  double line_r2 = unknown, likelihood_ratio = unknown, p_value = unknown;
-};
-Numbers numbers(const TailFit& fit);
-
-/// The range of the rule above; {NaN, NaN} where there are no bins.
+/// From `low`, beyond which the pdf stays below 0.1 of its peak, to `high`, where it first falls below 0.001 of it (P IV.B; edges of pdf_bins, running
+/// mean of three bins); {NaN, NaN} where there are no bins.
 struct TailRange {
   double low = unknown, high = unknown;
 };
 TailRange tail_range(const Bins& bins, const Counts& counts);
 
-/// Fits the tail of x. Errors come from leaving out one block at a time with the range held; `replicate_mean` is the mean of x without each block (1
+/// Fits the tail of x in that range. Errors come from leaving out one block at a time with the range held; `replicate_mean` is the mean of x without each block (1
 /// where x is over the mean of the rest), by which the slope is set right. Unknown for fewer than 30 values or three bins.
 TailFit fit_tail(const BlockedSample& sample, const BlockCounts& counts, const std::vector<double>& replicate_mean);
+Numbers numbers(const TailFit& fit);
 
 /// Rate s of the exponential exp(-s y) on 0 <= y <= length that has this mean: the maximum-likelihood fit. Negative where it rises.
 double cut_exponential_rate(double mean, double length);

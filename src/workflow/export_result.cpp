@@ -129,7 +129,7 @@ class ExportFolder {
 /// Smeared over a mean diameter, two points a diameter.
 io::GridFields grid_fields(const Packing& packing, double shear_rate) {
   if (!fields::has_fields(packing)) throw InputError("this result has no box of known thickness, which coarse-grained fields need");
-  const double width = fields::mean_diameter(packing.grains);
+  const double width = packing.grains.mean_diameter();
   const auto f = fields::coarse_fields(packing, shear_rate, width, 0.5 * width);
   const auto& b = f.grid.bounds;
   io::GridFields g{b.x_min, b.y_min, b.width() / f.grid.columns, b.height() / f.grid.rows, f.grid.columns, f.grid.rows};

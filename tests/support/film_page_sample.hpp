@@ -145,7 +145,7 @@ struct FilmPageSample {
       film.motion.cosine.push_back({0.02 * random_.normal(), 0.8 * low});
       film.motion.sine.push_back({});
       film.motion.error.push_back(0.02);
-      const double sigma = elasticity::mean_sigma_kk(all[g]) / 2, error = 0.02e6 + 0.03 * std::abs(sigma);
+      const double sigma = elasticity::sigma_kk(all[g], {}) / 2, error = 0.02e6 + 0.03 * std::abs(sigma);
       film.peak_to_peak.sigma_hyd.push_back(sigma + error * random_.normal());
       film.peak_to_peak.temperature.push_back(-2 * factor_[grains.material[g]] * film.peak_to_peak.sigma_hyd.back());
       film.peak_to_peak.error.push_back(error);

@@ -1,11 +1,35 @@
 #pragma once
 #include <initializer_list>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "statistics/numbers.hpp"
 
 namespace arenite::test {
+
+inline Numbers tree_of(const nlohmann::ordered_json& j) {
+  if (j.is_boolean()) return j.get<bool>();
+  if (j.is_number_unsigned()) return j.get<std::uint64_t>();
+  if (j.is_number_integer()) return j.get<std::int64_t>();
+  if (j.is_number()) return j.get<double>();
+  if (j.is_string()) return j.get<std::string>();
+  if (j.is_null()) return {};
+  Numbers out = j.is_array() ? Numbers::list() : Numbers::tree();
+  if (j.is_array())
+    for (const auto& item : j) out.push_back(tree_of(item));
+  else
+    for (const auto& [name, value] : j.items()) out[name] = tree_of(value);
+  return out;
+}
+
+/// What JSON says; nothing where the text is none.
+inline std::optional<Numbers> from_json(std::string_view text) {
+  const auto j = nlohmann::ordered_json::parse(text, nullptr, false);
+  return j.is_discarded() ? std::nullopt : std::optional(tree_of(j));
+}
 
 /// As they are written in JSON; not known where that is none.
 inline Numbers numbers_of(const std::string& json) { return from_json(json).value_or(Numbers{}); }

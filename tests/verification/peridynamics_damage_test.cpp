@@ -11,6 +11,7 @@
 #include "support/cemented_sample.hpp"
 #include "support/crack_energy.hpp"
 #include "support/homogeneous_sample.hpp"
+#include "support/lattice_moduli.hpp"
 
 namespace arenite::peridynamics {
 namespace {

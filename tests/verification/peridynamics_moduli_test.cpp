@@ -6,6 +6,7 @@
 #include "solid/peridynamics/lattice.hpp"
 #include "support/cemented_sample.hpp"
 #include "support/homogeneous_sample.hpp"
+#include "support/lattice_moduli.hpp"
 
 namespace arenite::peridynamics {
 namespace {

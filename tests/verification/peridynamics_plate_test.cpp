@@ -7,6 +7,7 @@
 #include "solid/peridynamics/lattice.hpp"
 #include "solid/peridynamics/load.hpp"
 #include "support/homogeneous_sample.hpp"
+#include "support/lattice_moduli.hpp"
 
 namespace arenite::peridynamics {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "grains/packing/shapes/polygon.hpp"
+#include "grains/packing/grain_shapes.hpp"
 #include "model/shapes.hpp"
 #include "support.hpp"
 

@@ -163,7 +163,7 @@ test("forces are bars as thick as they are large, and what may be absent is dash
 
 test("a bar to a wall ends at the wall", async (page) => {
   const off = await page.evaluate(() => {
-    const { film } = window.arenite.film, { i, j } = film.contacts, sides = film.frame;
+    const { film } = window.arenite.film, { i, j } = film.contacts, sides = film.container;
     return Array.from(i.keys()).filter((c) => j[c] >= film.count).map((c) => {
       const [, , x, y] = film.endsOf(c), side = j[c] - film.count;
       return Math.abs((side < 2 ? x : y) - sides[side]);

@@ -1,13 +1,11 @@
 #include "grains/fields/coarse_grained.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
-#include "core/error.hpp"
+#include "core/problems.hpp"
 #include "grains/texture/view.hpp"
 #include "model/periodic_images.hpp"
 
@@ -15,6 +13,33 @@ namespace arenite::fields {
 namespace {
 
 using statistics::unknown;
+using std::numbers::pi;
+
+constexpr double gaussian_reach = 8.5;             // exp(-8.5^2/2) = 2.1e-16
+constexpr double lucy_reach = 3.3466401061363023;  // sqrt(56/5): <x^2> = 5 c^2/56
+
+/// Integral from 0 to t of 1 - 6 q^2 + 8 q^3 - 3 q^4 = (1 + 3 q)(1 - q)^3 with q^2 = p^2 + t^2: lengths in c.
+double lucy_primitive(double p, double t) {
+  const double p2 = p * p, t2 = t * t, r = std::sqrt(p2 + t2);
+  const double squares = t * (p2 + t2 / 3), fourths = t * (p2 * p2 + t2 * (2 * p2 / 3 + t2 / 5));
+  const double cubes = t * r * (r * r / 4 + 3 * p2 / 8) + (p2 > 0 ? 3 * p2 * p2 / 8 * std::asinh(t / p) : 0.0);
+  return t - 6 * squares + 8 * cubes - 3 * fourths;
+}
+
+/// Integral of Lucy's function along the line at distance p from the centre, from t0 to t1; zero outside the unit circle.
+double lucy_along(double p, double t0, double t1) {
+  if (p >= 1) return 0;
+  const double chord = std::sqrt(1 - p * p);
+  const double from = std::clamp(t0, -chord, chord), to = std::clamp(t1, -chord, chord);
+  return from < to ? 5 / pi * (lucy_primitive(p, to) - lucy_primitive(p, from)) : 0.0;
+}
+
+/// The same of the Gaussian of width 1, zero where the line lies beyond its reach.
+double gaussian_along(double p, double t0, double t1) {
+  if (p > gaussian_reach || t0 > gaussian_reach || t1 < -gaussian_reach) return 0;
+  constexpr double root = std::numbers::sqrt2 / 2;
+  return std::exp(-0.5 * p * p) / std::sqrt(8 * pi) * (std::erf(root * t1) - std::erf(root * t0));
+}
 
 /// Calls visit(index, point) for the points of a grid in a rectangle.
 template <class Visit> void for_points_in(const Grid& grid, const geometry::Rectangle& part, Visit&& visit) {
@@ -29,13 +54,6 @@ template <class Visit> void for_points_in(const Grid& grid, const geometry::Rect
       visit(static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.columns) + static_cast<std::size_t>(column), grid.point(column, row));
 }
 
-/// Rectangle around a line from a to b, wider by `reach` on every side.
-geometry::Rectangle around(Vec2 a, Vec2 b, double reach) {
-  return {std::min(a.x, b.x) - reach, std::max(a.x, b.x) + reach, std::min(a.y, b.y) - reach, std::max(a.y, b.y) + reach};
-}
-
-geometry::Rectangle moved(const geometry::Rectangle& r, Vec2 by) { return {r.x_min + by.x, r.x_max + by.x, r.y_min + by.y, r.y_max + by.y}; }
-
 /// How fast an image of the cell moves against the cell itself.
 Vec2 image_velocity(const Domain& domain, const CoarseGraining& choice, const ImageShift& image) {
   const auto rate = [&](int low, int high) { return domain.wall[high].velocity - domain.wall[low].velocity; };
@@ -48,11 +66,11 @@ Vec2 image_velocity(const Domain& domain, const CoarseGraining& choice, const Im
 template <class Visit>
 void for_points_near(const Packing& packing, std::size_t g, const Grid& grid, const CoarseGraining& choice, double reach, Visit&& visit) {
   const Grains& grains = packing.grains;
-  const geometry::Rectangle extent = around(grains.position[g], grains.position[g], reach);
+  const geometry::Rectangle extent = geometry::square_about(grains.position[g], reach);
   for_each_image(packing.domain, extent, grid.bounds, [&](const ImageShift& image) {
     const Vec2 centre = grains.position[g] + image.shift;
     const Vec2 velocity = grains.velocity[g] + image_velocity(packing.domain, choice, image);
-    for_points_in(grid, moved(extent, image.shift), [&](std::size_t k, Vec2 point) {
+    for_points_in(grid, extent + image.shift, [&](std::size_t k, Vec2 point) {
       if (const Vec2 d = point - centre; dot(d, d) < reach * reach) visit(k, d, velocity);
     });
   });
@@ -65,7 +83,7 @@ void add_grains(const Packing& packing, const CoarseGraining& choice, const Kern
   std::vector<Vec2> density_gradient(fields.grid.size());
   std::vector<Tensor2> momentum_gradient(fields.grid.size());
   for (std::size_t g = 0; g < grains.size(); ++g) {
-    const double mass = texture::mass_of(packing, g) / length, area = std::numbers::pi * grains.radius[g] * grains.radius[g];
+    const double mass = texture::mass_of(packing, g) / length, area = pi * grains.radius[g] * grains.radius[g];
     for_points_near(packing, g, fields.grid, choice, kernel.reach(), [&](std::size_t k, Vec2 d, Vec2 velocity) {
       const double phi = kernel.value(d);
       const Vec2 slope = mass * kernel.gradient(d);
@@ -104,9 +122,9 @@ void add_contacts(const Packing& packing, const Kernel& kernel, CoarseFields& fi
     const Vec2 start = packing.grains.position[contacts.i[c]], force = contacts.force_on_i(c) / length;
     const Vec2 branch = contacts.branch(c);
     const Tensor2 moment = outer(force, branch);
-    const geometry::Rectangle extent = around(start, start + branch, kernel.reach());
+    const geometry::Rectangle extent = geometry::bounds(std::array{start, start + branch}, std::array{kernel.reach(), kernel.reach()});
     for_each_image(packing.domain, extent, fields.grid.bounds, [&](const ImageShift& image) {
-      for_points_in(fields.grid, moved(extent, image.shift), [&](std::size_t k, Vec2 point) {
+      for_points_in(fields.grid, extent + image.shift, [&](std::size_t k, Vec2 point) {
         const Vec2 from = point - start - image.shift, to = from - branch;
         fields.contact_stress[k] += kernel.line_mean(from, to) * moment;
         if (contacts.is_wall(c)) fields.wall_force[k] += kernel.value(to) * force;
@@ -118,18 +136,43 @@ void add_contacts(const Packing& packing, const Kernel& kernel, CoarseFields& fi
 void check(const Packing& packing, const Grid& grid) {
   const Domain& domain = packing.domain;
   if (!(domain.width() > 0 && domain.height() > 0)) throw InputError("the box is not known; coarse-grained fields need its size");
-  if (!(domain.thickness > 0)) throw InputError(fmt::format("a thickness of {:g} m; coarse-grained fields need a positive one", domain.thickness));
+  if (!(domain.thickness > 0)) throw refusal("a thickness of {:g} m; coarse-grained fields need a positive one", domain.thickness);
   if (grid.columns < 1 || grid.rows < 1 || !(grid.bounds.width() > 0 && grid.bounds.height() > 0))
-    throw InputError(fmt::format("a grid of {} x {} points over {:g} m x {:g} m; give at least one point and a positive area", grid.columns, grid.rows,
-                                 grid.bounds.width(), grid.bounds.height()));
+    throw refusal("a grid of {} x {} points over {:g} m x {:g} m; give at least one point and a positive area", grid.columns, grid.rows, grid.bounds.width(),
+                  grid.bounds.height());
 }
 
 }  // namespace
 
+Kernel::Kernel(KernelShape shape, double width) : shape_(shape), width_(width), reach_(width * (shape == KernelShape::gaussian ? gaussian_reach : lucy_reach)) {
+  if (!(width > 0) || !std::isfinite(width)) throw refusal("a coarse-graining width of {:g} m; give a positive length", width);
+}
+
+double Kernel::value(Vec2 d) const {
+  if (shape_ == KernelShape::gaussian) return std::exp(-0.5 * dot(d, d) / (width_ * width_)) / (2 * pi * width_ * width_);
+  const double q = norm(d) / reach_;
+  return q < 1 ? 5 / (pi * reach_ * reach_) * (1 + 3 * q) * (1 - q) * (1 - q) * (1 - q) : 0;
+}
+
+Vec2 Kernel::gradient(Vec2 d) const {
+  if (shape_ == KernelShape::gaussian) return -value(d) / (width_ * width_) * d;
+  // d/dq (1 + 3 q)(1 - q)^3 = -12 q (1 - q)^2, and grad q = d/(q c^2).
+  const double c2 = reach_ * reach_, q = norm(d) / reach_;
+  return q < 1 ? -60 / (pi * c2 * c2) * (1 - q) * (1 - q) * d : Vec2{};
+}
+
+double Kernel::line_mean(Vec2 from, Vec2 to) const {
+  const double length = norm(to - from), unit = shape_ == KernelShape::gaussian ? width_ : reach_;
+  if (!(length > 0)) return value(from);
+  const Vec2 along = (to - from) / length;
+  const double p = std::abs(cross(from, along)) / unit, t0 = dot(from, along) / unit, t1 = dot(to, along) / unit;
+  return (shape_ == KernelShape::gaussian ? gaussian_along(p, t0, t1) : lucy_along(p, t0, t1)) / (unit * length);
+}
+
 Grid grid_over(const Domain& domain, double spacing) {
-  if (!(spacing > 0)) throw InputError(fmt::format("a grid of spacing {:g} m; give a positive length", spacing));
+  if (!(spacing > 0)) throw refusal("a grid of spacing {:g} m; give a positive length", spacing);
   const auto cells = [&](double length) { return std::max(1, static_cast<int>(std::ceil(length / spacing * (1 - 1e-12)))); };
-  return {texture::box_of(domain), cells(domain.width()), cells(domain.height())};
+  return {box_of(domain), cells(domain.width()), cells(domain.height())};
 }
 
 CoarseFields coarse_grain(const Packing& packing, const Grid& grid, const CoarseGraining& choice) {
@@ -158,11 +201,6 @@ double shear_rate_at(const History& history, double time) {
   const auto k = static_cast<std::size_t>(after);
   const double span = (*times)[k] - (*times)[k - 1];
   return span > 0 ? ((*strain)[k] - (*strain)[k - 1]) / span : 0;
-}
-
-double mean_diameter(const Grains& grains) {
-  const double sum = std::accumulate(grains.radius.begin(), grains.radius.end(), 0.0);
-  return grains.size() == 0 ? 0 : 2 * sum / static_cast<double>(grains.size());
 }
 
 bool has_fields(const Packing& packing) {

@@ -89,9 +89,6 @@ CoarseFields coarse_grain(const Packing& packing, const Grid& grid, const Coarse
 /// How fast a stage sheared its cell at a time, 1/s, from its history; 0 where it did not.
 double shear_rate_at(const History& history, double time);
 
-/// Mean diameter of the grains, m; 0 without grains.
-double mean_diameter(const Grains& grains);
-
 /// Whether a state has what fields need: grains, a box and its thickness.
 bool has_fields(const Packing& packing);
 

@@ -5,35 +5,17 @@
 #include <string>
 
 #include "grains/texture/texture.hpp"
+#include "statistics/measured.hpp"
 
 namespace arenite::fields {
 namespace {
 
 /// Mean pull of the joined pairs that touch; 0 where none does.
 double pull_at_contact(const Packing& packing) {
-  double sum = 0;
-  std::size_t touching = 0;
-  for (const CohesivePair& pair : packing.cohesive) {
-    if (pair.gap > 0) continue;
-    sum += pair.pull;
-    ++touching;
-  }
-  return touching > 0 ? sum / static_cast<double>(touching) : 0;
-}
-
-struct Means {
-  double diameter = 0, mass = 0, area = 0;  ///< m, kg, m^2 of all grains
-};
-Means means_of(const Packing& packing) {
-  const Grains& grains = packing.grains;
-  Means means;
-  for (std::size_t g = 0; g < grains.size(); ++g) {
-    const double r = grains.radius[g], area = std::numbers::pi * r * r;
-    means.area += area;
-    means.diameter += 2 * r / static_cast<double>(grains.size());
-    means.mass += texture::mass_of(packing, g) / static_cast<double>(grains.size());
-  }
-  return means;
+  std::vector<double> pulls;
+  for (const CohesivePair& pair : packing.cohesive)
+    if (!acts_across_gap(pair)) pulls.push_back(pair.pull);
+  return pulls.empty() ? 0 : statistics::mean_of(pulls).value;
 }
 
 /// Mean pressure on the right and the upper side, Pa.
@@ -68,15 +50,14 @@ Numbers cohesion_numbers(const StageEnd& of) {
             {"pairs_apart", described(std::count_if(end.cohesive.begin(), end.cohesive.end(), acts_across_gap), "", "Of these, pairs that do not touch")}};
   const double pull = pull_at_contact(start), thickness = end.domain.thickness;
   if (!(pull > 0)) return {{"cohesion", j}};
-  const Means means = means_of(start);
-  const double load = stage.gravity ? means.mass * stage.gravity_size : pressure_on(start.domain) * means.diameter * thickness;
+  const double diameter = start.grains.mean_diameter(), grains = static_cast<double>(start.grains.size());
+  const double load = stage.gravity ? texture::mass_of(start) / grains * stage.gravity_size : pressure_on(start.domain) * diameter * thickness;
   j["pull_N"] = described(pull, "N", "Mean attraction of a pair in contact");
   if (load > 0) j["bond_number"] = described(pull / load, "", "Granular Bond number: this attraction over the load on a grain");
   if (const double strength = tensile_strength(result, stage, thickness); before && strength > 0) {
-    const double fraction = means.area / start.domain.area(),
-                 neighbours = 2.0 * static_cast<double>(start.cohesive.size()) / static_cast<double>(start.grains.size());
+    const double fraction = start.grains.area() / start.domain.area(), neighbours = 2.0 * static_cast<double>(start.cohesive.size()) / grains;
     j["tensile_strength_Pa"] = described(strength, "Pa", "Largest tension on a side that moves outward");
-    const double rumpf = fraction * neighbours * pull / (std::numbers::pi * means.diameter * thickness), pressure = pressure_on(start.domain);
+    const double rumpf = fraction * neighbours * pull / (std::numbers::pi * diameter * thickness), pressure = pressure_on(start.domain);
     j["rumpf_Pa"] = described(rumpf, "Pa", "Rumpf's estimate of the tensile strength");
     if (!(pressure > 0)) return {{"cohesion", j}};
     j["tensile_strength_over_pressure"] = described(strength / pressure, "", "Tensile strength over the pressure before");

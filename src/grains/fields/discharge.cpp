@@ -1,12 +1,11 @@
 #include "grains/fields/discharge.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
-#include "core/error.hpp"
+#include "core/problems.hpp"
+#include "geometry/rectangle.hpp"
 #include "grains/fields/steady_state.hpp"
 
 namespace arenite::fields {
@@ -15,10 +14,10 @@ namespace {
 constexpr std::size_t intervals = 400;  // that the time of flow is parted into: enough to find where it is steady, and for blocks within
 
 void check(const std::vector<double>& time, const std::vector<double>& passed) {
-  if (time.size() != passed.size()) throw InputError(fmt::format("there are {} times and {} amounts passed; give one a time", time.size(), passed.size()));
+  if (time.size() != passed.size()) throw refusal("there are {} times and {} amounts passed; give one a time", time.size(), passed.size());
   for (std::size_t k = 0; k < time.size(); ++k) {
-    if (!std::isfinite(time[k]) || !std::isfinite(passed[k])) throw InputError(fmt::format("row {} of what passed is not finite", k));
-    if (k > 0 && !(time[k] > time[k - 1])) throw InputError(fmt::format("time does not grow in row {} of what passed", k));
+    if (!std::isfinite(time[k]) || !std::isfinite(passed[k])) throw refusal("row {} of what passed is not finite", k);
+    if (k > 0 && !(time[k] > time[k - 1])) throw refusal("time does not grow in row {} of what passed", k);
   }
 }
 
@@ -31,17 +30,13 @@ double at(const std::vector<double>& time, const std::vector<double>& passed, do
   return passed[after - 1] + share * (passed[after] - passed[after - 1]);
 }
 
-double distance(Vec2 place, Vec2 a, Vec2 b) {
-  const Vec2 along = b - a;
-  return norm(place - (a + std::clamp(dot(place - a, along) / dot(along, along), 0.0, 1.0) * along));
-}
-
 /// From the points of one boundary to the segments of another.
 double shortest_way(const Boundary& from, const Boundary& to) {
   double least = HUGE_VAL;
   const std::size_t n = to.points.size();
   for (const Vec2& place : from.points)
-    for (std::size_t k = 0; k + (to.closed ? 0 : 1) < n; ++k) least = std::min(least, distance(place, to.points[k], to.points[(k + 1) % n]));
+    for (std::size_t k = 0; k + (to.closed ? 0 : 1) < n; ++k)
+      least = std::min(least, norm(place - geometry::nearest_on_segment(to.points[k], to.points[(k + 1) % n], place)));
   return least;
 }
 

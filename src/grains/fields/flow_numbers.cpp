@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
+#include <span>
 
 #include "grains/fields/discharge.hpp"
 #include "grains/fields/free_surface.hpp"
@@ -60,7 +60,7 @@ void put_mean_angle(Numbers& j, const StageResult& result, Vec2 gravity) {
 /// Way of the farther front, and beside the column that was there before. A front of grains is known to half a grain.
 void put_runout(Numbers& j, const FreeSurface& now, const FreeSurface& then) {
   const double width = then.right - then.left, way = std::max(now.right - then.right, then.left - now.left);
-  const double height = std::accumulate(then.height.begin(), then.height.end(), 0.0) / static_cast<double>(then.height.size()) - then.bottom;
+  const double height = statistics::mean_of(then.height).value - then.bottom;
   if (way > 0.5 * now.diameter) {
     j["runout_m"] = estimate(way, 0.5 * now.diameter, "m", "How far the farther front has moved");
     j["runout_over_width"] = estimate(way / width, 0.5 * now.diameter / width, "", "Run-out over the width before");
@@ -71,17 +71,10 @@ void put_runout(Numbers& j, const FreeSurface& now, const FreeSurface& then) {
   j["height_over_width"] = described((now.top - now.bottom) / width, "", "Height now over the width before the stage");
 }
 
-/// Mean of the second half of a column, and its error by the scatter of ten blocks: neighbours in time are not independent.
+/// Mean of the second half of a column by ten blocks.
 statistics::Measured late_mean(const History& history, const char* name) {
-  constexpr std::size_t blocks = 10;
   const std::vector<double>* values = history.find(name);
-  const std::size_t length = values ? values->size() / 2 / blocks : 0;
-  std::vector<double> means;
-  for (std::size_t b = 0; b < blocks && length > 0; ++b) {
-    const auto end = values->end() - static_cast<std::ptrdiff_t>(b * length);
-    means.push_back(std::accumulate(end - static_cast<std::ptrdiff_t>(length), end, 0.0) / static_cast<double>(length));
-  }
-  return statistics::mean_of(means);
+  return values ? mean_of_blocks(std::span(*values).last(values->size() / 2), 10) : statistics::Measured{};
 }
 
 /// What presses on the floor of a silo, and which share of their normal force its walls hold the filling back with.
@@ -91,17 +84,11 @@ void put_floor(Numbers& j, const StageResult& result, const FreeSurface& now, do
   const statistics::Measured force = late_mean(result.history, "bottom_force");
   const double sides = late_mean(result.history, "left_force").value + late_mean(result.history, "right_force").value, area = d.width() * d.thickness;
   if (!(force.value > 0) || !(sides > 0)) return;
-  const double height = std::accumulate(now.height.begin(), now.height.end(), 0.0) / static_cast<double>(now.height.size()) - now.bottom;
+  const double height = statistics::mean_of(now.height).value - now.bottom;
   j["height_m"] = described(height, "m", "Mean height of the filling");
   j["pressure_Pa"] = estimate(force.value, force.error, "Pa", "Pressure on the floor, mean of the second half of the stage", 1 / area);
   j["hydrostatic_Pa"] = described(weight / area, "Pa", "Weight of the filling over the floor's area");
   j["wall_friction"] = described((weight - force.value) / sides, "", "Weight that the walls carry over their normal force");
-}
-
-double weight_of(const Packing& packing, double gravity) {
-  double mass = 0;
-  for (std::size_t k = 0; k < packing.grains.size(); ++k) mass += texture::mass_of(packing, k);
-  return gravity * mass;
 }
 
 Numbers surface_numbers(const StageResult& result, const dem::Stage& stage, const Packing* before) {
@@ -138,7 +125,7 @@ Numbers flow_numbers(const StageEnd& end) {
   if (!stage.duration || stage.gravity_angle != 0) return j;
   Numbers floor = Numbers::tree();
   const Packing& packing = result.frames.back().packing;
-  put_floor(floor, result, find_free_surface(packing, {0, -1}), weight_of(packing, stage.gravity_size));
+  put_floor(floor, result, find_free_surface(packing, {0, -1}), stage.gravity_size * texture::mass_of(packing));
   if (!floor.empty()) j["floor"] = std::move(floor);
   return j;
 }

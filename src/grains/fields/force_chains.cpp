@@ -1,14 +1,12 @@
 #include "grains/fields/force_chains.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
-#include "core/error.hpp"
 #include "core/joined_sets.hpp"
+#include "core/problems.hpp"
 #include "grains/texture/texture.hpp"
 
 namespace arenite::fields {
@@ -111,7 +109,7 @@ std::vector<GrainCompression> grain_compressions(const Packing& packing) {
 
 ForceChains find_force_chains(const Packing& packing, const ChainOptions& options) {
   if (!(options.angle_deg > 0 && options.angle_deg < 90))
-    throw InputError(fmt::format("an angle of {:g} degrees in force chains; give one between 0 and 90", options.angle_deg));
+    throw refusal("an angle of {:g} degrees in force chains; give one between 0 and 90", options.angle_deg);
   const std::vector<GrainCompression> grains = grain_compressions(packing);
   ForceChains result;
   double sum = 0, loaded = 0;

@@ -1,13 +1,11 @@
 #include "grains/fields/free_surface.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "core/error.hpp"
 #include "core/joined_sets.hpp"
+#include "core/problems.hpp"
 #include "geometry/close_pairs.hpp"
 #include "statistics/correlation.hpp"
 #include "statistics/jackknife.hpp"
@@ -125,19 +123,13 @@ FreeSurface find_free_surface(const Packing& packing, Vec2 gravity, double gap) 
   const double g = norm(gravity);
   if (!(g > 0) || !std::isfinite(g)) throw InputError("gravity has no direction, so there is no surface; give one, for example straight down");
   if (packing.grains.size() == 0) throw InputError("there are no grains that could have a surface");
-  if (!(gap >= 0)) throw InputError(fmt::format("grains that hang together up to a gap of {:g} diameters make no sense; give 0 or more", gap));
+  if (!(gap >= 0)) throw refusal("grains that hang together up to a gap of {:g} diameters make no sense; give 0 or more", gap);
   FreeSurface surface;
   for (const double r : packing.grains.radius) surface.diameter += 2 * r / static_cast<double>(packing.grains.size());
   const Body body = body_of(packing, -1.0 / g * gravity, gap * surface.diameter);
   surface.grains = body.centre.size();
-  surface.left = surface.bottom = HUGE_VAL;
-  surface.right = surface.top = -HUGE_VAL;
-  for (std::size_t k = 0; k < body.centre.size(); ++k) {
-    surface.left = std::min(surface.left, body.centre[k].x - body.radius[k]);
-    surface.right = std::max(surface.right, body.centre[k].x + body.radius[k]);
-    surface.bottom = std::min(surface.bottom, body.centre[k].y - body.radius[k]);
-    surface.top = std::max(surface.top, body.centre[k].y + body.radius[k]);
-  }
+  const geometry::Rectangle around = geometry::bounds(body.centre, body.radius);
+  surface.left = around.x_min, surface.right = around.x_max, surface.bottom = around.y_min, surface.top = around.y_max;
   trace_rim(body, surface.diameter, surface);
   if (!surface.place.empty()) measure_flanks(surface);
   return surface;

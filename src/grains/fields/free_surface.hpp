@@ -15,7 +15,7 @@ struct Flank {
 };
 
 /// The surface of what hangs together, seen with gravity pointing down. Lengths along the horizontal and the vertical are counted from the
-/// frame's origin.
+/// container's origin.
 struct FreeSurface {
   std::vector<double> place, height;  ///< m; the highest rim above each of the columns, which are a mean diameter apart
   std::size_t grains = 0;             ///< that hang together

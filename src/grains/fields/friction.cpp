@@ -1,11 +1,9 @@
 #include "grains/fields/friction.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.hpp"
+#include "core/problems.hpp"
 #include "grains/texture/view.hpp"
 #include "model/periodic_images.hpp"
 #include "statistics/jackknife.hpp"
@@ -17,17 +15,17 @@ using statistics::unknown;
 
 void check(const FrictionOptions& options) {
   const double least = std::min(options.friction, options.wall_friction.value_or(options.friction));
-  if (!(least >= 0)) throw InputError(fmt::format("a friction coefficient of {:g}; give 0 or more", least));
+  if (!(least >= 0)) throw refusal("a friction coefficient of {:g}; give 0 or more", least);
   if (!(options.tolerance >= 0 && options.tolerance < 1))
-    throw InputError(fmt::format("contacts slide within {:g} of Coulomb's cap; give a share from 0 to below 1", options.tolerance));
-  if (options.bins < 1) throw InputError(fmt::format("{} bins; give at least one", options.bins));
+    throw refusal("contacts slide within {:g} of Coulomb's cap; give a share from 0 to below 1", options.tolerance);
+  if (options.bins < 1) throw refusal("{} bins; give at least one", options.bins);
 }
 
 /// Blocks of the box that contacts lie in; each its own where the box is not known or too small to be cut.
 std::vector<int> blocks_of(const Packing& packing) {
   const Contacts& contacts = packing.contacts;
   const bool known = packing.domain.width() > 0 && packing.domain.height() > 0;
-  const texture::BlockGrid blocks{texture::box_of(packing.domain), known ? texture::blocks_per_side(packing.grains.size()) : 1};
+  const texture::BlockGrid blocks{box_of(packing.domain), known ? texture::blocks_per_side(packing.grains.size()) : 1};
   std::vector<int> block(contacts.size());
   for (std::size_t c = 0; c < block.size(); ++c)
     block[c] = blocks.block_of(packing.domain.wrapped(packing.grains.position[contacts.i[c]] + contacts.lever_i(c)), c);

@@ -1,12 +1,9 @@
 #include "grains/fields/nonaffine.hpp"
 
-#include <fmt/core.h>
-
-#include <algorithm>
 #include <cmath>
 #include <span>
 
-#include "core/error.hpp"
+#include "core/problems.hpp"
 #include "model/periodic_images.hpp"
 #include "statistics/estimate.hpp"
 
@@ -29,7 +26,7 @@ Tensor2 cell_motion(const Domain& before, const Domain& after) {
 
 void check(const Packing& before, const Packing& after) {
   if (before.grains.size() != after.grains.size())
-    throw InputError(fmt::format("states of {} and {} grains; compare states of the same grains", before.grains.size(), after.grains.size()));
+    throw refusal("states of {} and {} grains; compare states of the same grains", before.grains.size(), after.grains.size());
   if (before.domain.periodic[0] != after.domain.periodic[0] || before.domain.periodic[1] != after.domain.periodic[1])
     throw InputError("one state is periodic along a side where the other has walls; compare states of one sample");
 }
@@ -69,17 +66,11 @@ Tensor2 best_gradient(std::span<const Vec2> from, std::span<const Vec2> to) {
           x.yx * inverse.xy + x.yy * inverse.yy};
 }
 
-Vec2 mean_of(const std::vector<Vec2>& points) {
-  Vec2 mean;
-  for (const Vec2 p : points) mean += p / static_cast<double>(points.size());
-  return mean;
-}
-
 }  // namespace
 
 LocalDeformation local_deformation(const Packing& before, const Packing& after, double range) {
   check(before, after);
-  if (!(range > 0)) throw InputError(fmt::format("neighbours within {:g} m; give a positive length", range));
+  if (!(range > 0)) throw refusal("neighbours within {:g} m; give a positive length", range);
   const Tensor2 motion = cell_motion(before.domain, after.domain);
   const auto list = neighbours_within(before, range);
   const std::size_t n = before.grains.size();
@@ -118,7 +109,7 @@ AffineFit affine_fit(const Packing& before, const Packing& after) {
     const Vec2 start = g == 0 ? after.grains.position[0] : to.front(), carried = start + times(motion, from[g] - from.front());
     to.push_back(carried + after.domain.nearest_image(after.grains.position[g] - carried));
   }
-  const Vec2 middle = mean_of(from), middle_after = mean_of(to);
+  const Vec2 middle = mean_point(from), middle_after = mean_point(to);
   for (Vec2& p : from) p = p - middle;
   for (Vec2& p : to) p = p - middle_after;
 

@@ -1,12 +1,11 @@
 #include "grains/fields/steady_state.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
-#include "core/error.hpp"
+#include "core/problems.hpp"
 
 namespace arenite::fields {
 namespace {
@@ -82,9 +81,19 @@ SteadyState block_average(std::span<const double> samples) {
   return state;
 }
 
+statistics::Measured mean_of_blocks(std::span<const double> samples, std::size_t blocks) {
+  const std::size_t length = samples.size() / blocks;
+  std::vector<double> means;
+  for (std::size_t b = 1; b <= blocks && length > 0; ++b) {
+    const auto block = samples.last(b * length).first(length);
+    means.push_back(std::accumulate(block.begin(), block.end(), 0.0) / static_cast<double>(length));
+  }
+  return statistics::mean_of(means);
+}
+
 SteadyState find_steady_state(std::span<const double> samples) {
   if (const auto bad = std::find_if(samples.begin(), samples.end(), [](double v) { return !std::isfinite(v); }); bad != samples.end())
-    throw InputError(fmt::format("sample {} of the time series is {}; give finite numbers", bad - samples.begin(), *bad));
+    throw refusal("sample {} of the time series is {}; give finite numbers", bad - samples.begin(), *bad);
   const std::size_t batches = samples.size() / batch, limit = batches / 2;
   // Batches fill the series from its end; what is left over at the start goes with the transient.
   const std::size_t cut = batches > 0 ? transient(Sums(samples).block_means(batch), limit) : 0;

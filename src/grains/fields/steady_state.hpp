@@ -25,6 +25,9 @@ struct SteadyState {
 /// than six blocks would be left.
 SteadyState block_average(std::span<const double> samples);
 
+/// Mean of so many equal blocks at the end of a series, its error by their scatter: neighbours in time are not independent.
+statistics::Measured mean_of_blocks(std::span<const double> samples, std::size_t blocks);
+
 /// Finds where the standard error of what remains, taken as if its batches were independent, is least (MSER-5: K. P. White, M. J. Cobb and
 /// S. C. Spratt, Proc. Winter Simulation Conf. 2000, 755), cuts twice as much, for what an exponential transient leaves there is a few
 /// tenths of the error still, and averages the rest. A series that drifts to its end is best cut at the limit, half of it, and so has not

@@ -1,7 +1,5 @@
 #include "grains/packing/bidisperse.hpp"
 
-#include <fmt/core.h>
-
 #include <cmath>
 #include <numbers>
 
@@ -55,10 +53,10 @@ void hand_over(const TwoClasses& classes, Grains& grains) {
 
 [[noreturn]] void refuse_few_small(const BidisperseParameters& p, const TwoClasses& classes) {
   const double small = p.large_radius / p.size_ratio;
-  throw InputError(fmt::format(
+  throw refusal(
       "the volume ratio theta of {:g} is out of reach: it leaves {} small disks, and {} are the fewest; "
       "this box reaches about {:.2g}, a larger one more",
-      p.volume_ratio, classes.disks.size() - classes.large, fewest_small, classes.area_large / (static_cast<double>(fewest_small) * pi * small * small)));
+      p.volume_ratio, classes.disks.size() - classes.large, fewest_small, classes.area_large / (static_cast<double>(fewest_small) * pi * small * small));
 }
 
 }  // namespace

@@ -1,24 +1,15 @@
 #include "grains/packing/fill.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
-#include "core/error.hpp"
+#include "core/problems.hpp"
 #include "core/random.hpp"
 #include "model/periodic_images.hpp"
 
 namespace arenite::packing {
 namespace {
-
-double disk_area(const Grains& grains) {
-  double area = 0;
-  for (const double r : grains.radius) area += std::numbers::pi * r * r;
-  return area;
-}
 
 /// Lengths are in units of the mean radius; stiffness and mass are 1.
 struct Relaxation {
@@ -29,11 +20,7 @@ struct Relaxation {
   std::vector<Vec2> force, velocity, listed_at;
   double largest_overlap = 0;
 
-  Relaxation(Grains& g, const Domain& d) : grains(g), domain(d) {
-    double sum = 0;
-    for (const double r : g.radius) sum += r;
-    unit = sum / static_cast<double>(g.size());
-    skin = 0.3 * unit;
+  Relaxation(Grains& g, const Domain& d) : grains(g), domain(d), unit(g.mean_diameter() / 2), skin(0.3 * unit) {
     force.resize(g.size());
     velocity.assign(g.size(), Vec2{});
     list_pairs();
@@ -156,7 +143,7 @@ RelaxReport relax(Grains& grains, const Domain& domain, double tolerance, int ma
   return report;
 }
 
-double height_for(const Grains& grains, double width, double solid_fraction) { return disk_area(grains) / (solid_fraction * width); }
+double height_for(const Grains& grains, double width, double solid_fraction) { return grains.area() / (solid_fraction * width); }
 
 RelaxReport fill_at_random(Grains& grains, const Domain& domain, std::uint64_t seed) {
   for (std::size_t i = 0; i < grains.size(); ++i) {
@@ -166,19 +153,19 @@ RelaxReport fill_at_random(Grains& grains, const Domain& domain, std::uint64_t s
                           random.uniform(domain.wall[bottom].position + my, domain.wall[top].position - my)};
   }
   constexpr double densest = 0.9069;  // equal disks in a triangular lattice
-  const double asked = disk_area(grains) / domain.area();
+  const double asked = grains.area() / domain.area();
   if (asked > densest)
-    throw InputError(
-        fmt::format("the grains cover {:.3g} times the area of the container and cannot fit; take fewer, or leave container.height out with a "
-                    "packing.solid_fraction of 0.80 or less",
-                    asked));
+    throw refusal(
+        "the grains cover {:.3g} times the area of the container and cannot fit; take fewer, or leave container.height out with a "
+        "packing.solid_fraction of 0.80 or less",
+        asked);
   const auto report = relax(grains, domain);
   if (report.overlap_after > 0.01)
-    throw InputError(
-        fmt::format("a random filling at solid fraction {:.3f} jams with overlaps of {:.1f} % of the radii; "
-                    "give it room (packing.solid_fraction of {:.2f} or less, or a larger container.height) and let a "
-                    "loading stage compact it",
-                    asked, 100 * report.overlap_after, std::min(0.80, std::floor(100 * asked) / 100 - 0.03)));
+    throw refusal(
+        "a random filling at solid fraction {:.3f} jams with overlaps of {:.1f} % of the radii; "
+        "give it room (packing.solid_fraction of {:.2f} or less, or a larger container.height) and let a "
+        "loading stage compact it",
+        asked, 100 * report.overlap_after, std::min(0.80, std::floor(100 * asked) / 100 - 0.03));
   return report;
 }
 
@@ -189,7 +176,7 @@ double fill_lattice(Grains& grains, const Domain& domain) {
   const int full = static_cast<int>(room);
   const int shifted = room - full >= 0.5 ? full : full - 1;
   if (full < 1 || (shifted < 1 && grains.size() > 1))
-    throw InputError(fmt::format("the container is {:g} m wide and holds no row of a lattice of {:g} m; widen container.width", domain.width(), site));
+    throw refusal("the container is {:g} m wide and holds no row of a lattice of {:g} m; widen container.width", domain.width(), site);
   std::size_t i = 0;
   double y = domain.wall[bottom].position + site / 2;
   for (int row = 0; i < grains.size(); ++row, y += rise) {

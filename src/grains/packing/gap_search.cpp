@@ -1,10 +1,8 @@
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "core/error.hpp"
+#include "core/problems.hpp"
 #include "grains/packing/bidisperse_steps.hpp"
 
 namespace arenite::packing {
@@ -103,10 +101,10 @@ class Search {
   bool done() const { return std::abs(least_) <= std::log1p(p_.tolerance); }
 
   [[noreturn]] void refuse() const {
-    throw InputError(
-        fmt::format("the volume ratio theta of {:g} is out of reach: in this box even the widest gap between large "
-                    "disks, {:.3g} of their mean radius, gives {:.3g}; ask for more or take a larger box",
-                    p_.volume_ratio, widest_ / p_.large_radius, p_.volume_ratio * std::exp(known_.back().excess)));
+    throw refusal(
+        "the volume ratio theta of {:g} is out of reach: in this box even the widest gap between large "
+        "disks, {:.3g} of their mean radius, gives {:.3g}; ask for more or take a larger box",
+        p_.volume_ratio, widest_ / p_.large_radius, p_.volume_ratio * std::exp(known_.back().excess));
   }
 
   const BidisperseParameters& p_;

@@ -1,21 +1,17 @@
 #include "grains/packing/population.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
-#include <vector>
 
-#include "core/error.hpp"
+#include "core/mapped.hpp"
+#include "core/problems.hpp"
 #include "core/random.hpp"
 
 namespace arenite::packing {
 
 void refuse_truncation(const UniformSizes& law, const char* name, const char* centre) {
-  throw InputError(
-      fmt::format("from {:g} to {:g} m the {} size law has almost none of its grains; move min and max apart, around its {}", law.min, law.max, name, centre));
+  throw refusal("from {:g} to {:g} m the {} size law has almost none of its grains; move min and max apart, around its {}", law.min, law.max, name, centre);
 }
 
 namespace {
@@ -47,7 +43,7 @@ std::vector<std::int64_t> counts_of(const std::vector<Population>& populations, 
 
 std::int32_t material_index(const Materials& materials, const std::string& name) {
   const std::size_t index = index_of(materials, name);
-  if (index == materials.size()) throw InputError(fmt::format("population of unknown material \"{}\"; add [materials.{}]", name, name));
+  if (index == materials.size()) throw refusal("population of unknown material \"{}\"; add [materials.{}]", name, name);
   return static_cast<std::int32_t>(index);
 }
 
@@ -125,9 +121,7 @@ std::int64_t mark_region(Grains& grains, const Domain& domain, const Region& reg
   for (std::size_t i = 0; i < grains.size(); ++i) d[i] = domain.nearest_image(grains.position[i] - centre);
   std::fill(grains.zone.begin(), grains.zone.end(), std::uint8_t{0});
   if (region.count) {
-    std::vector<std::size_t> nearest(grains.size());
-    std::iota(nearest.begin(), nearest.end(), std::size_t{0});
-    std::stable_sort(nearest.begin(), nearest.end(), [&](auto a, auto b) { return dot(d[a], d[a]) < dot(d[b], d[b]); });
+    const auto nearest = ordered_by(grains.size(), [&](std::size_t g) { return dot(d[g], d[g]); });
     const auto n = std::min<std::size_t>(nearest.size(), static_cast<std::size_t>(std::max<std::int64_t>(0, *region.count)));
     for (std::size_t k = 0; k < n; ++k) grains.zone[nearest[k]] = 1;
   } else {
@@ -137,9 +131,7 @@ std::int64_t mark_region(Grains& grains, const Domain& domain, const Region& reg
 }
 
 SizeCurve measured_size_curve(const Grains& grains, const Materials& materials, std::size_t most) {
-  std::vector<std::size_t> order(grains.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::sort(order, {}, [&](std::size_t g) { return grains.radius[g]; });
+  const auto order = ordered_by(grains.size(), [&](std::size_t g) { return grains.radius[g]; });
   const auto mass = [&](std::size_t g) { return materials[grains.material[g]].density * grains.radius[g] * grains.radius[g]; };
   double total = 0;
   for (const std::size_t g : order) total += mass(g);

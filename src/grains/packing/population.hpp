@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "grains/packing/shapes/grain_shapes.hpp"
+#include "grains/packing/grain_shapes.hpp"
 #include "grains/packing/size_laws/size_laws.hpp"
 #include "model/packing.hpp"
 

@@ -62,22 +62,14 @@ void put_relation(Numbers& to, const Estimate& beta, const Estimate& alpha) {
       "beta^2/((1 - alpha)(2 - alpha)); 1 where T eq. 1.5 holds");
 }
 
-void put_tail(Numbers& to, const statistics::ExponentialTail& tail) {
-  put(to, "beta", tail.beta, "", "Decay of values above the mean, P ~ exp(-beta x), by maximum likelihood");
-  put(to, "beta_error", tail.beta.error, "", "Standard error of beta");
-  put(to, "beta_line", tail.line_beta, "", "The same by a straight line through ln of the survival function");
+void put_tail(Numbers& to, const statistics::TailFit& tail) {
+  put(to, "beta", tail.slope, "", "Decay of values above the mean, P ~ exp(-beta x), by maximum likelihood");
+  put(to, "beta_error", tail.slope.error, "", "Standard error of beta");
+  put(to, "beta_line", tail.line_slope, "", "The same by a straight line through ln of the survival function");
   put(to, "line_r2", tail.line_r2, "", "Coefficient of determination of that line");
   put(to, "tail_count", tail.count, "", "Values above the mean");
   put(to, "log_likelihood_ratio", tail.likelihood_ratio, "", "ln L(exponential) - ln L(half-Gaussian)");
   put(to, "p_value", tail.p_value, "", "Probability that the exponential fits better by chance (Vuong's test, one-sided)");
-}
-
-/// The contacts of a set that push (sign = 1) or pull (sign = -1).
-Items of_sign(const View& view, const Items& items, double sign) {
-  Items kept;
-  for (const std::size_t c : items)
-    if (sign * view.pairs().fn[c] > 0) kept.push_back(c);
-  return kept;
 }
 
 }  // namespace
@@ -114,11 +106,11 @@ Numbers distribution(const Items& items, const std::vector<int>& block_of, const
   if (own_mean != 0) sorted = mapped(items, [&](std::size_t i) { return value[i] / own_mean; });
   std::sort(sorted.begin(), sorted.end());
   if (!sorted.empty()) put(j, "maximum", sorted.back(), "", "Largest value over the mean");
-  const statistics::ExponentialTail tail = statistics::exponential_tail(sorted);
+  const statistics::TailFit tail = statistics::exponential_tail(sorted);
   const Estimate alpha = weak_exponent(sorted);
   put_tail(j, tail);
   put(j, "alpha", alpha, "", "Exponent of values below the mean, P ~ x^-alpha, by maximum likelihood");
-  put_relation(j, tail.beta, alpha);
+  put_relation(j, tail.slope, alpha);
   j["pdf"] = density(sorted);
   const Numbers cumulative = survival_function(sorted);
   for (double& x : sorted) x *= own_mean / mean_of_all;
@@ -141,9 +133,9 @@ void forces(const View& view, Texture& texture) {
   double mean_pull = 0;
   Numbers compressive = Numbers::tree(), tensile = Numbers::tree();
   for (const auto& [name, items] : sets) {
-    if (const Items pushing = of_sign(view, items, 1); !pushing.empty())
+    if (const Items pushing = kept(items, [&](std::size_t c) { return push[c] > 0; }); !pushing.empty())
       place_of(name, compressive, "by_type").update(distribution(pushing, view.contact_block, push, view.mean_force, names));
-    const Items pulling = of_sign(view, items, -1);
+    const Items pulling = kept(items, [&](std::size_t c) { return pull[c] > 0; });
     if (pulling.empty()) continue;
     if (name == "all")
       for (const std::size_t c : pulling) mean_pull += pull[c] / static_cast<double>(pulling.size());

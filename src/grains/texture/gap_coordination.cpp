@@ -1,9 +1,7 @@
-#include <fmt/core.h>
-
 #include <array>
 #include <vector>
 
-#include "core/error.hpp"
+#include "core/problems.hpp"
 #include "grains/texture/view.hpp"
 #include "model/periodic_images.hpp"
 
@@ -42,7 +40,7 @@ std::vector<double> means(const std::vector<double>& sums) {
 }  // namespace
 
 Numbers gap_coordination(const Packing& packing, double gap, int large, int small, const std::optional<geometry::Rectangle>& window) {
-  if (!(gap >= 0)) throw InputError(fmt::format("neighbours up to a surface gap of {:g} m; give 0 or more", gap));
+  if (!(gap >= 0)) throw refusal("neighbours up to a surface gap of {:g} m; give 0 or more", gap);
   if (large == small) throw InputError("large and small grains are of one material; give each class its own");
   const PeriodicImages images = images_of(packing.grains, packing.domain, gap);
   const auto neighbours = count_neighbours(packing, images, gap, {large, small});

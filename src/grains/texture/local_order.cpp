@@ -30,10 +30,8 @@ struct Six {
 /// psi_6 over contacts, and the share of grains that stand in a triangular lattice of their own material (T 4.3).
 void local_order(const View& view, Texture& texture) {
   const Six any(view, [](std::size_t, std::size_t) { return true; });
-  Items touching;
   for (std::size_t g = 0; g < view.packing.grains.size(); ++g) texture.per_grain.psi6.push_back(any.psi(g));
-  for (const std::size_t g : view.grains)
-    if (any.count[g] > 0) touching.push_back(g);
+  const Items touching = kept(view.grains, [&](std::size_t g) { return any.count[g] > 0; });
   const Six like(view, [&](std::size_t i, std::size_t j) { return view.material(i) == view.material(j); });
   const auto stands_in_lattice = [&](std::size_t g) { return like.count[g] >= 5 && like.psi(g) > 0.9 ? 1.0 : 0.0; };
   ByName<Estimate> ordered;

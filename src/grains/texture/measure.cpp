@@ -1,10 +1,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <numbers>
 #include <utility>
 
-#include "core/error.hpp"
+#include "core/problems.hpp"
 #include "core/text.hpp"
 #include "grains/texture/view.hpp"
 
@@ -18,7 +17,6 @@ namespace {
 void sample(const View& view, Texture& texture) {
   const Contacts& contacts = view.pairs();
   const auto walls = static_cast<std::size_t>(std::ranges::count_if(contacts.j, arenite::is_wall));
-  texture.considered_grains = view.grains.size();
   texture.window = view.window;
   texture.mean_diameter = view.mean_diameter;
   texture.per_grain.considered = view.considered;
@@ -62,9 +60,8 @@ void check_widths(const Packing& packing) {
   for (std::size_t g = 0; g < grains.size(); ++g)
     for (const auto& [periodic, side] : {std::pair(d.periodic[0], d.width()), std::pair(d.periodic[1], d.height())})
       if (periodic && side > 0 && !(2 * grains.radius[g] <= (1 + 1e-9) * side))
-        throw InputError(
-            fmt::format("grain {} is {:.4g} m wide in a periodic cell of {:.4g} m, so that it would cover itself; correct the unit of the radii, or the cell",
-                        grains.id[g], 2 * grains.radius[g], side));
+        throw refusal("grain {} is {:.4g} m wide in a periodic cell of {:.4g} m, so that it would cover itself; correct the unit of the radii, or the cell",
+                      grains.id[g], 2 * grains.radius[g], side);
 }
 
 }  // namespace
@@ -73,7 +70,7 @@ Texture measure(const Packing& packing, const Options& options) {
   check_widths(packing);
   const std::size_t measured = options.grain_sigma_hyd.size();
   if (measured > 0 && measured != packing.grains.size())
-    throw InputError(fmt::format("sigma_hyd has {} values for {} grains; give one a grain, NaN where it is not known", measured, packing.grains.size()));
+    throw refusal("sigma_hyd has {} values for {} grains; give one a grain, NaN where it is not known", measured, packing.grains.size());
   Texture texture;
   const View view(packing, options);
   for (Statistic* statistic : statistics) statistic(view, texture);

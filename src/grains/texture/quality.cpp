@@ -43,14 +43,9 @@ double median_resultant(const View& view) {
   return 0.5 * (resultants[(n - 1) / 2] + resultants[n / 2]);
 }
 
-const char* why_they_pull(Pull pull) {
-  switch (pull) {
-    case Pull::adhesion: return "the adhesion of glued grains does";
-    case Pull::dashpots: return "the damping of contacts that are opening does (contact.attractive_dashpot = true)";
-    case Pull::measured: break;
-  }
-  return "measured in a sample without cohesion that is an error of measurement";
-}
+/// Why some forces pull, in the order of Pull.
+constexpr const char* reasons[] = {"measured in a sample without cohesion that is an error of measurement", "the adhesion of glued grains does",
+                                   "the damping of contacts that are opening does (contact.attractive_dashpot = true)"};
 
 /// Largest |F_t|/F_n of contacts that push, and the share of contacts that come within 0.001 of it.
 void put_friction(Numbers& to, const View& view) {
@@ -79,7 +74,8 @@ void quality(const View& view, Texture& texture) {
       "Share of contacts with negative normal force");
   put(j, "median_imbalance", imbalance, "", "Median |sum F| of grains with at least 3 contacts over the mean force");
   put_friction(j, view);
-  if (negative > 0) texture.notes.push_back(fmt::format("{} of {} normal forces pull; {}.", negative, contacts, why_they_pull(view.options.pull)));
+  if (negative > 0)
+    texture.notes.push_back(fmt::format("{} of {} normal forces pull; {}.", negative, contacts, reasons[static_cast<std::size_t>(view.options.pull)]));
   double largest = 0;
   for (const std::size_t c : view.contacts) largest = std::max(largest, force[c]);
   if (largest > 50 * view.mean_force && view.mean_force > 0)

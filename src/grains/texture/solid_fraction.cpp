@@ -51,9 +51,10 @@ std::vector<double> fractions(const Packing& packing, double side, int places, R
 /// Windows of the box's shape, from a twentieth of its side to 0.98 of it in equal steps of side, at random places in the whole box (T Fig. 3.6 keeps
 /// the border, and shows its effect at the largest windows). Large windows overlap and know one sample only: to the error of the finite number of
 /// places that of the sample itself is added, from its blocks.
-void measure_rev(const View& view, Texture& texture) {
+void rev(const View& view, Texture& texture) {
   if (!view.has_box || view.packing.grains.size() == 0) return;
   const int sizes = view.options.rev_sizes, places = view.options.rev_places;
+  Rev& r = texture.rev;
   for (int s = 0; s < sizes; ++s) {
     const double side = 0.05 + (0.98 - 0.05) * (sizes > 1 ? static_cast<double>(s) / (sizes - 1) : 1);
     double sum = 0, squares = 0;
@@ -63,17 +64,12 @@ void measure_rev(const View& view, Texture& texture) {
     }
     const double mean = sum / places;
     const double deviation = places > 1 ? std::sqrt(std::max(0.0, (squares - places * mean * mean) / (places - 1))) : unknown;
-    texture.rev.area_share.push_back(side * side);
-    texture.rev.mean.push_back(mean);
-    texture.rev.deviation.push_back(deviation);
-    texture.rev.error.push_back(std::hypot(deviation / std::sqrt(static_cast<double>(places)), texture.solid_fraction.error));
+    r.area_share.push_back(side * side);
+    r.mean.push_back(mean);
+    r.deviation.push_back(deviation);
+    r.error.push_back(std::hypot(deviation / std::sqrt(static_cast<double>(places)), texture.solid_fraction.error));
   }
-}
-
-void rev(const View& view, Texture& texture) {
-  measure_rev(view, texture);
-  const Rev& r = texture.rev;
-  if (!r.mean.empty()) texture.numbers["rev"] = {{"area_share", r.area_share}, {"mean", r.mean}, {"deviation", r.deviation}, {"error", r.error}};
+  texture.numbers["rev"] = {{"area_share", r.area_share}, {"mean", r.mean}, {"deviation", r.deviation}, {"error", r.error}};
 }
 
 std::vector<double> window_fractions(const Packing& packing, double area_share, int places, std::uint64_t seed) {

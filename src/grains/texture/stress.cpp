@@ -45,12 +45,13 @@ statistics::TensorEstimate whole_stress(const View& view) {
   const BlockGrid blocks{box_of(domain), std::max(2, view.blocks.per_side)};
   const double volume = domain.area() * domain.thickness;
   std::vector<Tensor2> density(static_cast<std::size_t>(blocks.count()));
-  for (std::size_t c = 0; c < view.pairs().size(); ++c) density[blocks.block_of(view.contact_point(c))] += blocks.count() / volume * moment_of(view.pairs(), c);
-  each_link(view.packing,
-            [&](const auto& link) { density[blocks.block_of(middle_of(view.packing, link))] += blocks.count() / volume * moment_of(view.packing, link); });
+  const auto add = [&](Vec2 place, const Tensor2& moment, Tensor2& sum) {
+    density[blocks.block_of(place)] += blocks.count() / volume * moment;
+    sum += moment;
+  };
   Tensor2 sum, links;
-  for (std::size_t c = 0; c < view.pairs().size(); ++c) sum += moment_of(view.pairs(), c);
-  each_link(view.packing, [&](const auto& link) { links += moment_of(view.packing, link); });
+  for (std::size_t c = 0; c < view.pairs().size(); ++c) add(view.contact_point(c), moment_of(view.pairs(), c), sum);
+  each_link(view.packing, [&](const auto& link) { add(middle_of(view.packing, link), moment_of(view.packing, link), links); });
   sum += links;
   return {1 / volume * sum, block_error(density)};
 }
@@ -157,6 +158,12 @@ double mass_of(const Packing& packing, std::size_t g) {
   const double r = packing.grains.radius[g];
   const double density = packing.materials.at(packing.grains.material[g]).density;
   return density * std::numbers::pi * r * r * packing.domain.thickness;
+}
+
+double mass_of(const Packing& packing) {
+  double mass = 0;
+  for (std::size_t g = 0; g < packing.grains.size(); ++g) mass += mass_of(packing, g);
+  return mass;
 }
 
 double deviator(const Tensor2& s) { return 0.5 * std::hypot(s.xx - s.yy, s.xy + s.yx); }

@@ -57,7 +57,6 @@ struct PerGrain {
 
 /// Everything known of a packing's texture.
 struct Texture {
-  std::size_t considered_grains = 0;  ///< in the window
   Window window;
   double mean_diameter = 0;  ///< m
   Estimate solid_fraction;
@@ -95,8 +94,9 @@ std::vector<Tensor2> grain_stresses(const Packing& packing);
 /// Half the difference of the principal values, of the symmetric part.
 double deviator(const Tensor2& stress);
 
-/// Mass of a grain by its material's density, kg.
+/// Mass of a grain by its material's density, kg; and of all.
 double mass_of(const Packing& packing, std::size_t grain);
+double mass_of(const Packing& packing);
 
 /// Numbers of grains of two classes, large and small, and mean numbers of neighbours a grain, which are grains whose surfaces are no farther apart than a
 /// given gap (P eqs. 8, 9 and Fig. 5; there the gap is the peridynamic horizon): "Z_ls" small neighbours of a large grain, Z_l = Z_ll + Z_ls, Z_s = Z_sl +

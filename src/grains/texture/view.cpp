@@ -1,12 +1,7 @@
 #include "grains/texture/view.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <iterator>
 #include <numbers>
 #include <set>
-
-#include "model/periodic_images.hpp"
 
 namespace arenite::texture {
 namespace {
@@ -94,12 +89,8 @@ std::vector<std::uint8_t> loose_grains(const Packing& packing, int least, const 
   return loose;
 }
 
-geometry::Rectangle box_of(const Domain& d) { return {d.wall[left].position, d.wall[right].position, d.wall[bottom].position, d.wall[top].position}; }
-
 Items known(const Items& items, const std::vector<double>& values) {
-  Items found;
-  std::copy_if(items.begin(), items.end(), std::back_inserter(found), [&](std::size_t item) { return std::isfinite(values[item]); });
-  return found;
+  return kept(items, [&](std::size_t item) { return std::isfinite(values[item]); });
 }
 
 double mean_of_known(const Items& items, const std::vector<double>& values) {
@@ -112,9 +103,9 @@ double mean_of_known(const Items& items, const std::vector<double>& values) {
 
 double covered_area(const Domain& domain, Vec2 centre, double radius, const geometry::Rectangle& window) {
   if (!domain.is_cell()) return geometry::disk_window_area(centre, radius, window);
-  const geometry::Rectangle extent{centre.x - radius, centre.x + radius, centre.y - radius, centre.y + radius};
   double area = 0;
-  for_each_image(domain, extent, window, [&](const ImageShift& image) { area += geometry::disk_window_area(centre + image.shift, radius, window); });
+  for_each_image(domain, geometry::square_about(centre, radius), window,
+                 [&](const ImageShift& image) { area += geometry::disk_window_area(centre + image.shift, radius, window); });
   return area;
 }
 
@@ -123,8 +114,7 @@ View::View(const Packing& p, const Options& o) : packing(p), options(o) {
   const Grains& all = packing.grains;
   has_box = domain.width() > 0 && domain.height() > 0;
   has_thickness = domain.thickness > 0;
-  for (const double r : all.radius) mean_diameter += 2 * r;
-  if (all.size() > 0) mean_diameter /= static_cast<double>(all.size());
+  mean_diameter = all.mean_diameter();
 
   window = inner_window(domain, options.border * mean_diameter, has_box);
   const auto inside = [&](Vec2 q) {
@@ -146,19 +136,14 @@ View::View(const Packing& p, const Options& o) : packing(p), options(o) {
 
   blocks = {bounds_of(*this), blocks_per_side(grains.size())};
   for (std::size_t g = 0; g < all.size(); ++g) grain_block.push_back(blocks.block_of(domain.wrapped(all.position[g]), g));
-  double sum = 0;
-  std::size_t pushing = 0;
   for (std::size_t c = 0; c < pairs().size(); ++c) {
     const Vec2 point = contact_point(c);
     contact_block.push_back(blocks.block_of(point, c));
-    if (pairs().is_wall(c) || !inside(point)) continue;
-    contacts.push_back(c);
-    if (pairs().fn[c] > 0) {
-      sum += pairs().fn[c];
-      ++pushing;
-    }
+    if (!pairs().is_wall(c) && inside(point)) contacts.push_back(c);
   }
-  mean_force = pushing > 0 ? sum / static_cast<double>(pushing) : 0;
+  const Items pushing = kept(contacts, [&](std::size_t c) { return pairs().fn[c] > 0; });
+  for (const std::size_t c : pushing) mean_force += pairs().fn[c];
+  if (!pushing.empty()) mean_force /= static_cast<double>(pushing.size());
   load_axis = options.load_axis.value_or(compression_axis(packing));
 }
 
@@ -172,10 +157,7 @@ std::string View::material_name(int m) const {
 std::vector<int> View::materials() const { return present(grains, packing.grains.material); }
 
 Items View::grains_of(int m) const {
-  Items found;
-  for (const std::size_t g : grains)
-    if (material(g) == m) found.push_back(g);
-  return found;
+  return kept(grains, [&](std::size_t g) { return material(g) == m; });
 }
 
 ByName<Items> contacts_by_type(const View& view) {
@@ -183,11 +165,9 @@ ByName<Items> contacts_by_type(const View& view) {
   for (const Sorting& by : sortings(view))
     for (std::size_t a = 0; a < by.kinds.size(); ++a)
       for (std::size_t b = a; b < by.kinds.size(); ++b) {
-        Items items;
-        for (const std::size_t c : view.contacts) {
-          const int i = by.kind[view.pairs().i[c]], j = by.kind[view.pairs().j[c]];
-          if (std::min(i, j) == by.kinds[a] && std::max(i, j) == by.kinds[b]) items.push_back(c);
-        }
+        Items items = kept(view.contacts, [&](std::size_t c) {
+          return std::minmax({by.kind[view.pairs().i[c]], by.kind[view.pairs().j[c]]}) == std::pair(by.kinds[a], by.kinds[b]);
+        });
         if (!items.empty()) sets.emplace_back(by.names[a] + "-" + by.names[b], std::move(items));
       }
   return sets;
@@ -196,10 +176,8 @@ ByName<Items> contacts_by_type(const View& view) {
 ByName<Items> grains_by_type(const View& view) {
   ByName<Items> sets{{"all", view.grains}};
   for (const Sorting& by : sortings(view))
-    for (std::size_t k = 0; k < by.kinds.size(); ++k) {
-      Items& items = sets.emplace_back(by.names[k], Items{}).second;
-      std::copy_if(view.grains.begin(), view.grains.end(), std::back_inserter(items), [&](std::size_t g) { return by.kind[g] == by.kinds[k]; });
-    }
+    for (std::size_t k = 0; k < by.kinds.size(); ++k)
+      sets.emplace_back(by.names[k], kept(view.grains, [&](std::size_t g) { return by.kind[g] == by.kinds[k]; }));
   return sets;
 }
 

@@ -2,12 +2,13 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <string>
 #include <vector>
 
 #include "geometry/rectangle.hpp"
 #include "grains/texture/texture.hpp"
-#include "model/packing.hpp"
+#include "model/periodic_images.hpp"
 #include "statistics/jackknife.hpp"
 
 namespace arenite::texture {
@@ -87,15 +88,19 @@ ByName<Items> grains_by_type(const View& view);
 /// that leans on one of them alone is one too.
 std::vector<std::uint8_t> loose_grains(const Packing& packing, int least, const std::function<bool(std::size_t)>& counts);
 
+/// The items that something holds for.
+template <class Holds> Items kept(const Items& items, const Holds& holds) {
+  Items some;
+  std::ranges::copy_if(items, std::back_inserter(some), holds);
+  return some;
+}
+
 /// The items whose value is known, and the mean over these; NaN if there are none.
 Items known(const Items& items, const std::vector<double>& values);
 double mean_of_known(const Items& items, const std::vector<double>& values);
 
 /// Area of a disk inside a rectangle, periodic images of the disk included.
 double covered_area(const Domain& domain, Vec2 centre, double radius, const geometry::Rectangle& window);
-
-/// The box as a rectangle.
-geometry::Rectangle box_of(const Domain& domain);
 
 /// Exponent alpha of the power law k x^-alpha of the weak values, 0 < x < 1, by maximum likelihood, with its error (1 - alpha)/sqrt(n).
 Estimate weak_exponent(const std::vector<double>& sorted);
@@ -113,11 +118,9 @@ Numbers distribution(const Items& items, const std::vector<int>& block_of, const
 /// Where the numbers of a set go: those of "all" stand by themselves, those of the others in a group.
 inline Numbers& place_of(const std::string& set, Numbers& to, const char* group) { return set == "all" ? to : to[group][set]; }
 
-/// The REV study of texture.hpp by itself.
-void measure_rev(const View& view, Texture& texture);
-
 /// A statistic, one file each; the list is in measure.cpp. It puts its numbers among Texture::numbers, each with its unit and what it is. What it
 /// cannot compute it leaves out, with a note that says why.
 using Statistic = void(const View& view, Texture& texture);
+Statistic rev;  ///< by itself, too
 
 }  // namespace arenite::texture

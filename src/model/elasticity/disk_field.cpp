@@ -4,8 +4,6 @@
 #include <array>
 #include <numbers>
 
-#include "geometry/rectangle.hpp"
-
 namespace arenite::elasticity {
 namespace {
 
@@ -85,17 +83,6 @@ Vec2 integral_over_square(Vec2 rho, double side) {
 /// From this many sides on, the mean of a harmonic function over a square is its value in the middle, to 1e-7.
 constexpr double far = 20;
 
-double integral_inside(const Disk& disk, Vec2 centre, double side) {
-  double sum = 0;
-  for (const RimForce& f : disk.forces)
-    each_point(disk, f, centre, [&](double share, Vec2 rho, Vec2) {
-      const double square = dot(rho, rho);
-      const Vec2 integral = square > far * far * side * side ? (side * side / square) * rho : integral_over_square(rho, side);
-      sum += share * dot(force_of(f), integral);
-    });
-  return (-2 * sum + side * side * inward_sum(disk) / disk.radius) / (std::numbers::pi * disk.length);
-}
-
 }  // namespace
 
 double sigma_kk(const Disk& disk, Vec2 x) {
@@ -104,45 +91,15 @@ double sigma_kk(const Disk& disk, Vec2 x) {
   return (-2 * sum + inward_sum(disk) / disk.radius) / (std::numbers::pi * disk.length);
 }
 
-Stress stress(const Disk& disk, Vec2 x) {
-  Stress s;
-  Vec2 total;
-  const double scale = 2 / (std::numbers::pi * disk.length);
-  for (const RimForce& f : disk.forces) {
-    total += force_of(f);
-    each_point(disk, f, x, [&](double share, Vec2 rho, Vec2) {
-      const double square = dot(rho, rho), radial = -scale * share * dot(force_of(f), rho) / (square * square);
-      s.xx += radial * rho.x * rho.x;
-      s.yy += radial * rho.y * rho.y;
-      s.xy += radial * rho.x * rho.y;
-    });
-  }
-  const double isotropic = scale * inward_sum(disk) / (4 * disk.radius);
-  const Vec2 body = -1 / (std::numbers::pi * disk.radius * disk.radius * disk.length) * total;
-  s.xx += isotropic - 0.5 * (body.x * x.x - body.y * x.y);
-  s.yy += isotropic + 0.5 * (body.x * x.x - body.y * x.y);
-  s.xy -= 0.5 * (body.x * x.y + body.y * x.x);
-  return s;
-}
-
-double square_mean(const Disk& disk, Vec2 centre, double side) { return integral_inside(disk, centre, side) / (side * side); }
-
-double square_integral(const Disk& disk, Vec2 centre, double side, int depth) {
-  const Vec2 farthest{std::abs(centre.x) + side / 2, std::abs(centre.y) + side / 2};
-  if (norm(farthest) <= disk.radius) return integral_inside(disk, centre, side);
-  const Vec2 nearest{std::max(0.0, std::abs(centre.x) - side / 2), std::max(0.0, std::abs(centre.y) - side / 2)};
-  if (norm(nearest) >= disk.radius) return 0;
-  if (depth <= 0) {
-    const double half = side / 2, inside = std::min(1.0, (disk.radius - side / 4) / norm(centre));
-    const double area = geometry::disk_window_area({0, 0}, disk.radius, {centre.x - half, centre.x + half, centre.y - half, centre.y + half});
-    return area * sigma_kk(disk, inside * centre);
-  }
+double square_mean(const Disk& disk, Vec2 centre, double side) {
   double sum = 0;
-  for (const double dx : {-0.25, 0.25})
-    for (const double dy : {-0.25, 0.25}) sum += square_integral(disk, centre + Vec2{dx * side, dy * side}, side / 2, depth - 1);
-  return sum;
+  for (const RimForce& f : disk.forces)
+    each_point(disk, f, centre, [&](double share, Vec2 rho, Vec2) {
+      const double square = dot(rho, rho);
+      const Vec2 integral = square > far * far * side * side ? (side * side / square) * rho : integral_over_square(rho, side);
+      sum += share * dot(force_of(f), integral);
+    });
+  return (-2 * sum + side * side * inward_sum(disk) / disk.radius) / (std::numbers::pi * disk.length) / (side * side);
 }
-
-double mean_sigma_kk(const Disk& disk) { return -inward_sum(disk) / (std::numbers::pi * disk.radius * disk.length); }
 
 }  // namespace arenite::elasticity

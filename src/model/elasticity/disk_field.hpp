@@ -29,27 +29,12 @@ struct Disk {
   Traction traction = Traction::point;
 };
 
-/// Symmetric plane tensor, tension positive, Pa.
-struct Stress {
-  double xx = 0, yy = 0, xy = 0;
-};
-
-/// sigma_xx + sigma_yy at a point inside the disk or on its rim, Pa; tension positive. Grows as 1/distance towards a point force; a spread force is
+/// sigma_xx + sigma_yy at a point inside the disk or on its rim, Pa; tension positive: at the centre the mean over every concentric disk. Grows as 1/distance towards a point force; a spread force is
 /// exact to 1e-4 of itself from a tenth of the arc's half length on.
 double sigma_kk(const Disk& disk, Vec2 x);
 
-/// All components at a point inside the disk. A couple that the forces leave is not balanced: it would shear the rim, without a part in sigma_kk.
-Stress stress(const Disk& disk, Vec2 x);
-
 /// Mean of sigma_kk over a square that lies in the disk, by closed form, as a pixel sees it, Pa.
 double square_mean(const Disk& disk, Vec2 centre, double side);
-
-/// Integral of sigma_kk over the part of a square that lies in the disk, N: closed form where the square lies inside, halved `depth` times where the
-/// rim cuts it.
-double square_integral(const Disk& disk, Vec2 centre, double side, int depth = 5);
-
-/// Mean of sigma_kk over every concentric disk, and over the whole: -(sum of fn)/(pi radius length), Pa.
-double mean_sigma_kk(const Disk& disk);
 
 /// r_eff of two disks in the geometrical adhesion gamma sqrt(r_eff h) (T eq. 1.22). Equal cylinders, as the thesis pulled apart, do not tell the
 /// three forms apart.

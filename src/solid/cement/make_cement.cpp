@@ -1,10 +1,9 @@
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
 
+#include "core/mapped.hpp"
 #include "core/problems.hpp"
 #include "core/root.hpp"
 #include "geometry/meniscus.hpp"
@@ -145,10 +144,10 @@ class Maker {
     };
     const double high = high_enough(excess), most = excess(high);
     if (most < -1e-9)
-      throw InputError(
-          fmt::format("a matrix saturation of {:g} cannot be reached: this cement fills more than 0, at most {:.4f}, of the space between "
-                      "grains; ask for less, widen its gap, or take another kind",
-                      saturation, most + saturation));
+      throw refusal(
+          "a matrix saturation of {:g} cannot be reached: this cement fills more than 0, at most {:.4f}, of the space between "
+          "grains; ask for less, widen its gap, or take another kind",
+          saturation, most + saturation);
     if (most <= 0) return high;
     return bracketed_root<double>(excess, 0, -saturation, high, most);
   }
@@ -163,11 +162,17 @@ class Maker {
 }  // namespace
 
 Areas exact_areas(const PlacedCement& placed, const Window& window) {
-  auto outlines = grain_outlines(placed);
+  using geometry::Outline;
+  auto outlines = mapped(placed.grains, [](const auto& grain) { return Outline::disk(grain.centre, grain.radius); });
   const double particle = geometry::union_area(outlines, placed.window);
-  const auto matrix = matrix_outlines(placed);
-  outlines.insert(outlines.end(), matrix.begin(), matrix.end());
-  const double solid = placed.full ? window.area() : matrix.empty() ? particle : geometry::union_area(outlines, placed.window);
+  if (placed.full) return {window.area(), particle, std::max(0.0, window.area() - particle)};
+  if (placed.coating > 0)
+    for (const auto& grain : placed.grains) outlines.push_back(Outline::disk(grain.centre, grain.radius + placed.coating));
+  for (const auto& neck : placed.necks) {
+    const auto of_neck = outlines_of(neck);
+    outlines.insert(outlines.end(), of_neck.begin(), of_neck.end());
+  }
+  const double solid = outlines.size() == placed.grains.size() ? particle : geometry::union_area(outlines, placed.window);
   return {window.area(), particle, std::max(0.0, solid - particle)};
 }
 

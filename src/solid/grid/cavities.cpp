@@ -1,9 +1,7 @@
-#include <fmt/core.h>
-
 #include <algorithm>
 
-#include "core/error.hpp"
 #include "core/joined_sets.hpp"
+#include "core/problems.hpp"
 #include "model/packing.hpp"
 #include "solid/grid/cavities.hpp"
 
@@ -81,7 +79,7 @@ Components find_components(const PhaseMap& map, Flooded phases, bool eight_conne
 }  // namespace
 
 Cavities find_cavities(const PhaseMap& map, Cavity kind, const CavityRules& rules) {
-  if (rules.fewest_nodes < 0) throw InputError(fmt::format("the smallest number of nodes of a cavity is {}; give 1 or more", rules.fewest_nodes));
+  if (rules.fewest_nodes < 0) throw refusal("the smallest number of nodes of a cavity is {}; give 1 or more", rules.fewest_nodes);
   Components all = find_components(map, kind == Cavity::pore ? Flooded::pores : Flooded::voids, rules.eight_connected);
   Cavities cavities;
   cavities.rules = rules;

@@ -1,13 +1,10 @@
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <numbers>
 
-#include "core/error.hpp"
 #include "core/mapped.hpp"
+#include "core/problems.hpp"
 #include "solid/grid/cavities.hpp"
 
 namespace arenite::grid {
@@ -96,7 +93,7 @@ double kernel_width(const std::vector<double>& sorted) {
 
 CavityStatistics cavity_statistics(const Cavities& cavities, double dx, double large_radius) {
   if (!(dx > 0 && large_radius > 0 && std::isfinite(dx) && std::isfinite(large_radius)))
-    throw InputError(fmt::format("volumes need a positive node spacing and mean large radius, not {:g} and {:g} m", dx, large_radius));
+    throw refusal("volumes need a positive node spacing and mean large radius, not {:g} and {:g} m", dx, large_radius);
   CavityStatistics s;
   s.rules = cavities.rules;
   s.count = cavities.nodes.size(), s.specks = cavities.specks, s.cut = cavities.cut;
@@ -124,7 +121,7 @@ PhaseFractions phase_fractions(const PhaseMap& map) {
 }
 
 double density_peak(const std::vector<double>& volumes) {
-  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  using statistics::unknown;
   if (volumes.size() < 2) return unknown;
   std::vector<double> logarithm;
   for (const double v : volumes) logarithm.push_back(std::log(v));

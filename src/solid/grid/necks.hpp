@@ -1,12 +1,13 @@
 #pragma once
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 #include "core/vec.hpp"
 #include "geometry/meniscus.hpp"
 #include "model/cement.hpp"
-#include "solid/grid/grid.hpp"
 
 namespace arenite::grid {
 
@@ -43,17 +44,16 @@ template <class Row> void visit_disk(const Lattice& lattice, Vec2 centre, double
   }
 }
 
-/// Calls row(y, x0, x1) for every row of nodes that may lie in the polygon, one node wider on both sides.
-template <class Row> void visit_polygon(const Lattice& lattice, const Vec2* corner, int corners, Row&& row) {
-  double low = corner[0].y, high = low;
-  for (int k = 1; k < corners; ++k) low = std::min(low, corner[k].y), high = std::max(high, corner[k].y);
-  const double slack = 1e-6 * lattice.dx;
+/// Calls row(y, x0, x1) for every row of nodes that may lie in the quadrilateral, one node wider on both sides.
+template <class Row> void visit_quadrilateral(const Lattice& lattice, const std::array<Vec2, 4>& corner, Row&& row) {
+  const auto [lowest, highest] = std::ranges::minmax(corner, {}, &Vec2::y);
+  const double low = lowest.y, high = highest.y, slack = 1e-6 * lattice.dx;
   const int last = lattice.last(high + slack);
   for (int y = lattice.first(low - slack); y <= last; ++y) {
     const double at = std::clamp(lattice.at(y), low, high);
     double left = INFINITY, right = -INFINITY;
-    for (int k = 0; k < corners; ++k) {
-      const Vec2 p = corner[k], q = corner[k + 1 == corners ? 0 : k + 1];
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Vec2 p = corner[k], q = corner[(k + 1) % 4];
       if (at < std::min(p.y, q.y) || at > std::max(p.y, q.y)) continue;
       const double x = q.y == p.y ? q.x : p.x + (at - p.y) / (q.y - p.y) * (q.x - p.x);
       left = std::min({left, x, q.y == p.y ? p.x : x});
@@ -65,47 +65,31 @@ template <class Row> void visit_polygon(const Lattice& lattice, const Vec2* corn
   }
 }
 
-/// Whether a point lies in a bridge or meniscus. Only products whose value a mirror image or an exchange of x and y keeps
-/// to the last bit are used, so that the map of a mirrored sample is the mirrored map.
+/// A bridge or meniscus, and whether a point lies in it. Only products whose value a mirror image or an exchange of x and y keeps to the last bit are
+/// used, so that the map of a mirrored sample is the mirrored map.
 class NeckShape {
  public:
-  static NeckShape bridge(const PlacedCement::Neck& neck) { return NeckShape(neck); }
-  /// Nothing where the arcs meet.
-  static std::optional<NeckShape> meniscus(const PlacedCement::Neck& neck) {
-    NeckShape shape(neck);
-    shape.arcs_ = geometry::meniscus_shape({neck.radius_a, neck.radius_b, shape.length_}, neck.arc);
-    if (!shape.arcs_) return {};
-    return shape;
-  }
+  explicit NeckShape(const PlacedCement::Neck& n)
+      : neck(n),
+        outlines(outlines_of(n)),
+        d_(n.b - n.a),
+        length2_(dot(d_, d_)),
+        length_(std::sqrt(length2_)),
+        arcs_(n.arc > 0 ? geometry::meniscus_shape({n.radius_a, n.radius_b, length_}, n.arc) : std::nullopt) {}
+
+  PlacedCement::Neck neck;
+  std::vector<geometry::Outline> outlines;  ///< empty: there is no such neck
 
   bool contains(Vec2 p) const {
-    const Vec2 e = p - neck_.a;
+    const Vec2 e = p - neck.a;
     const double along = dot(e, d_), across = std::abs(cross(e, d_));
     if (arcs_) return arcs_->contains({along / length_, across / length_});
-    return along >= 0 && along <= length2_ && across * length_ <= neck_.half_a * (length2_ - along) + neck_.half_b * along;
+    return along >= 0 && along <= length2_ && across * length_ <= neck.half_a * (length2_ - along) + neck.half_b * along;
   }
-
-  const PlacedCement::Neck& neck() const { return neck_; }
   double length() const { return length_; }
   Vec2 direction() const { return (1 / length_) * d_; }
-  bool is_meniscus() const { return arcs_.has_value(); }
-
-  /// Corners of a polygon that holds it all.
-  struct Hull {
-    Vec2 corner[6];
-    int count;
-  };
-  Hull hull() const {
-    const Vec2 along = direction(), up = perpendicular(along), a = neck_.a, b = neck_.b;
-    if (!arcs_) return {{a - neck_.half_a * up, b - neck_.half_b * up, b + neck_.half_b * up, a + neck_.half_a * up}, 4};
-    const Vec2 i = arcs_->touch_i, j = arcs_->touch_j;
-    return {{a, a + i.x * along - i.y * up, a + j.x * along - j.y * up, b, a + j.x * along + j.y * up, a + i.x * along + i.y * up}, 6};
-  }
 
  private:
-  explicit NeckShape(const PlacedCement::Neck& neck) : neck_(neck), d_(neck.b - neck.a), length2_(dot(d_, d_)), length_(std::sqrt(length2_)) {}
-
-  PlacedCement::Neck neck_;
   Vec2 d_;
   double length2_, length_;
   std::optional<geometry::MeniscusShape> arcs_;

@@ -1,5 +1,3 @@
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -7,6 +5,7 @@
 #include "geometry/outline.hpp"
 #include "geometry/rectangle.hpp"
 #include "model/cement.hpp"
+#include "model/periodic_images.hpp"
 #include "solid/cement/cement.hpp"
 #include "solid/grid/grid.hpp"
 #include "solid/grid/necks.hpp"
@@ -51,20 +50,19 @@ void label_grains(const PlacedCement& placed, const std::vector<GrainClass>& cla
 
 /// Area of a neck that its own two grains leave bare.
 double bare_area(const NeckShape& shape) {
-  const auto& neck = shape.neck();
+  const auto& neck = shape.neck;
   std::vector<geometry::Outline> outlines{geometry::Outline::disk(neck.a, neck.radius_a), geometry::Outline::disk(neck.b, neck.radius_b)};
   const double reach = 2 * std::max({neck.radius_a, neck.radius_b, neck.half_a, neck.half_b}) + shape.length();
-  const geometry::Rectangle all{neck.a.x - reach, neck.a.x + reach, neck.a.y - reach, neck.a.y + reach};
+  const geometry::Rectangle all = geometry::square_about(neck.a, reach);
   const double grains = geometry::union_area(outlines, all);
-  if (shape.is_meniscus()) add_meniscus_outlines(neck, outlines);
-  else add_bridge_outline(neck, outlines);
+  outlines.insert(outlines.end(), shape.outlines.begin(), shape.outlines.end());
   return geometry::union_area(outlines, all) - grains;
 }
 
 /// Fewest nodes of a neck on a line of the lattice (column or row, whichever lies more across it) that crosses the gap
 /// between its grains; at least the line nearest to the gap's middle is looked at. Lines go on beyond the crop.
 int nodes_across(const Lattice& lattice, const NeckShape& shape) {
-  const auto& neck = shape.neck();
+  const auto& neck = shape.neck;
   const Vec2 along = shape.direction();
   const bool columns = std::abs(along.x) >= std::abs(along.y);
   const auto component = [&](Vec2 v, bool first) { return first == columns ? v.x : v.y; };
@@ -91,35 +89,36 @@ int nodes_across(const Lattice& lattice, const NeckShape& shape) {
   return fewest;
 }
 
-/// Notes a neck, of which the grid made `matrix_nodes` nodes matrix, if the middle of its gap lies in the crop.
-void note_neck(const Lattice& lattice, const NeckShape& shape, int matrix_nodes, GridReport& report) {
-  const auto& neck = shape.neck();
+/// Notes a neck, which has nodes of matrix or not, if the middle of its gap lies in the crop.
+void note_neck(const Lattice& lattice, const NeckShape& shape, bool has_matrix, GridReport& report) {
+  const auto& neck = shape.neck;
   const Vec2 middle = neck.a + 0.5 * (shape.length() + neck.radius_a - neck.radius_b) * shape.direction();
   const double half = 0.5 * lattice.n * lattice.dx;
   if (std::abs(middle.x) > half || std::abs(middle.y) > half) return;
   const int across = nodes_across(lattice, shape);
   report.thinnest_neck = report.necks == 0 ? across : std::min(report.thinnest_neck, across);
   ++report.necks;
-  if (matrix_nodes > 0) return;
+  if (has_matrix) return;
   const double bare = bare_area(shape);
   if (!(bare > 1e-9 * neck.radius_a * neck.radius_b)) return;
   ++report.lost_necks;
   report.lost_area += bare;
 }
 
-int draw_neck(const NeckShape& shape, const Lattice& lattice, PhaseMap& map) {
-  int nodes = 0;
-  const auto hull = shape.hull();
-  visit_polygon(lattice, hull.corner, hull.count, [&](int y, int x0, int x1) {
-    const double v = lattice.at(y);
-    for (int x = x0; x <= x1; ++x) {
-      Phase& phase = map.phase[map.index(x, y)];
-      if (phase == Phase::particle || !shape.contains({lattice.at(x), v})) continue;
-      phase = Phase::matrix;
-      ++nodes;
-    }
-  });
-  return nodes;
+/// Whether a node became matrix, or was so already.
+bool draw_neck(const NeckShape& shape, const Lattice& lattice, PhaseMap& map) {
+  bool any = false;
+  for (const geometry::Outline& outline : shape.outlines)
+    visit_quadrilateral(lattice, outline.corner, [&](int y, int x0, int x1) {
+      const double v = lattice.at(y);
+      for (int x = x0; x <= x1; ++x) {
+        Phase& phase = map.phase[map.index(x, y)];
+        if (phase == Phase::particle || !shape.contains({lattice.at(x), v})) continue;
+        phase = Phase::matrix;
+        any = true;
+      }
+    });
+  return any;
 }
 
 void draw_matrix(const PlacedCement& placed, const Lattice& lattice, PhaseMap& map, GridReport& report) {
@@ -131,12 +130,8 @@ void draw_matrix(const PlacedCement& placed, const Lattice& lattice, PhaseMap& m
         for (std::size_t node = map.index(x0, y); node <= map.index(x1, y); ++node)
           if (map.phase[node] == Phase::empty) map.phase[node] = Phase::matrix;
       });
-  for (const auto& bridge : placed.bridges) {
-    const NeckShape shape = NeckShape::bridge(bridge);
-    if (shape.length() > 0) note_neck(lattice, shape, draw_neck(shape, lattice, map), report);
-  }
-  for (const auto& meniscus : placed.menisci)
-    if (const auto shape = NeckShape::meniscus(meniscus)) note_neck(lattice, *shape, draw_neck(*shape, lattice, map), report);
+  for (const auto& neck : placed.necks)
+    if (const NeckShape shape(neck); !shape.outlines.empty()) note_neck(lattice, shape, draw_neck(shape, lattice, map), report);
 }
 
 void measure_areas(const PlacedCement& placed, const PhaseMap& map, GridReport& report) {
@@ -161,10 +156,10 @@ int nodes_across_smallest(const PlacedCement& placed, const Lattice& lattice) {
   return most;
 }
 
-/// The frame; where there is none, what surrounds the grains.
+/// The container; where there is none, what surrounds the grains.
 geometry::Rectangle sample_of(const Packing& packing) {
   const Domain& d = packing.domain;
-  if (d.width() > 0 && d.height() > 0) return {d.wall[left].position, d.wall[right].position, d.wall[bottom].position, d.wall[top].position};
+  if (d.width() > 0 && d.height() > 0) return box_of(d);
   const Grains& g = packing.grains;
   return g.size() == 0 ? geometry::Rectangle{} : geometry::bounds(g.position, g.radius);
 }
@@ -197,14 +192,12 @@ geometry::Rectangle crop_window(const Packing& packing, double crop) {
   const geometry::Rectangle sample = sample_of(packing);
   if (!(sample.width() > 0 && sample.height() > 0) || !std::isfinite(sample.area()))
     throw InputError("a sample without container and grains has nothing to crop; give it a domain with positive sides");
-  if (!(crop >= 0) || !std::isfinite(crop)) throw InputError(fmt::format("the crop is {:g} m wide; give a positive length, or 0 for the largest square", crop));
+  if (!(crop >= 0) || !std::isfinite(crop)) throw refusal("the crop is {:g} m wide; give a positive length, or 0 for the largest square", crop);
   const double largest = std::min(sample.width(), sample.height());
   if (crop > largest * (1 + 1e-12))
-    throw InputError(
-        fmt::format("the crop of {:g} m does not fit into the sample of {:g} x {:g} m; give at most {:g} m", crop, sample.width(), sample.height(), largest));
+    throw refusal("the crop of {:g} m does not fit into the sample of {:g} x {:g} m; give at most {:g} m", crop, sample.width(), sample.height(), largest);
   const double half = 0.5 * (crop > 0 ? std::min(crop, largest) : largest);
-  const double x = 0.5 * (sample.x_min + sample.x_max), y = 0.5 * (sample.y_min + sample.y_max);
-  return {x - half, x + half, y - half, y + half};
+  return geometry::square_about(sample.middle(), half);
 }
 
 }  // namespace arenite::grid

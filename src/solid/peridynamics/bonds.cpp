@@ -1,11 +1,7 @@
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstring>
 
-#include "core/error.hpp"
+#include "core/problems.hpp"
 #include "solid/peridynamics/bonds.hpp"
 
 namespace arenite::peridynamics {
@@ -102,16 +98,15 @@ void add_exact(const Bonds& bonds, double dx, const Field<double>& u, StressSums
 
 void check_by_type(const char* parameter, const char* unit, double matrix, double interface, double particle) {
   for (const auto& [type, value] : {std::pair{"matrix", matrix}, std::pair{"interface", interface}, std::pair{"particle", particle}})
-    if (!(value > 0) || !std::isfinite(value))
-      throw InputError(fmt::format("the {} of {} bonds is {:g} {}; give a positive one", parameter, type, value, unit));
+    if (!(value > 0) || !std::isfinite(value)) throw refusal("the {} of {} bonds is {:g} {}; give a positive one", parameter, type, value, unit);
 }
 
 Bonds make_bonds(const PhaseMap& map, const Stiffness& stiffness, const BondLawChoice& law) {
   check(map);
   check_by_type("Young modulus", "Pa", stiffness.matrix, stiffness.interface, stiffness.particle);
   if (std::min(map.width, map.height) < 2 * horizon + 1)
-    throw InputError(fmt::format("a phase map of {} x {} nodes is narrower than the horizon of a node; give at least {} nodes each way", map.width, map.height,
-                                 2 * horizon + 1));
+    throw refusal("a phase map of {} x {} nodes is narrower than the horizon of a node; give at least {} nodes each way", map.width, map.height,
+                  2 * horizon + 1);
   Bonds bonds;
   bonds.law = law;
   bonds.grid = Grid(map.width, map.height);

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/error.hpp"
+#include "core/problems.hpp"
 #include "solid/peridynamics/damage.hpp"
 #include "solid/peridynamics/failure.hpp"
 #include "solid/peridynamics/support.hpp"
@@ -14,13 +14,13 @@ namespace {
 
 void check(const DamageOptions& o) {
   const auto positive = [](double value, const char* what) {
-    if (!(value > 0) || !std::isfinite(value)) throw InputError(fmt::format("the {} of a test to failure is {:g}; give a positive one", what, value));
+    if (!(value > 0) || !std::isfinite(value)) throw refusal("the {} of a test to failure is {:g}; give a positive one", what, value);
   };
   positive(o.tolerance, "tolerance");
   positive(o.max_strain, "largest strain");
   if (!(o.end_stress >= 0) || !(o.end_stress < 1))
-    throw InputError(fmt::format("the fraction of the strength at which a test ends is {:g}; give one from 0 to below 1", o.end_stress));
-  if (!(o.band >= 0) || !(o.band < 1)) throw InputError(fmt::format("the band of bonds that break together is {:g}; give one from 0 to below 1", o.band));
+    throw refusal("the fraction of the strength at which a test ends is {:g}; give one from 0 to below 1", o.end_stress);
+  if (!(o.band >= 0) || !(o.band < 1)) throw refusal("the band of bonds that break together is {:g}; give one from 0 to below 1", o.band);
 }
 
 /// By BondType; that of `no_bond` is 0.

@@ -1,4 +1,5 @@
 // How a test hands out its state, as a value and as bytes, and takes it back.
+#include <tuple>
 #include <utility>
 
 #include "core/bytes.hpp"
@@ -49,6 +50,8 @@ template <class Archive> void transfer(Archive& a, FailureState& s) {
   transfer(a, s.broken);
 }
 
+auto changed_by_solve(auto& s) { return std::tie(s.words, s.words_at_setup, s.u, s.solves, s.iterations, s.share); }
+
 bool fits(const FailureState& s, const PhaseMap& map, std::size_t padded) {
   for (const std::size_t size : {s.words.size(), s.words_at_setup.size(), s.u.x.size(), s.u.y.size()})
     if (size != padded) return false;
@@ -81,22 +84,13 @@ FailureState failure_state_of(const std::vector<std::uint8_t>& bytes) {
 /// Notes what the solve of a round changes, where somebody may ask for the state before it.
 void FailureTest::hold() {
   if (!options_.keep) return;
+  changed_by_solve(before_) = changed_by_solve(state_);
   before_.words = bonds_.words;
-  before_.words_at_setup = state_.words_at_setup;
-  before_.u = state_.u;
-  before_.solves = state_.solves;
-  before_.iterations = state_.iterations;
-  before_.share = state_.share;
 }
 
 FailureState FailureTest::state() const {
   FailureState s = state_;  // this round's solve will be done again
-  s.words = before_.words;
-  s.words_at_setup = before_.words_at_setup;
-  s.u = before_.u;
-  s.solves = before_.solves;
-  s.iterations = before_.iterations;
-  s.share = before_.share;
+  changed_by_solve(s) = changed_by_solve(before_);
   return s;
 }
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/error.hpp"
+#include "core/problems.hpp"
 #include "solid/peridynamics/load.hpp"
 #include "solid/peridynamics/solvers/solvers.hpp"
 
@@ -136,9 +136,8 @@ std::string sentence_of(const LoadReport& r, const LoadOptions& o) {
 }
 
 void check(const LoadOptions& o) {
-  if (!(o.strain > 0) || !(o.strain < 1))
-    throw InputError(fmt::format("the strain is {:g}; give one between 0 and 1 (the loading says its direction)", o.strain));
-  if (!(o.tolerance > 0) || !(o.tolerance < 1)) throw InputError(fmt::format("the tolerance of the residual is {:g}; give one between 0 and 1", o.tolerance));
+  if (!(o.strain > 0) || !(o.strain < 1)) throw refusal("the strain is {:g}; give one between 0 and 1 (the loading says its direction)", o.strain);
+  if (!(o.tolerance > 0) || !(o.tolerance < 1)) throw refusal("the tolerance of the residual is {:g}; give one between 0 and 1", o.tolerance);
 }
 
 }  // namespace

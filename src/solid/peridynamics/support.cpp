@@ -1,5 +1,4 @@
 #include <utility>
-#include <vector>
 
 #include "core/error.hpp"
 #include "core/joined_sets.hpp"
@@ -8,7 +7,7 @@
 namespace arenite::peridynamics {
 namespace {
 
-/// Aggregate of a node; the lower clamp counts as one piece more, the upper as another. -1 for void.
+/// Aggregate of a node; the lower clamp counts as one more, the upper as another. -1 for void.
 struct Parts {
   const Bonds& bonds;
   const Aggregates& aggregates;
@@ -110,12 +109,8 @@ Support prune(Bonds& bonds, Aggregates& aggregates, const std::vector<std::uint8
 }
 
 Vec2 direction_of(Loading loading) {
-  switch (loading) {
-    case Loading::tension: return {0, 1};
-    case Loading::compression: return {0, -1};
-    case Loading::shear: break;
-  }
-  return {1, 0};
+  constexpr Vec2 directions[] = {{0, 1}, {0, -1}, {1, 0}};
+  return directions[static_cast<std::size_t>(loading)];
 }
 
 std::vector<std::uint8_t> prescribed_rows(int height, Loading loading, LowerEdge lower) {

@@ -14,7 +14,7 @@ Vec2 direction_of(Loading loading);
 /// What is prescribed in each row of nodes (kernels.hpp). Throws InputError for shear above a sliding edge.
 std::vector<std::uint8_t> prescribed_rows(int height, Loading loading, LowerEdge lower);
 
-/// The sample cut by grain and by square cells. Matrix goes to the nearest grain; a aggregate is what bonds hold together of one owner inside one cell.
+/// The sample cut by grain and by square cells. Matrix goes to the nearest grain; an aggregate is what bonds hold together of one owner inside one cell.
 /// Soft necks and bridges then lie on cuts, and every rigid motion and uniform strain of every grain is a bilinear function on its aggregates.
 struct Aggregates {
   static constexpr int cell = 16;  ///< nodes a side

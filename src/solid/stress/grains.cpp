@@ -1,10 +1,8 @@
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.hpp"
 #include "core/mapped.hpp"
+#include "core/problems.hpp"
 #include "solid/stress/stress.hpp"
 #include "statistics/correlation.hpp"
 #include "statistics/jackknife.hpp"
@@ -108,8 +106,8 @@ Numbers numbers(const GrainStresses& g) {
 
 Numbers compare(const PhaseMap& map, const GrainStresses& grains, const std::vector<Tensor2>& contact_stress) {
   if (contact_stress.size() != map.grain_class.size() || grains.stress.size() != map.grain_class.size())
-    throw InputError(fmt::format("{} grains have a contact stress, {} a mean stress, and the phase map has {}; all three must be of the same packing",
-                                 contact_stress.size(), grains.stress.size(), map.grain_class.size()));
+    throw refusal("{} grains have a contact stress, {} a mean stress, and the phase map has {}; all three must be of the same packing", contact_stress.size(),
+                  grains.stress.size(), map.grain_class.size());
   const auto known = [&](std::size_t g) {
     const Tensor2& t = contact_stress[g];
     const double size = std::abs(t.xx) + std::abs(t.yy) + std::abs(t.xy) + std::abs(t.yx);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/problems.hpp"
 #include "solid/stress/set_statistics.hpp"
@@ -135,38 +136,27 @@ BlockedSample gather(const Selection& selection, const StressField& field, Compo
   return sample;
 }
 
-struct BlockSums {
-  double n = 0, sum = 0, square = 0, area = 0;
-};
-
 /// Puts the means of the sample; returns what divides its stresses, all and without each block. One of them is not zero.
 Normaliser normalise(const Selection& selection, const BlockedSample& all, const StressOptions& options, Numbers& to) {
-  std::vector<BlockSums> blocks(static_cast<std::size_t>(selection.blocks));
-  for (std::size_t i = 0; i < all.x.size(); ++i) {
-    BlockSums& b = blocks[all.block[i]];
-    b.n += 1;
-    b.sum += all.x[i];
-    b.square += all.x[i] * all.x[i];
-  }
-  BlockSums total;
-  for (std::size_t b = 0; b < blocks.size(); ++b) {
-    blocks[b].area = selection.block_area[b];
-    total = {total.n + blocks[b].n, total.sum + blocks[b].sum, total.square + blocks[b].square, total.area + blocks[b].area};
-  }
+  const std::vector<Powers> blocks = powers_by_block(all, 0);
+  const std::vector<double>& areas = selection.block_area;
+  const double area = std::accumulate(areas.begin(), areas.end(), 0.0);
+  Powers total;
+  for (const Powers& block : blocks) total += block;
   Normaliser normaliser;
-  normaliser.over_mean = !near_zero(total.sum / total.n, total.square / total.n);
-  const auto values = [&](const BlockSums& s) {
-    const double scale = !normaliser.over_mean ? std::sqrt(s.square / s.n) : s.sum / (options.mean_over_area ? s.area : s.n);
-    return std::vector<double>{s.sum / s.n, s.sum / s.area, scale};
+  normaliser.over_mean = !near_zero(total.d1 / total.n, total.d2 / total.n);
+  const auto values = [&](const Powers& s, double of_area) {
+    const double scale = !normaliser.over_mean ? std::sqrt(s.d2 / s.n) : s.d1 / (options.mean_over_area ? of_area : s.n);
+    return std::vector<double>{s.d1 / s.n, s.d1 / of_area, scale};
   };
   std::vector<std::vector<double>> replicates;
-  for (const BlockSums& b : blocks) {
-    const BlockSums rest{total.n - b.n, total.sum - b.sum, total.square - b.square, total.area - b.area};
-    const bool any = rest.n > 0 && rest.square > 0;
-    normaliser.without.push_back(any ? values(rest)[2] : unknown);
-    if (any) replicates.push_back(values(rest));
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    const Powers rest = total - blocks[b];
+    const bool any = rest.n > 0 && rest.d2 > 0;
+    normaliser.without.push_back(any ? values(rest, area - areas[b])[2] : unknown);
+    if (any) replicates.push_back(values(rest, area - areas[b]));
   }
-  const auto whole = values(total);
+  const auto whole = values(total, area);
   const auto e = statistics::with_errors(whole, replicates);
   normaliser.value = whole[2];
   put(to, "sample_mean_Pa", options.mean_over_area ? e[1] : e[0], "Pa", "The mean that stresses are divided by");

@@ -22,14 +22,6 @@ constexpr std::pair<const char*, double> quantile_shares[] = {{"0.01 %", 1e-4}, 
                                                               {"25 %", 0.25},   {"50 %", 0.5},     {"75 %", 0.75},     {"95 %", 0.95},
                                                               {"99 %", 0.99},   {"99.9 %", 0.999}, {"99.99 %", 0.9999}};
 
-/// Sums of powers of d = x - shift.
-struct Powers {
-  double n = 0, d1 = 0, d2 = 0, d3 = 0, d4 = 0;
-
-  Powers& operator+=(const Powers& b) { return n += b.n, d1 += b.d1, d2 += b.d2, d3 += b.d3, d4 += b.d4, *this; }
-  Powers operator-(const Powers& b) const { return {n - b.n, d1 - b.d1, d2 - b.d2, d3 - b.d3, d4 - b.d4}; }
-};
-
 struct Moments {
   double mean = 0, variance = 0, skewness = unknown, excess_kurtosis = unknown;
 };
@@ -49,15 +41,6 @@ double mean_of(const BlockedSample& sample) {
   double sum = 0;
   for (const double x : sample.x) sum += x;
   return sum / static_cast<double>(sample.x.size());
-}
-
-std::vector<Powers> powers_by_block(const BlockedSample& sample, double shift) {
-  std::vector<Powers> powers(static_cast<std::size_t>(sample.blocks));
-  for (std::size_t i = 0; i < sample.x.size(); ++i) {
-    const double d = sample.x[i] - shift, d2 = d * d;
-    powers[sample.block[i]] += {1, d, d2, d2 * d, d2 * d2};
-  }
-  return powers;
 }
 
 /// Everything below is in units of `unit`: the set's own mean, or what stands in for it.
@@ -161,7 +144,14 @@ void put_shape(Numbers& to, const Scaled& s, const BlockCounts& counts) {
 
 }  // namespace
 
-bool near_zero(double mean, double mean_square) { return mean * mean <= 0.01 * mean_square; }
+std::vector<Powers> powers_by_block(const BlockedSample& sample, double shift) {
+  std::vector<Powers> powers(static_cast<std::size_t>(sample.blocks));
+  for (std::size_t i = 0; i < sample.x.size(); ++i) {
+    const double d = sample.x[i] - shift, d2 = d * d;
+    powers[sample.block[i]] += {1, d, d2, d2 * d, d2 * d2};
+  }
+  return powers;
+}
 
 Numbers describe(const std::string& name, BlockedSample& sigma, const Normaliser& normaliser, std::vector<std::string>& notes) {
   const std::size_t nodes = sigma.x.size();

@@ -7,6 +7,16 @@
 
 namespace arenite::stress {
 
+/// Sums of powers of d = x - shift.
+struct Powers {
+  double n = 0, d1 = 0, d2 = 0, d3 = 0, d4 = 0;
+
+  Powers& operator+=(const Powers& b) { return n += b.n, d1 += b.d1, d2 += b.d2, d3 += b.d3, d4 += b.d4, *this; }
+  Powers operator-(const Powers& b) const { return {n - b.n, d1 - b.d1, d2 - b.d2, d3 - b.d3, d4 - b.d4}; }
+};
+
+std::vector<Powers> powers_by_block(const statistics::BlockedSample& sample, double shift);
+
 /// What stresses are divided by: the sample's mean (or root mean square), Pa, and the same without each block.
 struct Normaliser {
   bool over_mean = true;
@@ -19,6 +29,6 @@ struct Normaliser {
 Numbers describe(const std::string& name, statistics::BlockedSample& sigma, const Normaliser& normaliser, std::vector<std::string>& notes);
 
 /// Whether a mean is too near zero to divide by: below a tenth of the root mean square.
-bool near_zero(double mean, double mean_square);
+inline bool near_zero(double mean, double mean_square) { return mean * mean <= 0.01 * mean_square; }
 
 }  // namespace arenite::stress

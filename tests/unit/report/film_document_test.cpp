@@ -68,7 +68,7 @@ TEST(FilmDocument, OfMapsAloneHasNeitherGrainsNorStresses) {
   EXPECT_EQ(film["contacts"]["count"], 0);
   EXPECT_TRUE(film["stresses"].empty());
   EXPECT_FALSE(film["numbers"].contains("agreement"));
-  EXPECT_TRUE(film["frame"].is_null());
+  EXPECT_TRUE(film["container"].is_null());
 }
 
 TEST(FilmDocument, SaysUnitsAndMeaningsAsTheyAreDeclaredAndLevelsWhereTheFilmHasThese) {
@@ -85,13 +85,13 @@ TEST(FilmDocument, SaysUnitsAndMeaningsAsTheyAreDeclaredAndLevelsWhereTheFilmHas
   EXPECT_EQ(document_of(levels)["meanings"]["lockin.standard_error_K"][0], "DL");
 }
 
-TEST(FilmDocument, PutsTheFrameWhereItsWallsAre) {
-  const Json frame = document_of(film_sample().film)["frame"];
+TEST(FilmDocument, PutsTheContainerWhereItsWallsAre) {
+  const Json container = document_of(film_sample().film)["container"];
   const FilmResult& film = film_sample().film;
-  EXPECT_NEAR(frame[0], 5.5, 1e-9);
-  EXPECT_NEAR(frame[1], 5.5 + film.packing.domain.width() / film.pixel, 1e-9);
-  EXPECT_NEAR(frame[3], 5.5, 1e-9);
-  EXPECT_GT(frame[2], frame[3]);
+  EXPECT_NEAR(container[0], 5.5, 1e-9);
+  EXPECT_NEAR(container[1], 5.5 + film.packing.domain.width() / film.pixel, 1e-9);
+  EXPECT_NEAR(container[3], 5.5, 1e-9);
+  EXPECT_GT(container[2], container[3]);
 }
 
 TEST(FilmDocument, StaysSmallForALargeCamera) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "io/disk/file.hpp"
 #include "report/run_means.hpp"
 #include "support/numbers_of.hpp"
 #include "support/temporary_folder.hpp"
@@ -32,6 +33,12 @@ campaign::CollectedTable table() {
 const NumbersOf none = [](const std::string&, const std::string&, const Figure&) { return Numbers{}; };
 
 std::vector<Figure> figures(const std::string& keys) { return read_figures("[[figures]]\nid = \"f\"\ntitle = \"F\"\n" + keys, "figures.toml"); }
+
+std::string study_page(const StudyPage& page) {
+  const test::TemporaryFolder folder;
+  write_study_page(folder / "study.html", page);
+  return io::read_file((folder / "study.html").string());
+}
 
 TEST(StudyFigures, PointsAreMeansOverSeedsWithTheirErrors) {
   const auto curves = curves_of(figures("x = \"gamma\"\ny = [\"z\"]\nwhere = { cement = \"full\" }").front(), table(), none);

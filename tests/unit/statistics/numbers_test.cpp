@@ -4,8 +4,11 @@
 
 #include <limits>
 
+#include "support/numbers_of.hpp"
+
 namespace {
 using namespace arenite;
+using test::from_json;
 
 TEST(Numbers, BracesMakeTreesAndLists) {
   const Numbers n{

@@ -21,11 +21,11 @@ export function stressColour(film, theme, value) {
 /** Width of a contact's bar in pixels of the film. */
 export const barWidth = (film, fn) => film.meanRadius * Math.min(widest, (widthPerForce * Math.abs(fn)) / (film.meanForce || 1));
 
-/** What lies over the map, in the film's own pixels (column, row): frame, grains, forces, motion. Lines that are no
+/** What lies over the map, in the film's own pixels (column, row): container, grains, forces, motion. Lines that are no
     measure keep their width on the screen. */
 export function overlay(film, state, theme) {
   const group = s("g", { fill: "none" });
-  if (state.get("grains") !== "off") group.append(frame(film, theme), grains(film, state.get("grains"), theme));
+  if (state.get("grains") !== "off") group.append(container(film, theme), grains(film, state.get("grains"), theme));
   if (state.get("forces") && film.hasForces) group.append(forces(film, theme));
   if (state.get("motion") && film.grains.motion_x) group.append(motion(film, theme));
   return group;
@@ -34,7 +34,7 @@ export function overlay(film, state, theme) {
 const thin = { "vector-effect": "non-scaling-stroke" };
 const at = (v) => Number(v).toFixed(3);
 
-function frame({ frame: sides }, theme) {
+function container({ container: sides }, theme) {
   if (!sides) return "";
   const [left, right, bottom, top] = sides;
   return s("rect", { x: at(left), y: at(top), width: at(right - left), height: at(bottom - top), stroke: theme.wall, "stroke-width": 1.25, ...thin });

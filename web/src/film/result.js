@@ -13,7 +13,7 @@ export class FilmResult {
 
   constructor(about, block, title) {
     this.#block = block;
-    Object.assign(this, { about, title, name: about.name, declared: new Numbers(about.numbers, about.meanings), materials: about.materials, frame: about.frame });
+    Object.assign(this, { about, title, name: about.name, declared: new Numbers(about.numbers, about.meanings), materials: about.materials, container: about.container });
     this.width = about.film.width;
     this.height = about.film.height;
     for (const name of ["grains", "contacts", "bad", "stresses"]) this[name] = unpacked(block, about[name]);

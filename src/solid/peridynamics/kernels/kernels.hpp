@@ -2,7 +2,6 @@
 #include <array>
 #include <cstdint>
 #include <type_traits>
-#include <variant>
 
 #include "solid/peridynamics/bonds.hpp"
 

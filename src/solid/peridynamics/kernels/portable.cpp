@@ -1,6 +1,11 @@
+#include "core/processor.hpp"
 #include "solid/peridynamics/kernels/passes.hpp"
 
 namespace arenite::peridynamics {
+
+extern const KernelSet* const avx2_kernels;  ///< null where the compiler cannot make them
+extern const KernelSet* const avx512_kernels;
+
 namespace {
 
 /// What every x86-64 carries out: vectors of 16 bytes, products and sums rounded apart, so that the bits are the same everywhere.
@@ -25,9 +30,20 @@ struct Portable {
   };
 };
 
+constexpr KernelSet portable = kernel_set<Portable>("portable");
+
+KernelChoice<KernelSet> choice() { return {portable, avx2_kernels, avx512_kernels}; }
+
 }  // namespace
 
-extern const KernelSet portable_kernels;
-const KernelSet portable_kernels = kernel_set<Portable>("portable");
+const Kernels* kernels(const char* name, const BondLawChoice& law) {
+  const KernelSet* set = choice().named(name);
+  return set ? &set->by_law[law.index()] : nullptr;
+}
+
+const Kernels& kernels(const BondLawChoice& law) {
+  static const KernelSet& best = choice().best();
+  return best.by_law[law.index()];
+}
 
 }  // namespace arenite::peridynamics

@@ -56,7 +56,7 @@ CoarseSpace::CoarseSpace(const Bonds& bonds, Aggregates aggregates, const BlockD
   number_corners(sums);
   list_runs(prescribed);
   BlockMatrix matrix = assemble(sums);
-  // A aggregate of few nodes carries more functions than it has freedoms, and a hat may vanish on all of its nodes: a trace
+  // An aggregate of few nodes carries more functions than it has freedoms, and a hat may vanish on all of its nodes: a trace
   // of stiffness on the diagonal keeps these apart and is too small to slow anything down.
   const auto diagonal_block = [&](std::int32_t c) { return &matrix.value[4 * static_cast<std::size_t>(matrix.column_begin[c])]; };
   double stiffest = 0;

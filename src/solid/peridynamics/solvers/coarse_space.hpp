@@ -64,7 +64,7 @@ class CoarseSpace {
   int repairs() const { return repairs_; }
 
  private:
-  /// Nodes of one piece that follow each other in a row.
+  /// Nodes of one aggregate that follow each other in a row.
   struct Run {
     std::ptrdiff_t begin;
     std::int32_t aggregate;
@@ -82,7 +82,7 @@ class CoarseSpace {
   std::vector<Run> runs_;
   std::optional<Cholesky> factor_;
   std::vector<double> load_;    ///< right side and solution, 2 a coarse node
-  std::vector<float> moments_;  ///< 8 a aggregate
+  std::vector<float> moments_;  ///< 8 an aggregate
   int repairs_ = 0;
 };
 

@@ -20,7 +20,7 @@ std::array<Hats, cell * cell> make_hats() {
 
 const std::array<Hats, cell* cell> all_hats = make_hats();
 
-/// What one node's bonds to one piece sum to: block times hats of the other ends.
+/// What one node's bonds to one aggregate sum to: block times hats of the other ends.
 struct Reach {
   std::int32_t q;
   std::array<Hats, 3> sum;

@@ -20,7 +20,7 @@ TEST(StateFields, NeedGrainsAndABox) {
   packing.grains.resize(2);
   packing.grains.radius = {1, 3};
   EXPECT_FALSE(has_fields(packing));
-  EXPECT_EQ(mean_diameter(packing.grains), 4);
+  EXPECT_EQ(packing.grains.mean_diameter(), 4);
   packing.domain.wall[right].position = packing.domain.wall[top].position = 20;
   packing.domain.thickness = 2;
   EXPECT_TRUE(has_fields(packing));

@@ -74,7 +74,7 @@ TEST(Coordination, CountsOnlyGrainsBeyondTwoAndAHalfDiametersFromWalls) {
       if (y < 11) test::add_contact(p, y * 12 + x, y * 12 + x + 12, 1);
     }
   const Texture t = measure(p);
-  EXPECT_EQ(t.considered_grains, 64u);  // centres 2.5 .. 9.5 in both directions, the edges included
+  EXPECT_EQ(t.numbers["considered"]["grains"], 64);  // centres 2.5 .. 9.5 in both directions, the edges included
   EXPECT_DOUBLE_EQ(t.window.x_min, 2.5);
   EXPECT_DOUBLE_EQ(t.window.y_max, 9.5);
   EXPECT_DOUBLE_EQ(z(t, "all"), 4);  // the border's grains with fewer contacts are left out

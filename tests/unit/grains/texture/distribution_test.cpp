@@ -14,7 +14,7 @@ namespace arenite::texture {
 namespace {
 
 using statistics::exponential_tail;
-using statistics::ExponentialTail;
+using statistics::TailFit;
 using test::error_of;
 using test::list_of;
 using test::value_of;
@@ -37,10 +37,10 @@ std::vector<double> exponential(double beta, int n, std::uint64_t seed) {
 TEST(ExponentialTail, GivesBackTheRateWithinItsError) {
   int within = 0;
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
-    const ExponentialTail tail = exponential_tail(exponential(1.4, 400, seed));
+    const TailFit tail = exponential_tail(exponential(1.4, 400, seed));
     EXPECT_EQ(tail.count, 400u);
-    EXPECT_NEAR(tail.beta.error, tail.beta.value / 20, 1e-12);
-    within += std::abs(tail.beta.value - 1.4) < tail.beta.error;
+    EXPECT_NEAR(tail.slope.error, tail.slope.value / 20, 1e-12);
+    within += std::abs(tail.slope.value - 1.4) < tail.slope.error;
   }
   EXPECT_NEAR(within / 200.0, 0.683, 0.1);  // one standard error holds two thirds of the trials
 }
@@ -48,19 +48,19 @@ TEST(ExponentialTail, GivesBackTheRateWithinItsError) {
 TEST(ExponentialTail, LineThroughAnExactExponentialHasItsSlope) {
   std::vector<double> x;
   for (int k = 0; k < 500; ++k) x.push_back(1 - std::log((k + 0.5) / 500) / 2.5);  // the quantiles themselves
-  const ExponentialTail tail = exponential_tail(sorted(x));
-  EXPECT_NEAR(tail.line_beta.value, 2.5, 1e-10);
+  const TailFit tail = exponential_tail(sorted(x));
+  EXPECT_NEAR(tail.line_slope.value, 2.5, 1e-10);
   EXPECT_NEAR(tail.line_r2, 1, 1e-12);
 }
 
 TEST(ExponentialTail, IsToldFromAHalfGaussianEitherWay) {
-  const ExponentialTail exponential_data = exponential_tail(exponential(1, 3000, 7));
+  const TailFit exponential_data = exponential_tail(exponential(1, 3000, 7));
   EXPECT_GT(exponential_data.likelihood_ratio, 0);
   EXPECT_LT(exponential_data.p_value, 0.01);
   RandomStream random(8, Purpose::test);
   std::vector<double> x;
   for (int k = 0; k < 500; ++k) x.push_back(1 + std::abs(random.normal()));
-  const ExponentialTail gaussian_data = exponential_tail(sorted(x));
+  const TailFit gaussian_data = exponential_tail(sorted(x));
   EXPECT_LT(gaussian_data.likelihood_ratio, 0);
   EXPECT_GT(gaussian_data.p_value, 0.99);
 }

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "support/crack_energy.hpp"
+#include "support/lattice_moduli.hpp"
 
 namespace arenite::peridynamics {
 namespace {

@@ -58,9 +58,9 @@ TEST(GrainStress, MeansByClassTakeEveryGrainAlike) {
   const GrainStresses grains = measure_grains(map, linear(map), 0, 4);
   double large = 0;
   for (std::size_t g = 0; g < 16; g += 2) large += grains.stress[g].yy / 8;
-  ASSERT_NE(statistics::find(grains.mean, "large"), nullptr);
-  EXPECT_NEAR(statistics::find(grains.mean, "large")->value.yy, large, 1e-12);
-  EXPECT_GT(statistics::find(grains.mean, "large")->error.yy, 0);
+  const Numbers mean = numbers(grains)["mean_stress_Pa"]["large"];
+  EXPECT_NEAR(test::tensor_of(mean, "value").yy, large, 1e-12);
+  EXPECT_GT(test::tensor_of(mean, "error").yy, 0);
 }
 
 TEST(GrainStress, AgreesWithItselfAndWithAnythingProportional) {

@@ -1,4 +1,4 @@
-#include "statistics/estimate.hpp"
+#include "statistics/numbers.hpp"
 
 #include <gtest/gtest.h>
 
