@@ -98,7 +98,7 @@ HarmonicFit harmonic_fit(const SegmentSums& s, double frequency, int drift_order
     const Matrix g = pass_weights(s, k);
     Matrix phi(size, g.columns());
     for (std::size_t n = 0; n < g.columns(); ++n) functions_at(fit, s.time[s.first[k] + n], phi.column(n));
-    fit.normal += times_transposed(phi, phi);
+    if (fit.beside.empty()) fit.normal += times_transposed(phi, phi);
     const Matrix squared = times_transposed(g, g), r = projection(fit, s.centre[k], g.rows()), turned = r * squared;
     mixed += r * times_transposed(g, phi);
     tests += times_transposed(turned, r);
@@ -121,14 +121,8 @@ void fit_pixels_with_variance(const SegmentSums& sums, const HarmonicFit& fit, s
   std::vector<double> frames(sums.segments());
   for (std::size_t k = 0; k < frames.size(); ++k) frames[k] = sums.frames_of(k);
   out.variance.resize(PixelFit::run);
-  kernels().power(sums.view(), frames.data(), out.variance.data(), begin, begin + count);
+  kernels().residual(sums.view(), frames.data(), fit.normal.column(0), size, out.value.data(), PixelFit::run, out.variance.data(), begin, begin + count);
   const double freedom = static_cast<double>(sums.time.size() - size);
-  for (std::size_t m = 0; m < size; ++m)
-    for (std::size_t n = 0; n <= m; ++n) {
-      const double weight = (n == m ? 1 : 2) * fit.normal(m, n);
-      const double *a = out.value.data() + m * PixelFit::run, *b = out.value.data() + n * PixelFit::run;
-      for (std::size_t i = 0; i < count; ++i) out.variance[i] -= weight * a[i] * b[i];
-    }
   for (std::size_t i = 0; i < count; ++i) out.variance[i] = out.variance[i] < 0 ? 0 : out.variance[i] / freedom;
 }
 

@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
-#include <memory>
 #include <vector>
 
+#include "core/pages.hpp"
 #include "core/threads.hpp"
 #include "model/film.hpp"
 #include "statistics/least_squares.hpp"
@@ -41,12 +41,12 @@ struct SegmentSums {
   std::vector<float> base;           ///< first frame
   std::vector<std::size_t> watched;  ///< some pixels spread over the picture, whose every value is kept
   std::vector<float> seen;           ///< frames x watched, less the pixel's first value
-  std::unique_ptr<float[]> sums;     ///< see SegmentView; planes 1, functions, squares, first frame less the film's first
+  Buffer<float> sums;                ///< see SegmentView; planes 1, functions, squares, first frame less the film's first
 
   std::size_t segments() const { return centre.size(); }
   std::size_t planes() const { return functions + 3; }
   double frames_of(std::size_t segment) const { return static_cast<double>(first[segment + 1] - first[segment]); }
-  SegmentView view() const { return {sums.get(), segments(), planes()}; }
+  SegmentView view() const { return {sums.data(), segments(), planes()}; }
 };
 
 /// One pass over the film with `harmonics` (1 to 4) of `frequency`; a film in memory is not copied. Every segment is
@@ -68,7 +68,7 @@ struct HarmonicFit {
   double middle = 0, half = 0;     ///< s
   statistics::Matrix coefficient;  ///< transposed: (segments x planes) x functions
   statistics::Matrix covariance;   ///< of the fitted numbers over the variance of the noise
-  statistics::Matrix normal;       ///< sums of products of the fitted functions
+  statistics::Matrix normal;       ///< sums of products of the fitted functions, unless there are frequencies beside
   double spacing = 0;              ///< Hz
   std::vector<int> beside;         ///< frequencies beside it, so many spacings above or below
   bool beat = false;               ///< x cos(w t) and x sin(w t) are the last

@@ -92,7 +92,7 @@ void project(LockinMaps& maps, const std::vector<double>& cosine, const std::vec
 LockinMaps locked_in(FilmSource& film, const LockinOptions& o, std::vector<double> time, int harmonics) {
   const ThreadPool pool(o.threads);
   const SegmentSums sums = sum_segments(film, std::move(time), o.frequency, harmonics, o.drift_order, pool, o.progress);
-  if (!sums.sums) return {};
+  if (sums.sums.empty()) return {};
   refuse_constant(sums);
   std::optional<FrequencyFit> refined;
   if (o.refine) refined = refine_frequency(sums, o.drift_order, pool);
