@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "core/problems.hpp"
 #include "model/periodic_images.hpp"
@@ -53,14 +52,12 @@ Contacts propose_contacts(const Grains& grains, const Domain& domain, const Grai
     add_contact(contacts, i, j, (1 / distance) * branch, grains.radius[a] - 0.5 * overlap, grains.radius[b] - 0.5 * overlap, overlap);
   }
   for (int side = left; side <= top; ++side) {
-    const Wall& wall = domain.wall[static_cast<std::size_t>(side)];
-    if (!wall.present) continue;
-    const Vec2 normal = inward_normal(side);
+    if (!domain.wall[static_cast<std::size_t>(side)].present) continue;
     for (std::size_t g = 0; g < grains.size(); ++g) {
-      const double distance = dot(normal, grains.position[g]) - (normal.x + normal.y) * wall.position;
+      const double distance = domain.depth(side, grains.position[g]);
       const double error = std::hypot(surface_error(errors, g), tolerance.wall_error);
       if (distance - grains.radius[g] > floor + tolerance.errors * error) continue;
-      add_contact(contacts, static_cast<std::int32_t>(g), wall_partner(side), normal, distance, 0, grains.radius[g] - distance);
+      add_contact(contacts, static_cast<std::int32_t>(g), wall_partner(side), inward_normal(side), distance, 0, grains.radius[g] - distance);
     }
   }
   return contacts;

@@ -151,16 +151,27 @@ std::vector<double> NormalEquations::solve_in_cone(int contacts, double mu) cons
   return finite_values(t * nonnegative(h, t.transpose() * vector(right_), 2 * contacts));
 }
 
+// H = P^T L D L^T P has the inverse P^T L^-T D^-1 L^-1 P, whose diagonal is the sum of (L^-1 e)_k^2/D_k: forward substitution of some unit vectors at a
+// time. Those of neighbours in the factor's order reach the same few columns, their ancestors in its elimination tree.
 std::vector<double> NormalEquations::inverse_diagonal() const {
-  const Factorised& factor = factorised();
-  const Matrix l = factor.matrixL();
-  std::vector<int> begin(l.outerIndexPtr(), l.outerIndexPtr() + l.cols() + 1), row(l.innerIndexPtr(), l.innerIndexPtr() + l.nonZeros());
-  const std::vector<double> value(l.valuePtr(), l.valuePtr() + l.nonZeros());
-  const std::vector<double> z = selected_inverse_diagonal(begin, row, value, values(factor.vectorD()));
-  std::vector<double> diagonal(z.size());
-  const auto& order = factor.permutationP().indices();  // old index -> new index
-  for (std::size_t u = 0; u < z.size(); ++u) diagonal[u] = z[static_cast<std::size_t>(order[static_cast<Eigen::Index>(u)])];
-  return diagonal;
+  constexpr Eigen::Index some = 8;
+  const Matrix l = factorised().matrixL();
+  const Vector& d = factorised().vectorD();
+  const Eigen::Index n = l.cols();
+  Vector diagonal = Vector::Zero(n + some);
+  Eigen::Matrix<double, Eigen::Dynamic, some, Eigen::RowMajor> x = decltype(x)::Zero(n + some, some);
+  for (Eigen::Index first = 0; first < n; first += some) {
+    x.middleRows<some>(first).setIdentity();
+    for (Eigen::Index k = first; k < n; ++k) {
+      const Eigen::Matrix<double, 1, some> solved = x.row(k);
+      if (solved.isZero(0)) continue;
+      x.row(k).setZero();
+      diagonal.segment<some>(first) += solved.cwiseAbs2().transpose() / d[k];
+      for (Matrix::InnerIterator below(l, k); below; ++below)
+        if (below.row() > k) x.row(below.row()) -= below.value() * solved;
+    }
+  }
+  return values(factorised().permutationP().inverse() * diagonal.head(n));
 }
 
 int NormalEquations::small_eigenvalues(double threshold) const {

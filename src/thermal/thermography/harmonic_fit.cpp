@@ -76,21 +76,15 @@ statistics::Matrix pass_weights(const SegmentSums& s, std::size_t k) {
   return g;
 }
 
-double HarmonicFit::inflation(std::size_t frames) const {
-  const std::size_t a = harmonic(1);
-  return (covariance(a, a) + covariance(a + 1, a + 1)) * static_cast<double>(frames) / 4;
-}
-
 HarmonicFit harmonic_fit(const SegmentSums& s, double frequency, int drift_order, bool with_beat, double spacing, std::vector<int> beside) {
-  HarmonicFit fit;
-  fit.frequency = frequency;
-  fit.spacing = spacing;
-  fit.beside = std::move(beside);
-  fit.beat = with_beat;
-  fit.drift = static_cast<std::size_t>(drift_order) + 1;
-  fit.harmonics = s.functions / 2;
-  fit.middle = (s.time.front() + s.time.back()) / 2;
-  fit.half = (s.time.back() - s.time.front()) / 2;
+  HarmonicFit fit{frequency,
+                  static_cast<std::size_t>(drift_order) + 1,
+                  s.functions / 2,
+                  (s.time.front() + s.time.back()) / 2,
+                  (s.time.back() - s.time.front()) / 2,
+                  spacing,
+                  std::move(beside),
+                  with_beat};
   const std::size_t size = fit.size(), planes = s.planes();
   Matrix mixed(size, size), tests(size, size), projections(size, s.segments() * planes);
   fit.normal = Matrix(size, size);

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "core/mapped.hpp"
 #include "core/problems.hpp"
 #include "statistics/correlation.hpp"
 #include "statistics/least_squares.hpp"
@@ -169,10 +170,6 @@ double reference_phase(const std::vector<double>& cosine, const std::vector<doub
   return phase > 0 ? phase - std::numbers::pi : phase + std::numbers::pi;
 }
 
-double diffusion_length(double diffusivity, double frequency) { return std::sqrt(diffusivity / (std::numbers::pi * frequency)); }
-
-Adiabatic::Adiabatic(double diffusivity, double frequency, double side) : length(diffusion_length(diffusivity, frequency)), pixel(side) {}
-
 double Adiabatic::lost() const {
   const double wave = std::numbers::pi * length / pixel;
   return 1 - 1 / std::hypot(1.0, wave * wave / 2);
@@ -211,8 +208,7 @@ std::optional<LoadSignal> fit_load_signal(const std::vector<double>& time, const
   if (time.size() != signal.size() || time.size() < 8 || !(given > 0)) return std::nullopt;
   const auto n = static_cast<double>(time.size());
   const double middle = std::accumulate(time.begin(), time.end(), 0.0) / n, length = time.back() - time.front();
-  std::vector<double> t;
-  for (const double each : time) t.push_back(each - middle);
+  const auto t = mapped(time, [&](double each) { return each - middle; });
   const double nyquist = 0.5 * (n - 1) / length, first = std::max(given / 2, 2 / length), last = std::min(2 * given, 0.95 * nyquist);
   double step = 1 / (8 * length), best = 0, least = left_by_line(t, signal);
   const double all = least;

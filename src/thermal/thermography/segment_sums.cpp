@@ -78,13 +78,9 @@ struct Pass {
   }
 
   template <class T> void refer(const T* frame, std::size_t k, std::size_t begin, std::size_t end) {
-    const SegmentView view = s.view();
     for (std::size_t p = begin; p < end; ++p) reference[p] = static_cast<float>(frame[p]);
     if (k == 0) std::copy_n(reference.data() + begin, end - begin, s.base.data() + begin);
-    for (std::size_t from = begin; from < end; from += chunk) {
-      float* plane = s.sums.data() + view.at(from, k, 0);
-      for (std::size_t p = from; p < std::min(from + chunk, end); ++p) plane[(s.planes() - 1) * chunk + p - from] = reference[p] - s.base[p];
-    }
+    for (std::size_t p = begin; p < end; ++p) s.sums[s.view().at(p, k, s.planes() - 1)] = reference[p] - s.base[p];
   }
 };
 
@@ -119,11 +115,6 @@ std::vector<double> frame_times(const FilmInfo& film, double frame_rate) {
     if (!(time[n] > time[n - 1]) || !std::isfinite(time[n]))
       throw refusal("the time stamp of frame {} is not after that of the frame before it; correct its stamps", n);
   return time;
-}
-
-double film_length(const std::vector<double>& time) {
-  const auto frames = static_cast<double>(time.size());
-  return time.size() < 2 ? 0 : (time.back() - time.front()) * frames / (frames - 1);
 }
 
 double nyquist_frequency(const std::vector<double>& time) {

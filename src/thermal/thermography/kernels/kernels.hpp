@@ -33,8 +33,7 @@ struct SegmentView {
   std::size_t at(std::size_t p, std::size_t s, std::size_t k) const { return ((p / chunk * segments + s) * planes + k) * chunk + p % chunk; }
 };
 
-/// The passes over pixels that take the time, compiled once for each kind of machine. Pixels begin .. end - 1 are done,
-/// where `begin` is a multiple of `chunk`.
+/// The passes over pixels that take the time, compiled once for each kind of machine. Pixels begin .. end - 1 are done, where `begin` is a multiple of `chunk`.
 struct Kernels {
   const char* name;
   /// Plane 0 += d, plane 1 + k += weight_k d, plane 1 + functions += d^2 over all frames, for the segment whose plane 0 of

@@ -103,11 +103,16 @@ template <class V, int rows> inline void combine_at(const SegmentView& s, std::s
   for (int m = 0; m < rows; ++m) sum[m].store(out + static_cast<std::size_t>(m) * apart);
 }
 
+/// Calls at(lanes' type, number) for pixels 0 .. count - 1: lanes of them, then what is left over one by one.
+template <class Doubles, class At> inline void each_pixel(std::size_t count, const At& at) {
+  std::size_t i = 0;
+  for (; i + Doubles::lanes <= count; i += Doubles::lanes) at(Doubles{}, i);
+  for (; i < count; ++i) at(Lanes<double, 1>{}, i);
+}
+
 template <class Doubles, int rows>
 void combine_rows(const SegmentView& s, const double* coefficient, double* out, std::size_t apart, std::size_t begin, std::size_t end) {
-  std::size_t p = begin;
-  for (; p + Doubles::lanes <= end; p += Doubles::lanes) combine_at<Doubles, rows>(s, p, coefficient, out + (p - begin), apart);
-  for (; p < end; ++p) combine_at<Lanes<double, 1>, rows>(s, p, coefficient, out + (p - begin), apart);
+  each_pixel<Doubles>(end - begin, [&]<class V>(V, std::size_t i) { combine_at<V, rows>(s, begin + i, coefficient, out + i, apart); });
 }
 
 /// As many rows in one reading of the sums as registers hold.
@@ -144,9 +149,7 @@ inline void residual_at(const SegmentView& s, std::size_t p, const double* frame
 template <class Doubles>
 void residual(const SegmentView& s, const double* frames, const double* normal, std::size_t rows, const double* fitted, std::size_t apart, double* out,
               std::size_t begin, std::size_t end) {
-  std::size_t i = 0;
-  for (; begin + i + Doubles::lanes <= end; i += Doubles::lanes) residual_at<Doubles>(s, begin + i, frames, normal, rows, fitted + i, apart, out + i);
-  for (; begin + i < end; ++i) residual_at<Lanes<double, 1>>(s, begin + i, frames, normal, rows, fitted + i, apart, out + i);
+  each_pixel<Doubles>(end - begin, [&]<class V>(V, std::size_t i) { residual_at<V>(s, begin + i, frames, normal, rows, fitted + i, apart, out + i); });
 }
 
 /// The passes for `floats` single or half as many double numbers at once.
