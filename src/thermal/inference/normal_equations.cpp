@@ -4,8 +4,11 @@
 #include <Eigen/SparseCore>
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <utility>
 
 #include "core/error.hpp"
+#include "core/mapped.hpp"
 
 namespace arenite::inference {
 
@@ -127,6 +130,36 @@ Vector nonnegative(const Matrix& h, const Vector& b, Eigen::Index bounded) {
   throw CannotGoOn("forces within the friction cone were not found in 100 steps; check the units of loads and factors, and forces.friction");
 }
 
+/// L by columns; those that follow each other and have the same rows below them are a supernode.
+struct Lower {
+  Matrix l;
+  std::vector<int> first;            ///< column of every supernode, and the end
+  std::vector<std::size_t> node_of;  ///< of every column
+
+  explicit Lower(Matrix of) : l(std::move(of)) {
+    for (int j = 0; j < l.cols(); ++j) {
+      if (j == 0 || rows(j - 1).size() != rows(j).size() + 1 || rows(j - 1)[0] != j) first.push_back(j);
+      node_of.push_back(first.size() - 1);
+    }
+    first.push_back(static_cast<int>(l.cols()));
+  }
+  std::size_t supernodes() const { return first.size() - 1; }
+  /// Where a column begins below the diagonal, which may be stored.
+  int start(int j) const {
+    const int begin = l.outerIndexPtr()[j];
+    return begin + (begin < l.outerIndexPtr()[j + 1] && l.innerIndexPtr()[begin] == j ? 1 : 0);
+  }
+  std::span<const int> rows(int j) const { return {l.innerIndexPtr() + start(j), l.innerIndexPtr() + l.outerIndexPtr()[j + 1]}; }
+  /// The rows below a supernode's columns, and the supernode of the first of them.
+  std::span<const int> below(std::size_t node) const { return rows(first[node + 1] - 1); }
+  std::size_t parent(std::size_t node) const { return node_of[static_cast<std::size_t>(below(node)[0])]; }
+  /// Places of rows among a supernode's columns and the rows below them.
+  std::vector<std::ptrdiff_t> places(std::span<const int> rows, std::size_t in) const {
+    const int begin = first[in], end = first[in + 1];
+    return mapped(rows, [&, others = below(in)](int r) { return r < end ? r - begin : end - begin + (std::ranges::lower_bound(others, r) - others.begin()); });
+  }
+};
+
 }  // namespace
 
 /// Factor has no copy: it is made in place.
@@ -151,27 +184,36 @@ std::vector<double> NormalEquations::solve_in_cone(int contacts, double mu) cons
   return finite_values(t * nonnegative(h, t.transpose() * vector(right_), 2 * contacts));
 }
 
-// H = P^T L D L^T P has the inverse P^T L^-T D^-1 L^-1 P, whose diagonal is the sum of (L^-1 e)_k^2/D_k: forward substitution of some unit vectors at a
-// time. Those of neighbours in the factor's order reach the same few columns, their ancestors in its elimination tree.
+// Z = (L D L^T)^-1 obeys Z = D^-1 L^-1 + (1 - L^T) Z (Takahashi): with the rows R below the diagonal of L's column j, Z_Rj = -Z_RR L_Rj and
+// Z_jj = 1/D_j - L_Rj . Z_Rj. A supernode has Z of all its rows; of those below its columns it is a part of its parent's, which goes when its last
+// child has it.
 std::vector<double> NormalEquations::inverse_diagonal() const {
-  constexpr Eigen::Index some = 8;
-  const Matrix l = factorised().matrixL();
+  const Lower l(factorised().matrixL());
   const Vector& d = factorised().vectorD();
-  const Eigen::Index n = l.cols();
-  Vector diagonal = Vector::Zero(n + some);
-  Eigen::Matrix<double, Eigen::Dynamic, some, Eigen::RowMajor> x = decltype(x)::Zero(n + some, some);
-  for (Eigen::Index first = 0; first < n; first += some) {
-    x.middleRows<some>(first).setIdentity();
-    for (Eigen::Index k = first; k < n; ++k) {
-      const Eigen::Matrix<double, 1, some> solved = x.row(k);
-      if (solved.isZero(0)) continue;
-      x.row(k).setZero();
-      diagonal.segment<some>(first) += solved.cwiseAbs2().transpose() / d[k];
-      for (Matrix::InnerIterator below(l, k); below; ++below)
-        if (below.row() > k) x.row(below.row()) -= below.value() * solved;
+  std::vector<int> children(l.supernodes());
+  for (std::size_t k = 0; k < children.size(); ++k)
+    if (!l.below(k).empty()) ++children[l.parent(k)];
+  std::vector<Eigen::MatrixXd> z(children.size());
+  Vector diagonal(d.size());
+  for (std::size_t k = z.size(); k-- > 0;) {
+    const Eigen::Index columns = l.first[k + 1] - l.first[k], further = std::ssize(l.below(k)), size = columns + further;
+    z[k].resize(size, size);  // lower triangle
+    if (further > 0) {
+      const std::size_t parent = l.parent(k);
+      const auto place = l.places(l.below(k), parent);
+      z[k].bottomRightCorner(further, further) = z[parent](place, place);
+      if (--children[parent] == 0) z[parent] = {};
     }
+    for (Eigen::Index c = columns - 1; c >= 0; --c) {
+      const int j = l.first[k] + static_cast<int>(c);
+      const Eigen::Map<const Vector> column(l.l.valuePtr() + l.start(j), size - c - 1);
+      auto under = z[k].col(c).tail(column.size());
+      under.noalias() = z[k].bottomRightCorner(column.size(), column.size()).selfadjointView<Eigen::Lower>() * -column;
+      diagonal[j] = z[k](c, c) = 1 / d[j] - column.dot(under);
+    }
+    if (children[k] == 0) z[k] = {};
   }
-  return values(factorised().permutationP().inverse() * diagonal.head(n));
+  return values(factorised().permutationP().inverse() * diagonal);
 }
 
 int NormalEquations::small_eigenvalues(double threshold) const {
