@@ -143,7 +143,6 @@ struct Lower {
     }
     first.push_back(static_cast<int>(l.cols()));
   }
-  std::size_t supernodes() const { return first.size() - 1; }
   /// Where a column begins below the diagonal, which may be stored.
   int start(int j) const {
     const int begin = l.outerIndexPtr()[j];
@@ -153,11 +152,6 @@ struct Lower {
   /// The rows below a supernode's columns, and the supernode of the first of them.
   std::span<const int> below(std::size_t node) const { return rows(first[node + 1] - 1); }
   std::size_t parent(std::size_t node) const { return node_of[static_cast<std::size_t>(below(node)[0])]; }
-  /// Places of rows among a supernode's columns and the rows below them.
-  std::vector<std::ptrdiff_t> places(std::span<const int> rows, std::size_t in) const {
-    const int begin = first[in], end = first[in + 1];
-    return mapped(rows, [&, others = below(in)](int r) { return r < end ? r - begin : end - begin + (std::ranges::lower_bound(others, r) - others.begin()); });
-  }
 };
 
 }  // namespace
@@ -190,7 +184,7 @@ std::vector<double> NormalEquations::solve_in_cone(int contacts, double mu) cons
 std::vector<double> NormalEquations::inverse_diagonal() const {
   const Lower l(factorised().matrixL());
   const Vector& d = factorised().vectorD();
-  std::vector<int> children(l.supernodes());
+  std::vector<int> children(l.first.size() - 1);
   for (std::size_t k = 0; k < children.size(); ++k)
     if (!l.below(k).empty()) ++children[l.parent(k)];
   std::vector<Eigen::MatrixXd> z(children.size());
@@ -200,7 +194,10 @@ std::vector<double> NormalEquations::inverse_diagonal() const {
     z[k].resize(size, size);  // lower triangle
     if (further > 0) {
       const std::size_t parent = l.parent(k);
-      const auto place = l.places(l.below(k), parent);
+      const auto others = l.below(parent);  // places of the rows among its columns and these
+      const int begin = l.first[parent], end = l.first[parent + 1];
+      const auto place =
+          mapped(l.below(k), [&](int row) { return row < end ? row - begin : end - begin + (std::ranges::lower_bound(others, row) - others.begin()); });
       z[k].bottomRightCorner(further, further) = z[parent](place, place);
       if (--children[parent] == 0) z[parent] = {};
     }

@@ -108,29 +108,25 @@ Left motion_left(const PhasePictures& pictures, const Rim& rim, std::size_t grai
   const PixelHarmonics fit(pictures, motion, grain);
   Matrix part(n, smooth), rest(n, unknowns + 2);
   std::vector<double> mean;
+  const auto weight = [&](std::size_t p) { return std::sqrt(rim.pixels[p].weight); };
   for (std::size_t p = 0; p < n; ++p) {
     const RimPixel& pixel = rim.pixels[p];
     const Followed f = fit.follow(pictures, pixel.place);
     mean.push_back(f.harmonics[0]);
-    const double in = pixel.inside;
+    const double w = weight(p), in = w * pixel.inside;
     const auto [x, y] = pixel.from_centre;
     const double shape[smooth] = {in, in * x, in * y, in * x * x, in * x * y, in * y * y};
     for (std::size_t k = 0; k < smooth; ++k) part(p, k) = shape[k];
-    rest(p, 0) = -f.slope.x, rest(p, 1) = -f.slope.y;
-    rest(p, unknowns) = f.harmonics[1], rest(p, unknowns + 1) = f.harmonics[2];
+    rest(p, 0) = -w * f.slope.x, rest(p, 1) = -w * f.slope.y;
+    rest(p, unknowns) = w * f.harmonics[1], rest(p, unknowns + 1) = w * f.harmonics[2];
   }
   for (const OtherRim& o : rim.others) {
     const std::size_t row = o.pixel, column = left.own(o.grain);
-    const Vec2 slope = contrast[o.grain] * o.slope;
+    const Vec2 slope = weight(row) * contrast[o.grain] * o.slope;
     rest(row, 0) += slope.x, rest(row, 1) += slope.y;
     rest(row, column) -= slope.x, rest(row, column + 1) -= slope.y;
     rest(row, unknowns) += dot(slope, motion.cosine[o.grain] - motion.cosine[grain]);
     rest(row, unknowns + 1) += dot(slope, motion.sine[o.grain] - motion.sine[grain]);
-  }
-  for (std::size_t p = 0; p < n; ++p) {
-    const double w = std::sqrt(rim.pixels[p].weight);
-    for (std::size_t k = 0; k < smooth; ++k) part(p, k) *= w;
-    for (std::size_t k = 0; k < unknowns + 2; ++k) rest(p, k) *= w;
   }
   left.contrast = contrast_of(rim, mean, contrast);
   const Matrix q = statistics::orthonormal(part).q;

@@ -43,13 +43,9 @@ int possible_harmonics(const std::vector<double>& time, const LockinOptions& o) 
   return std::max(harmonics, 1);
 }
 
+/// Of a pixel that never changes all sums are 0, and of one that is no number none is larger or smaller.
 void refuse_constant(const SegmentSums& s) {
-  const SegmentView view = s.view();
-  for (std::size_t p = 0; p < s.pixels; ++p)
-    for (std::size_t k = 0; k < s.segments(); ++k) {
-      const float *squares = view.sums + view.at(p, k, s.functions + 1), *step = squares + chunk;
-      if (*squares > 0 || std::abs(*step) > 0) return;
-    }
+  if (std::ranges::any_of(s.sums, [](float sum) { return std::abs(sum) > 0; })) return;
   throw InputError("every pixel of the film is constant in time (or is no number); a lock-in needs a film of a loaded sample");
 }
 

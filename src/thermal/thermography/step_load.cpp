@@ -144,13 +144,6 @@ void fill(StepMaps& maps, const StepSides& sides, const StepSums (&sums)[2]) {
   if (!changes) throw InputError("every pixel of the film is constant in time (or is no number); a step needs a film of a loaded sample");
 }
 
-/// Throws where the jumps that were sought in so many frames are no more than noise makes them once in a hundred films.
-void refuse_without_step(const StepSides& sides, std::size_t frames) {
-  const double tried = std::sqrt(2 * std::log(100 * static_cast<double>(frames)));
-  if (sides.evidence > chi_squared_above(sides.noise.pixels, tried)) return;
-  throw InputError("the film shows no step of the load: nowhere do its pixels jump by more than their noise; give the time of the step");
-}
-
 }  // namespace
 
 StepMaps step_load(FilmSource& film, const StepOptions& o) {
@@ -167,7 +160,9 @@ StepMaps step_load(FilmSource& film, const StepOptions& o) {
   if (series.rows() == 0) throw InputError("every pixel of the film is constant in time (or is no number); a step needs a film of a loaded sample");
   const double step = o.time ? *o.time : find_step(series, time, o.drift_order);
   const StepSides sides = step_sides(series, time, step, o);
-  if (!o.time) refuse_without_step(sides, time.size());
+  // Jumps that were sought in so many frames are no more than noise makes them once in a hundred films.
+  if (!o.time && !(sides.evidence > chi_squared_above(sides.noise.pixels, std::sqrt(2 * std::log(100 * static_cast<double>(time.size()))))))
+    throw InputError("the film shows no step of the load: nowhere do its pixels jump by more than their noise; give the time of the step");
   const auto& [before, after] = sides.side;
   StepMaps maps{film.info().width, film.info().height, step, before.count, after.count, o.drift_order, before.relaxation, after.relaxation};
   StepSums sums[2] = {StepSums(film.info().pixels(), before.height.rows()), StepSums(film.info().pixels(), after.height.rows())};
