@@ -8,7 +8,6 @@
 #include "io/table/table.hpp"
 #include "model/film.hpp"
 #include "thermal/identify/curve.hpp"
-#include "thermal/identify/factor.hpp"
 #include "thermal/identify/findings.hpp"
 
 /// What the three identifications share: columns that are labels, rows put together by them, and stated values.

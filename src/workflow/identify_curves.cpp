@@ -33,7 +33,7 @@ template <class Findings> Group group_of(const std::string& name, const Tests& t
   Group group{name.empty() ? "all" : name, tests.size(), findings(tests.size() == 1 ? tests.front().second : statistics::mean_of(values_of(tests)))};
   if (tests.size() == 1) return group;
   for (const auto& [test, each] : tests) {
-    group.tests.push_back({test, {group.findings.front()}});
+    group.tests.push_back({test, 0, {group.findings.front()}});
     group.tests.back().findings.front().value = each;
   }
   return group;

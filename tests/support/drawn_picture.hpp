@@ -10,7 +10,7 @@
 #include "io/disk/file.hpp"
 #include "io/sample/sample.hpp"
 #include "model/image.hpp"
-#include "thermal/imaging/blur.hpp"
+#include "thermal/imaging/grain_search.hpp"
 
 /// Pictures of disks whose truth is known: every pixel holds the exact share that disks cover.
 namespace arenite::test {

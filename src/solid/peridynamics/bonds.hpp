@@ -1,13 +1,11 @@
 #pragma once
-#include <sys/mman.h>
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <new>
 #include <vector>
 
+#include "core/pages.hpp"
 #include "model/phase_map.hpp"
 #include "solid/peridynamics/lattice.hpp"
 #include "solid/peridynamics/options.hpp"
@@ -37,22 +35,6 @@ struct Grid {
   }
   std::size_t padded_size() const { return static_cast<std::size_t>((height + 6) * stride + 3 * vector); }
 };
-
-/// Zeroed memory straight from the system, in large pages where it gives them: the stencil walks over a dozen rows at once, and small pages would run
-/// it out of address translations.
-template <class T> struct Pages {
-  using value_type = T;
-  bool operator==(const Pages&) const = default;
-  T* allocate(std::size_t n) {
-    void* p = mmap(nullptr, n * sizeof(T), PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-    if (p == MAP_FAILED) throw std::bad_alloc();
-    if (n * sizeof(T) >= (std::size_t{1} << 21)) madvise(p, n * sizeof(T), MADV_HUGEPAGE);
-    return static_cast<T*>(p);
-  }
-  void deallocate(T* p, std::size_t n) { munmap(p, n * sizeof(T)); }
-  void construct(T*) const {}  ///< zero as it is
-};
-template <class T> using Buffer = std::vector<T, Pages<T>>;
 
 /// A plane vector at every node of a grid.
 template <class T> struct Field {

@@ -69,8 +69,7 @@ struct Surroundings {
   bool radiometry = true;  ///< false: the level is linear in temperature and everything is black
 };
 
-/// When frames are taken, and how the load goes from its smallest to its largest value:
-/// s(t) = (1 - cos w t)/2 + second_harmonic (1 - cos 2 w t)/2.
+/// When frames are taken, and how the load goes from its smallest to its largest value: s(t) = (1 - cos w t)/2 + second_harmonic (1 - cos 2 w t)/2.
 struct Timing {
   std::int64_t frames = 8880;
   double frame_rate = 148;        ///< Hz
@@ -111,16 +110,14 @@ struct Scene {
   Materials materials;
 };
 
-/// The scene between two states of the same grains (T eq. 1.55 with the field of disks under their contact forces).
-/// Throws InputError if the grains differ.
+/// The scene between two states of the same grains (T eq. 1.55 with the field of disks under their contact forces). Throws InputError if the grains differ.
 Scene scene_between(const Packing& low, const Packing& high, const Parameters& parameters);
 
 /// The scene from no load to a state; nothing moves.
 Scene scene_of_state(const Packing& state, const Parameters& parameters);
 
-/// The scene from no load to the stresses that peridynamics found in the grains of a cemented sample (their matrix
-/// warms by nothing of its own). Grains move by the mean displacement of their nodes. Throws InputError for a sample without load,
-/// or one whose grains are no disks.
+/// The scene from no load to the stresses that peridynamics found in the grains of a cemented sample (their matrix warms by nothing of its own). Grains move by
+/// the mean displacement of their nodes. Throws InputError for a sample without load, or one whose grains are no disks.
 Scene scene_of_field(const FieldResult& result, const Parameters& parameters);
 
 /// The picture of the scene at load fraction s: photons over those of a black body at 296 K, pixel by pixel, from the top.

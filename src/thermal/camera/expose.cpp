@@ -3,6 +3,7 @@
 
 #include "core/problems.hpp"
 #include "core/random.hpp"
+#include "geometry/rectangle.hpp"
 #include "thermal/camera/camera.hpp"
 #include "thermal/optics/lens.hpp"
 
@@ -29,10 +30,7 @@ Exitance exitance_near(const Parameters& p, double emissivity) {
           emissivity * (slope_at(t + h) - slope_at(t - h)) / (4 * h) / unit};
 }
 
-Vec2 middle_of(const Scene& scene) {
-  const auto& wall = scene.low.wall;
-  return {0.5 * (wall[left].position + wall[right].position), 0.5 * (wall[bottom].position + wall[top].position)};
-}
+Vec2 middle_of(const Scene& scene) { return 0.5 * (scene.low.corner(0) + scene.low.corner(1)); }
 
 /// What a camera takes up, and through what.
 struct Drawing {
@@ -80,20 +78,11 @@ struct View {
 };
 
 void paint_container(optics::Canvas& canvas, const Scene& scene, const View& view, double s, float background, float container) {
-  double edge[4];
-  for (int side = 0; side < 4; ++side) edge[side] = scene.low.wall[side].position + s * (scene.high.wall[side].position - scene.low.wall[side].position);
-  for (int r = 0; r < canvas.height; ++r) {
-    float* row = canvas.light.data() + static_cast<std::size_t>(r) * static_cast<std::size_t>(canvas.width);
-    for (int c = 0; c < canvas.width; ++c) {
-      const Vec2 p = view.place(canvas.place(c, r));
-      const bool inside = p.x > edge[left] && p.x < edge[right] && p.y > edge[bottom] && p.y < edge[top];
-      row[c] = inside ? background : container;
-    }
-  }
-}
-
-Vec2 place_of(const Scene& scene, const Parameters& p, std::size_t i, double s) {
-  return p.motion ? scene.grains.position[i] + s * scene.travel[i] : scene.grains.position[i];
+  const auto corner = [&](int end) { return scene.low.corner(end) + s * (scene.high.corner(end) - scene.low.corner(end)); };
+  const geometry::Rectangle inside{corner(0).x, corner(1).x, corner(0).y, corner(1).y};
+  auto light = canvas.light.begin();
+  for (int r = 0; r < canvas.height; ++r)
+    for (int c = 0; c < canvas.width; ++c) *light++ = inside.holds(view.place(canvas.place(c, r))) ? background : container;
 }
 
 void darken_corners(std::vector<float>& picture, const Optics& optics) {
@@ -119,7 +108,7 @@ std::vector<float> expose(const Scene& scene, const Parameters& p, double s) {
   for (std::size_t i = 0; i < scene.grains.size(); ++i) {
     const auto m = static_cast<std::size_t>(scene.grains.material[i]);
     const double warming = -scene.materials[m].thermoelastic_factor * s;
-    drawing.disk(place_of(scene, p, i, s), scene.grains.radius[i],
+    drawing.disk(scene.grains.position[i] + (p.motion ? s : 0) * scene.travel[i], scene.grains.radius[i],
                  [&](float& light, Vec2 offset) { light = static_cast<float>(exitance[m](warming * static_cast<double>(scene.stress[i].at(offset)))); });
   }
   auto picture = optics::through_lens(drawing.lens, drawing.canvas.light, static_cast<int>(p.optics.width), static_cast<int>(p.optics.height));

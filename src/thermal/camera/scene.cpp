@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/mapped.hpp"
 #include "core/problems.hpp"
 #include "model/elasticity/disk_field.hpp"
 #include "thermal/camera/camera.hpp"
@@ -37,29 +38,21 @@ void check_points(const Grains& grains, std::size_t count, const Optics& optics)
         1e3 * optics.pixel, optics.supersampling, optics.supersampling, points);
 }
 
-/// The grains of a packing as disks under their contact forces.
-std::vector<elasticity::Disk> loaded_disks(const Packing& packing, double arc) {
-  std::vector<elasticity::Disk> disks(packing.grains.size());
-  for (std::size_t i = 0; i < disks.size(); ++i) {
-    disks[i].radius = packing.grains.radius[i];
-    disks[i].length = packing.domain.thickness;
-    disks[i].traction = arc > 0 ? elasticity::Traction::elliptic : elasticity::Traction::point;
-  }
-  const auto& contacts = packing.contacts;
-  for (std::size_t c = 0; c < contacts.size(); ++c) {
-    const Vec2 n = contacts.normal[c];
-    disks[static_cast<std::size_t>(contacts.i[c])].forces.push_back({n, contacts.fn[c], contacts.ft[c], arc});
-    if (!contacts.is_wall(c)) disks[static_cast<std::size_t>(contacts.j[c])].forces.push_back({-n, contacts.fn[c], contacts.ft[c], arc});
-  }
-  return disks;
-}
-
-Patch patch_of(const elasticity::Disk* low, const elasticity::Disk& high, double cell) {
-  return fill_patch(high.radius, cell, [&](Vec2 at, double away) {
-    // Cells on the rim and beyond it hold what its nearest point has.
-    if (away > high.radius - 0.71 * cell) at = (high.radius - 0.71 * cell) / away * at;
-    return elasticity::square_mean(high, at, cell) - (low ? elasticity::square_mean(*low, at, cell) : 0.0);
+/// The grains as disks under the change of their contact forces from `low`, or from none, to `high`: fields of forces add up.
+std::vector<elasticity::Disk> pressed_disks(const Packing* low, const Packing& high, double arc) {
+  auto disks = mapped(high.grains.radius, [&](double radius) {
+    return elasticity::Disk{radius, high.domain.thickness, {}, arc > 0 ? elasticity::Traction::elliptic : elasticity::Traction::point};
   });
+  const auto press = [&](const Contacts& contacts, double sign) {
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+      const elasticity::RimForce force{contacts.normal[c], sign * contacts.fn[c], sign * contacts.ft[c], arc};
+      disks[static_cast<std::size_t>(contacts.i[c])].forces.push_back(force);
+      if (!contacts.is_wall(c)) disks[static_cast<std::size_t>(contacts.j[c])].forces.push_back({-force.normal, force.fn, force.ft, arc});
+    }
+  };
+  press(high.contacts, 1);
+  if (low) press(low->contacts, -1);
+  return disks;
 }
 
 void require_factors(const Packing& packing) {
@@ -74,13 +67,14 @@ Scene make_scene(const Packing* low, const Packing& high, const Parameters& p) {
   check_points(high.grains, high.grains.size(), p.optics);
   const Packing& start = low ? *low : high;
   Scene scene{start.grains, {}, {}, start.domain, high.domain, high.materials};
-  const auto pressed = loaded_disks(high, p.contact_arc);
-  const auto released = low ? loaded_disks(*low, p.contact_arc) : std::vector<elasticity::Disk>{};
   const double cell = p.optics.pixel / static_cast<double>(p.optics.supersampling);
-  for (std::size_t i = 0; i < pressed.size(); ++i) {
-    scene.travel.push_back(high.grains.position[i] - start.grains.position[i]);
-    scene.stress.push_back(patch_of(low ? &released[i] : nullptr, pressed[i], cell));
-  }
+  for (std::size_t i = 0; i < start.grains.size(); ++i) scene.travel.push_back(high.grains.position[i] - start.grains.position[i]);
+  for (const elasticity::Disk& disk : pressed_disks(low, high, p.contact_arc))
+    scene.stress.push_back(fill_patch(disk.radius, cell, [&](Vec2 at, double away) {
+      // Cells on the rim and beyond it hold what its nearest point has.
+      const double inner = disk.radius - 0.71 * cell;
+      return elasticity::square_mean(disk, away > inner ? inner / away * at : at, cell);
+    }));
   return scene;
 }
 
@@ -178,16 +172,12 @@ Scene scene_of_field(const FieldResult& result, const Parameters& parameters) {
   if (result.packing.grains.size() < grains || grains == 0)
     throw refusal("\"{}\" was loaded from a picture, whose grains are no disks; the camera films results of a recipe", result.name);
   check_points(result.packing.grains, grains, parameters.optics);
-  Scene scene;
-  scene.grains = result.packing.grains;
+  Scene scene{result.packing.grains, mean_displacements(result), {}, result.packing.domain, {}, result.packing.materials};
   scene.grains.resize(grains);
-  scene.materials = result.packing.materials;
-  scene.low = result.packing.domain;
   scene.low.wall[right].position = result.map.width * result.map.dx;
   scene.low.wall[top].position = result.map.height * result.map.dx;
   scene.low.wall[left].position = scene.low.wall[bottom].position = 0;
   scene.high = scene.low;
-  scene.travel = mean_displacements(result);
   const double cell = parameters.optics.pixel / static_cast<double>(parameters.optics.supersampling);
   const int points = std::clamp(static_cast<int>(std::ceil(cell / result.map.dx)), 1, 16);
   for (std::size_t g = 0; g < grains; ++g) {

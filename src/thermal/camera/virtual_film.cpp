@@ -73,10 +73,8 @@ double load_fraction(const Timing& timing, double t) {
 std::vector<std::int64_t> frames_taken(const Timing& timing, std::uint64_t seed) {
   std::vector<std::int64_t> taken;
   RandomStream random(seed, Purpose::dropped_frames);
-  for (std::int64_t k = 0; k < timing.frames; ++k) {
-    const bool dropped = random.uniform() < timing.dropped;
-    if (!dropped || k == 0 || k == timing.frames - 1) taken.push_back(k);
-  }
+  for (std::int64_t k = 0; k < timing.frames; ++k)
+    if (random.uniform() >= timing.dropped || k == 0 || k == timing.frames - 1) taken.push_back(k);
   return taken;
 }
 

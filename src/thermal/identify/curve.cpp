@@ -112,12 +112,6 @@ Cycle cycle_between(const Curve& curve, const std::vector<double>& f, std::size_
   return cycle;
 }
 
-std::vector<double> residuals_of(const std::vector<double>& x, const std::vector<double>& y, double intercept, double slope) {
-  std::vector<double> residuals;
-  for (std::size_t k = 0; k < x.size(); ++k) residuals.push_back(y[k] - intercept - slope * x[k]);
-  return residuals;
-}
-
 double squares_of(const std::vector<double>& values) { return std::inner_product(values.begin(), values.end(), values.begin(), 0.0); }
 
 constexpr std::ptrdiff_t points_before = 10, fewest_before = 5;
@@ -128,10 +122,10 @@ statistics::Measured peak_with_noise(const Curve& curve, std::ptrdiff_t peak) {
   const std::ptrdiff_t first = std::max<std::ptrdiff_t>(0, peak - points_before), count = peak - first;
   if (count < fewest_before) return {value};
   const std::vector<double> x(curve.x.begin() + first, curve.x.begin() + peak), y(curve.y.begin() + first, curve.y.begin() + peak);
-  const Regression line = regress(x, y);
-  if (!std::isfinite(line.slope.value)) return {value};
+  const auto m = statistics::second_moments(x, y);
+  if (!(m.xx > 0)) return {value};
   const double freedom = static_cast<double>(count - 2);
-  return {value, std::sqrt(squares_of(residuals_of(x, y, line.intercept.value, line.slope.value)) / freedom), freedom};
+  return {value, std::sqrt(std::max(0.0, m.yy - m.xy * m.xy / m.xx) / freedom), freedom};
 }
 
 constexpr std::size_t enough_for_correlation = 10;
@@ -182,15 +176,6 @@ PullOff pull_off(const Curve& curve) {
   return result;
 }
 
-statistics::Measured surface_energy(const statistics::Measured& separation_force, const statistics::Measured& stiffness, double radius) {
-  return statistics::product({{{4 / radius}, 0.5}, {stiffness, 0.5}, {separation_force, 0.5}});
-}
-
-Threshold threshold(double gamma, double k, double radius) {
-  const double h = radius * gamma * gamma / (k * k);
-  return {0.25 * k * h, 0.25 * h, h};
-}
-
 Regression regress(const std::vector<double>& x, const std::vector<double>& y, bool through_origin) {
   const std::size_t unknowns = through_origin ? 1 : 2;
   if (x.size() <= unknowns) return {};
@@ -202,7 +187,8 @@ Regression regress(const std::vector<double>& x, const std::vector<double>& y, b
   }
   if (!(m.xx > 0)) return {};
   const double slope = m.xy / m.xx, intercept = m.mean_y - slope * m.mean_x;
-  const std::vector<double> residuals = residuals_of(x, y, intercept, slope);
+  std::vector<double> residuals;
+  for (std::size_t k = 0; k < x.size(); ++k) residuals.push_back(y[k] - intercept - slope * x[k]);
   const double squares = squares_of(residuals);
   Regression r;
   r.correlation = neighbour_correlation(residuals);

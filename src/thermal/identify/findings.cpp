@@ -21,18 +21,11 @@ Numbers numbers(const Finding& f) {
   return j;
 }
 
-void put(Numbers& to, const std::vector<Finding>& findings) {
-  for (const auto& f : findings) to[f.name] = numbers(f);
-}
-
 Numbers numbers(const Group& group) {
-  Numbers j{{"name", group.name}, {"count", statistics::described(group.count, "", "Values or points that it rests on")}};
-  put(j, group.findings);
-  for (const auto& test : group.tests) {
-    Numbers item{{"name", test.name}};
-    put(item, test.findings);
-    j["tests"].push_back(item);
-  }
+  Numbers j{{"name", group.name}};
+  if (group.count > 0) j["count"] = statistics::described(group.count, "", "Values or points that it rests on");
+  for (const auto& f : group.findings) j[f.name] = numbers(f);
+  for (const auto& test : group.tests) j["tests"].push_back(numbers(test));
   return j;
 }
 

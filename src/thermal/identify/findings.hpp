@@ -28,18 +28,12 @@ struct Finding : Constant {
 /// True if the value rounds to what is stated.
 bool agrees(const Finding& finding);
 
-/// Quantities of one test, of one specimen.
-struct Test {
-  std::string name;
-  std::vector<Finding> findings;
-};
-
-/// Quantities of tests alike: one diameter, one glue, one material.
+/// Quantities of one test, of one specimen; or of tests alike: one diameter, one glue, one material.
 struct Group {
   std::string name;
-  std::size_t count = 0;  ///< of values or points that it rests on
+  std::size_t count = 0;  ///< of values or points that it rests on; of a test not told
   std::vector<Finding> findings;
-  std::vector<Test> tests = {};
+  std::vector<Group> tests = {};
 };
 
 struct Identification {

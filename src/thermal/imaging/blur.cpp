@@ -1,10 +1,9 @@
-#include "thermal/imaging/blur.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 
 #include "core/median.hpp"
+#include "thermal/imaging/grain_search.hpp"
 #include "thermal/optics/lens.hpp"
 
 namespace arenite::imaging {
@@ -18,8 +17,14 @@ void add_weighted(const std::vector<float>& kernel, const float* from, float* to
   }
 }
 
-void open_around(double x, double y, int width, int height, std::vector<char>& open) {
-  each_pixel_near({x, y}, 1, width, height, [&](int, int, std::size_t at) { open[at] = 1; });
+/// The open pixels of a picture so many times smaller, with those beside them.
+Mask widened(const Mask& open, int width, int height, int times) {
+  Mask wide{width, height, std::vector<char>(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0)};
+  for (int y = 0; y < open.height; ++y)
+    for (int x = 0; x < open.width; ++x)
+      if (open.value[open.index(x, y)] != 0)
+        each_pixel_near({1.0 * (x / times), 1.0 * (y / times)}, 1, width, height, [&](int, int, std::size_t at) { wide.value[at] = 1; });
+  return wide;
 }
 
 }  // namespace
@@ -70,27 +75,17 @@ double noise_level(const FloatImage& image) {
 }
 
 std::vector<Run> runs_of(const Mask& open) {
-  std::vector<char> wanted(open.size(), 0);
-  for (int y = 0; y < open.height; ++y)
-    for (int x = 0; x < open.width; ++x)
-      if (open.value[open.index(x, y)] != 0) open_around(x, y, open.width, open.height, wanted);
+  const Mask wanted = widened(open, open.width, open.height, 1);
   std::vector<Run> runs;
   for (int y = 0; y < open.height; ++y)
     for (int x = 0; x < open.width; ++x) {
-      if (wanted[open.index(x, y)] == 0) continue;
+      if (wanted.value[open.index(x, y)] == 0) continue;
       if (!runs.empty() && runs.back().y == y && runs.back().last == x - 1) runs.back().last = x;
       else runs.push_back({y, x, x});
     }
   return runs;
 }
 
-Mask halved_open(const Mask& open) {
-  Mask half{open.width / 2, open.height / 2, {}};
-  half.value.resize(half.size());
-  for (int y = 0; y < open.height; ++y)
-    for (int x = 0; x < open.width; ++x)
-      if (open.value[open.index(x, y)] != 0) open_around(x / 2, y / 2, half.width, half.height, half.value);
-  return half;
-}
+Mask halved_open(const Mask& open) { return widened(open, open.width / 2, open.height / 2, 2); }
 
 }  // namespace arenite::imaging

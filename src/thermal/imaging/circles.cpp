@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numeric>
 #include <utility>
 
 #include "core/error.hpp"
 #include "core/mapped.hpp"
 #include "core/median.hpp"
+#include "statistics/histogram.hpp"
 #include "thermal/imaging/search_rounds.hpp"
 
 namespace arenite::imaging {
@@ -40,14 +42,8 @@ std::vector<char> pores(const std::vector<double>& brightness, double between) {
 }
 
 void part_materials(FoundCircles& found, const CircleOptions& options) {
-  statistics::ClusterOptions how;
-  how.floor = 0.5 * found.report.noise;
-  how.least_members = std::max<std::size_t>(2, found.grains.size() / 100);
-  if (options.materials > 0) {
-    how.most = options.materials;
-    how.separation = 0;
-    how.least_members = 1;
-  }
+  statistics::ClusterOptions how{.floor = 0.5 * found.report.noise, .least_members = std::max<std::size_t>(2, found.grains.size() / 100)};
+  if (options.materials > 0) how = {.most = options.materials, .separation = 0, .floor = how.floor, .least_members = 1};
   found.report.materials = statistics::cluster(found.grains.brightness, how);
   found.grains.material = found.report.materials.of;
 }
@@ -56,11 +52,47 @@ void count_overlaps(FoundCircles& found) {
   const PictureGrains& g = found.grains;
   for (std::size_t a = 0; a < g.size(); ++a)
     for (std::size_t b = a + 1; b < g.size(); ++b) {
-      const double overlap = g.radius[a] + g.radius[b] - std::hypot(g.centre[a].x - g.centre[b].x, g.centre[a].y - g.centre[b].y);
+      const double overlap = g.radius[a] + g.radius[b] - norm(g.centre[a] - g.centre[b]);
       found.report.largest_overlap = std::max(found.report.largest_overlap, overlap);
       const double error = std::hypot(std::hypot(g.position_error[a], g.position_error[b]), std::hypot(g.radius_error[a], g.radius_error[b]));
       if (overlap > 3 * error && overlap > 0.02 * std::min(g.radius[a], g.radius[b])) ++found.report.overlapping;
     }
+}
+
+constexpr int bins = 256;
+using Levels = std::array<double, bins>;
+
+Levels smooth_histogram(const FloatImage& image, const statistics::Bins& scale) {
+  Levels count{}, smooth{};
+  for (const float v : image.value) ++count[static_cast<std::size_t>(std::clamp((static_cast<double>(v) - scale.low) / scale.width, 0.0, bins - 1.0))];
+  for (int b = 0; b < bins; ++b)
+    for (int d = std::max(-6, -b); d <= std::min(6, bins - 1 - b); ++d)
+      smooth[static_cast<std::size_t>(b)] += count[static_cast<std::size_t>(b + d)] * std::exp(-d * d / 8.0) / 5.013;
+  return smooth;
+}
+
+/// Bins of maxima between which the histogram falls to half of the lower one.
+std::vector<std::size_t> peaks_of(const Levels& count) {
+  constexpr double deepest_valley = 0.5;
+  std::vector<std::size_t> peaks;
+  double valley = 0;
+  for (std::size_t b = 0; b < bins; ++b) {
+    valley = std::min(valley, count[b]);
+    if ((b > 0 && count[b] <= count[b - 1]) || (b + 1 < bins && count[b] < count[b + 1])) continue;
+    if (peaks.empty() || valley <= deepest_valley * std::min(count[b], count[peaks.back()])) peaks.push_back(b);
+    else if (count[b] > count[peaks.back()]) peaks.back() = b;
+    else continue;
+    valley = count[b];
+  }
+  return peaks;
+}
+
+/// Pixels from valley to valley round a peak.
+double members(const Levels& count, std::size_t peak) {
+  double sum = count[peak];
+  for (std::size_t b = peak; b > 0 && count[b - 1] <= count[b]; --b) sum += count[b - 1];
+  for (std::size_t b = peak; b + 1 < bins && count[b + 1] <= count[b]; ++b) sum += count[b + 1];
+  return sum;
 }
 
 constexpr std::size_t most_levels = 2;
@@ -74,9 +106,8 @@ double pixels_away_from(double level, const FloatImage& image) {
   return static_cast<double>(std::count_if(away.begin(), away.end(), [half = *far / 2](double v) { return v > half; }));
 }
 
-/// Whether disks are brighter or darker than what is around them is decided, if it is asked,
-/// by which of the two accounts for more of the picture after the first round; where the picture has a
-/// level between two others (levels_between) and disks on both sides of it account for most of the rest, these are taken.
+/// Whether disks are brighter or darker than what is around them is decided, if it is asked, by which of the two accounts for more of the picture after the
+/// first round; where the picture has a level between two others (levels_between) and disks on both sides of it account for most of the rest, these are taken.
 DiskSearch search_disks(const FloatImage& image, const CircleOptions& options) {
   std::array<std::optional<std::vector<Circle>>, 2> seen;
   const auto rims = [&](bool bright) -> const std::vector<Circle>& {  // searched once for all that begin with them
@@ -102,15 +133,29 @@ DiskSearch search_disks(const FloatImage& image, const CircleOptions& options) {
 
 }  // namespace
 
+std::vector<double> levels_between(const FloatImage& image) {
+  constexpr double least_share = 0.01;
+  if (image.value.empty()) return {};
+  const auto [low, high] = std::minmax_element(image.value.begin(), image.value.end());
+  const statistics::Bins scale{static_cast<double>(*low), (static_cast<double>(*high) - static_cast<double>(*low)) / bins, bins};
+  if (!(scale.width > 0)) return {};
+  const Levels count = smooth_histogram(image, scale);
+  std::vector<std::size_t> peaks = peaks_of(count);
+  std::erase_if(peaks, [&](std::size_t peak) { return members(count, peak) < least_share * static_cast<double>(image.size()); });
+  if (peaks.size() < 3) return {};
+  peaks.erase(peaks.begin());
+  peaks.pop_back();
+  std::ranges::stable_sort(peaks, std::greater{}, [&](std::size_t peak) { return members(count, peak); });
+  return mapped(peaks, [&](std::size_t peak) { return scale.centre(peak); });
+}
+
 FoundCircles find_circles(const FloatImage& image, const CircleOptions& options) {
   check(image);
   const DiskSearch search = search_disks(image, options);
   const auto& disks = search.model.disks();
   std::vector<std::size_t> order(disks.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return std::pair(disks[a].centre.y, disks[a].centre.x) < std::pair(disks[b].centre.y, disks[b].centre.x);
-  });
+  std::ranges::stable_sort(order, {}, [&](std::size_t k) { return std::pair(disks[k].centre.y, disks[k].centre.x); });
   const auto errors = search.model.errors();
   const auto evidence = search.model.evidence();
   const auto brightness = mapped(disks, [&](const auto& disk) { return brightness_of(image, disk); });

@@ -70,17 +70,15 @@ double DiskModel::alone(const Disk& disk, Vec2 place) const {
 std::vector<DiskModel::Evidence> DiskModel::evidence() const {
   std::vector<Evidence> all;
   for (const Disk& disk : disks_) {
-    Evidence e;
-    e.contrast = disk.level - background(disk.centre);
+    const double contrast = disk.level - background(disk.centre);
     const int angles = std::max(16, static_cast<int>(2 * std::numbers::pi * disk.radius));
     const double inner = disk.radius - 1 - blur_, outer = disk.radius + 1 + blur_;
     int seen = 0;
     for (int k = 0; k < angles; ++k) {
       const double a = 2 * std::numbers::pi * k / angles;
       const Vec2 outward{std::cos(a), std::sin(a)};
-      if ((alone(disk, disk.centre + inner * outward) - alone(disk, disk.centre + outer * outward)) / e.contrast > 0.5) ++seen;
+      if ((alone(disk, disk.centre + inner * outward) - alone(disk, disk.centre + outer * outward)) / contrast > 0.5) ++seen;
     }
-    e.rim = static_cast<double>(seen) / angles;
     double with = 0, without = 0;
     each(disk, [&](int x, int y, std::size_t at) {
       const double c = cover(disk, x, y).share, rest = left(at);
@@ -89,8 +87,7 @@ std::vector<DiskModel::Evidence> DiskModel::evidence() const {
       with += rest * rest;
       without += (rest + own) * (rest + own);
     });
-    e.explained = without > 0 ? 1 - with / without : 0;
-    all.push_back(e);
+    all.push_back({static_cast<double>(seen) / angles, without > 0 ? 1 - with / without : 0, contrast});
   }
   return all;
 }
@@ -145,8 +142,6 @@ std::vector<DiskModel::Errors> DiskModel::errors() const {
   }
   return errors;
 }
-
-double least_resolved(const DiskModel& model) { return 2.5 * model.blur(); }
 
 std::vector<char> refuted_disks(const DiskModel& model, const CircleOptions& options, bool strict) {
   const Disks& disks = model.disks();

@@ -1,6 +1,7 @@
 #include "thermal/imaging/disk_model.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/mapped.hpp"
 #include "core/median.hpp"
@@ -11,6 +12,12 @@ namespace {
 
 constexpr double least_radius = 1.0, longest_step = 0.5;  // pixels
 constexpr double settled = 1e-3, at_rest = 5e-3;          // pixels a step
+
+/// Those beyond 2.5 standard deviations count less.
+double huber_weight(double residual, double noise) {
+  const double size = std::abs(residual), most = 2.5 * noise;
+  return size <= most || size == 0 ? 1 : most / size;
+}
 
 Vec2 from_centre(const DiskModel::Disk& disk, int x, int y) { return {x - disk.centre.x, y - disk.centre.y}; }
 
@@ -156,11 +163,8 @@ void DiskModel::fit(int sweeps, int between) {
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     const bool all = sweep % between == 0;
     double most = 0;
-    for (Disk& disk : disks_) {
-      if (!all && disk.moved < at_rest) continue;
-      disk.moved = step(disk);
-      most = std::max(most, disk.moved);
-    }
+    for (Disk& disk : disks_)
+      if (all || disk.moved >= at_rest) most = std::max(most, disk.moved = step(disk));
     if (!all) continue;
     fit_background();
     fit_blur();
@@ -173,6 +177,71 @@ FloatImage DiskModel::residual() const {
   FloatImage image{image_.width, image_.height, std::vector<float>(image_.size())};
   for (std::size_t i = 0; i < image.size(); ++i) image.value[i] = static_cast<float>(left(i));
   return image;
+}
+
+std::array<std::pair<std::size_t, double>, 4> DiskModel::shares(Vec2 place) const {
+  const double u = std::max(0.0, place.x / spacing_), v = std::max(0.0, place.y / spacing_);
+  const int c = std::min(static_cast<int>(u), columns_ - 2), r = std::min(static_cast<int>(v), rows_ - 2);
+  const double a = u - c, b = v - r;
+  const auto first = static_cast<std::size_t>(c + columns_ * r), above = first + static_cast<std::size_t>(columns_);
+  return {{{first, (1 - a) * (1 - b)}, {first + 1, a * (1 - b)}, {above, (1 - a) * b}, {above + 1, a * b}}};
+}
+
+double DiskModel::background(Vec2 place) const {
+  double sum = 0;
+  for (const auto& [node, share] : shares(place)) sum += share * node_[node];
+  return sum;
+}
+
+void DiskModel::draw_background() {
+  for (int y = 0; y < image_.height; ++y)
+    for (int x = 0; x < image_.width; ++x) background_[image_.index(x, y)] = static_cast<float>(background({1.0 * x, 1.0 * y}));
+}
+
+/// Pixels in the windows of disks; all where there are none.
+std::vector<char> DiskModel::near_disks() const {
+  std::vector<char> near(image_.size(), disks_.empty() ? 1 : 0);
+  for (const Disk& disk : disks_) each(disk, [&](int, int, std::size_t at) { near[at] = 1; });
+  return near;
+}
+
+/// The net starts flat, from the level that is given, or the end of the scale where the background is: disks that are not found yet look like
+/// background, and between many of them it would otherwise be taken for as bright as they are.
+void DiskModel::start_background() {
+  const std::vector<char> near = near_disks();
+  std::vector<float> free;
+  for (std::size_t i = 0; i < image_.size(); ++i)
+    if (near[i] != 0 && covered_[i] < 0.2F) free.push_back(image_.value[i]);
+  double level = 0;
+  if (!free.empty()) {
+    const auto at = free.begin() + static_cast<std::ptrdiff_t>(free.size() * (bright_ ? 1 : 9) / 10);
+    std::nth_element(free.begin(), at, free.end());
+    level = between_.value_or(static_cast<double>(*at));
+    if (noise_ == 0) noise_ = 0.1 * std::abs(median_in_place(free.begin(), free.end()) - level);
+  }
+  node_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), level);
+  draw_background();
+}
+
+/// One lumped least-squares step of every node on the pixels near disks, as far as these do not cover them.
+void DiskModel::fit_background() {
+  const std::vector<char> near = near_disks();
+  std::vector<double> top(node_.size(), 0.0), bottom(node_.size(), 1e-12);
+  double all_top = 0, all_bottom = 1e-12;
+  for (int y = 0; y < image_.height; ++y)
+    for (int x = 0; x < image_.width; ++x) {
+      const std::size_t at = image_.index(x, y);
+      const double free = std::clamp(1.0 - static_cast<double>(covered_[at]), 0.0, 1.0);
+      if (near[at] == 0 || free < 0.02) continue;
+      // Next to no weight for what stands out to the side of the disks, as one that is not found yet.
+      const double gap = left(at), huber = noise_ > 0 ? huber_weight(gap, noise_) : 1, w = between_ || (gap > 0) == bright_ ? huber * huber * huber : huber;
+      for (const auto& [node, share] : shares({1.0 * x, 1.0 * y})) top[node] += share * w * free * gap, bottom[node] += share * w * free * free;
+      all_top += w * free * gap;
+      all_bottom += w * free * free;
+    }
+  const double few = 0.02 * all_bottom / static_cast<double>(node_.size());  // a node that sees little follows all
+  for (std::size_t n = 0; n < node_.size(); ++n) node_[n] += (top[n] + few * all_top / all_bottom) / (bottom[n] + few);
+  draw_background();
 }
 
 }  // namespace arenite::imaging

@@ -4,14 +4,14 @@
 #include <cstddef>
 #include <numbers>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "model/image.hpp"
 
 namespace arenite::imaging {
 
-/// The normal distribution and its density from a table: cubic between points, right to 3e-9. A picture's fit asks for
-/// them a hundred million times.
+/// The normal distribution and its density from a table: cubic between points, right to 3e-9. A picture's fit asks for them a hundred million times.
 class BlurredStep {
  public:
   static constexpr double reach = 5;  ///< beyond, the step counts as 0 or 1
@@ -53,10 +53,9 @@ struct Circle {
 
 /// A picture as a sum of disks on a background, all under one blur:
 ///   I(p) = B(p) + sum_k (level_k - B(p)) C_k(p),
-/// C_k the share of pixel p that disk k covers after lens and pixel have blurred it with a Gaussian of standard deviation s:
-/// C = Phi((r - q - s^2/(2 q))/s) at the distance q from the centre, right to second order in s/r. B is linear between the
-/// nodes of a coarse net. Fitted by Gauss-Newton steps, one disk after the other with its neighbours in the model, so that
-/// touching disks do not pull at each other.
+/// C_k the share of pixel p that disk k covers after lens and pixel have blurred it with a Gaussian of standard deviation s: C = Phi((r - q - s^2/(2 q))/s) at
+/// the distance q from the centre, right to second order in s/r. B is linear between the nodes of a coarse net. Fitted by Gauss-Newton steps, one disk after
+/// the other with its neighbours in the model, so that touching disks do not pull at each other.
 class DiskModel {
  public:
   struct Disk {
@@ -117,12 +116,12 @@ class DiskModel {
   double left(std::size_t pixel) const;
   double alone(const Disk& disk, Vec2 place) const;
   double step(Disk& disk);
+  /// The nodes of the net between which a place lies, and what each adds to its background.
+  std::array<std::pair<std::size_t, double>, 4> shares(Vec2 place) const;
   void fit_background();
   void fit_blur();
   void measure_noise();
   void draw_background();
-
-  double background_weight(double gap) const;
   std::vector<char> near_disks() const;
   void start_background();
 
@@ -135,8 +134,5 @@ class DiskModel {
   std::vector<double> node_;  ///< background at the net's nodes
   std::vector<float> background_, covered_, light_;
 };
-
-/// Huber's weight of a residual: those beyond 2.5 standard deviations count less.
-double huber_weight(double residual, double noise);
 
 }  // namespace arenite::imaging

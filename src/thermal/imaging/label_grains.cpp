@@ -1,8 +1,8 @@
 #include "thermal/imaging/label_grains.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <utility>
 
@@ -21,67 +21,43 @@ std::vector<std::int32_t> along_columns(const PhaseMap& map, std::int32_t far) {
   return g;
 }
 
-/// Lower envelope of the parabolas g[c]^2 + (x - c)^2 of one row.
-class Envelope {
- public:
-  explicit Envelope(int width) : centre_(static_cast<std::size_t>(width)), start_(centre_.size()) {}
-
-  void build(const std::int32_t* g, int width) {
-    top_ = 0;
-    for (int u = 0; u < width; ++u) {
-      while (top_ > 0 && value(g, centre_[top_ - 1], start_[top_ - 1]) > value(g, u, start_[top_ - 1])) --top_;
-      if (top_ == 0) {
-        push(u, 0);
-      } else if (const std::int64_t from = 1 + crossing(g, centre_[top_ - 1], u); from < width) {
-        push(u, static_cast<int>(from));
-      }
-    }
-  }
-  void write(const std::int32_t* g, int width, std::int32_t* out) const {
-    std::size_t k = top_;
-    for (int x = width; x-- > 0;) {
-      while (start_[k - 1] > x) --k;
-      out[x] = static_cast<std::int32_t>(std::min<std::int64_t>(value(g, centre_[k - 1], x), std::numeric_limits<std::int32_t>::max()));
-    }
-  }
-
- private:
-  static std::int64_t value(const std::int32_t* g, int centre, int x) {
+/// Least of the parabolas g[c]^2 + (x - c)^2 at every place x of a row, from their lower envelope.
+void along_row(const std::int32_t* g, int width, std::int32_t* out) {
+  const auto value = [&](int centre, int x) {
     const std::int64_t across = x - centre, along = g[centre];
     return across * across + along * along;
+  };
+  struct Piece {
+    int centre, start;
+  };
+  std::vector<Piece> lowest;
+  for (int u = 0; u < width; ++u) {
+    std::int64_t start = 0;  // one behind the last x at which the parabola before is not above this one
+    for (; !lowest.empty(); lowest.pop_back()) {
+      const int i = lowest.back().centre;
+      const std::int64_t rise = value(u, 0) - value(i, 0), run = 2 * (std::int64_t{u} - i);
+      start = 1 + (rise >= 0 ? rise / run : -((-rise + run - 1) / run));
+      if (start > lowest.back().start) break;
+      start = 0;
+    }
+    if (start < width) lowest.push_back({u, static_cast<int>(start)});
   }
-  /// Last x at which the parabola at i is not above that at u > i.
-  static std::int64_t crossing(const std::int32_t* g, int i, int u) {
-    const std::int64_t rise = value(g, u, 0) - value(g, i, 0), run = 2 * (std::int64_t{u} - i);
-    return rise >= 0 ? rise / run : -((-rise + run - 1) / run);
+  for (int x = width; x-- > 0;) {
+    while (lowest.back().start > x) lowest.pop_back();
+    out[x] = static_cast<std::int32_t>(std::min<std::int64_t>(value(lowest.back().centre, x), std::numeric_limits<std::int32_t>::max()));
   }
-  void push(int centre, int start) {
-    centre_[top_] = centre;
-    start_[top_++] = start;
-  }
-  std::vector<int> centre_, start_;
-  std::size_t top_ = 0;
-};
+}
 
-/// Particle nodes from the deepest inside outwards, equals in the order of the map: radix sort by 16 bits at a time.
+/// Particle nodes from the deepest inside outwards, equals in the order of the map.
 std::vector<std::int32_t> by_depth(const std::vector<std::int32_t>& squared) {
-  std::vector<std::int32_t> order, next;
+  std::vector<std::int32_t> order;
   for (std::size_t i = 0; i < squared.size(); ++i)
     if (squared[i] > 0) order.push_back(static_cast<std::int32_t>(i));
-  next.resize(order.size());
-  for (const int shift : {0, 16}) {
-    std::array<std::size_t, 65537> start{};
-    const auto bucket = [&](std::int32_t i) { return 65535 - (static_cast<std::size_t>(squared[static_cast<std::size_t>(i)]) >> shift & 65535); };
-    for (const std::int32_t i : order) ++start[bucket(i) + 1];
-    for (std::size_t b = 1; b < start.size(); ++b) start[b] += start[b - 1];
-    for (const std::int32_t i : order) next[start[bucket(i)]++] = i;
-    order.swap(next);
-  }
+  std::ranges::stable_sort(order, std::greater{}, [&](std::int32_t i) { return squared[static_cast<std::size_t>(i)]; });
   return order;
 }
 
-/// Basins about the summits of the distance transform, joined where the saddle between two is less than `smoothing`
-/// below the lower summit.
+/// Basins about the summits of the distance transform, joined where the saddle between two is less than `smoothing` below the lower summit.
 struct Basins {
   int width;
   const std::vector<std::int32_t>& squared;
@@ -94,26 +70,17 @@ struct Basins {
   void take(std::size_t i) {
     const auto across = static_cast<std::size_t>(width);
     const std::size_t x = i % across;
-    std::array<std::size_t, 4> neighbours{};
-    std::size_t count = 0;
-    const auto note = [&](std::size_t n) {
-      if (label[n] >= 0) neighbours[count++] = n;
-    };
-    if (i >= across) note(i - across);
-    if (x > 0) note(i - 1);
-    if (x + 1 < across) note(i + 1);
-    if (i + across < label.size()) note(i + across);
+    const std::pair<bool, std::size_t> beside[] = {{i >= across, i - across}, {x > 0, i - 1}, {x + 1 < across, i + 1}, {i + across < label.size(), i + across}};
     const double level = std::sqrt(static_cast<double>(squared[i]));
-    if (count == 0) {
+    std::int32_t deepest = 0;  // of the neighbours that were taken
+    for (const auto& [in, n] : beside)
+      if (in && label[n] >= 0 && squared[n] > deepest) deepest = squared[n], label[i] = label[n];
+    if (deepest == 0) {
       label[i] = sets.add();
       summit.push_back(level);
-      return;
     }
-    std::size_t deepest = neighbours[0];
-    for (std::size_t k = 1; k < count; ++k)
-      if (squared[neighbours[k]] > squared[deepest]) deepest = neighbours[k];
-    label[i] = label[deepest];
-    for (std::size_t k = 0; k < count; ++k) meet(label[i], label[neighbours[k]], level);
+    for (const auto& [in, n] : beside)
+      if (in && label[n] >= 0) meet(label[i], label[n], level);
   }
   /// Basins are numbered from the deepest on, so the smaller number, which the joined ones keep, is the higher summit.
   void meet(std::int32_t a, std::int32_t b, double level) {
@@ -133,13 +100,13 @@ std::vector<std::int32_t> joined(std::vector<std::int32_t> label, JoinedSets& se
 /// The two ways: a label for each particle node, equal within a grain and otherwise arbitrary, -1 elsewhere.
 std::vector<std::int32_t> connected_particles(const PhaseMap& map) {
   std::vector<std::int32_t> label(map.size(), -1);
-  JoinedSets sets;
+  JoinedSets sets(map.size());
   const auto width = static_cast<std::size_t>(map.width);
   for (std::size_t i = 0; i < label.size(); ++i) {
     if (map.phase[i] != Phase::particle) continue;
-    const std::int32_t before = i % width > 0 ? label[i - 1] : -1, below = i >= width ? label[i - width] : -1;
-    if (before >= 0 && below >= 0) label[i] = before == below ? before : sets.join(before, below);
-    else label[i] = before >= 0 ? before : below >= 0 ? below : sets.add();
+    label[i] = static_cast<std::int32_t>(i);
+    for (const std::size_t before : {i % width > 0 ? i - 1 : i, i >= width ? i - width : i})
+      if (map.phase[before] == Phase::particle) sets.join(label[before], label[i]);
   }
   return joined(std::move(label), sets);
 }
@@ -157,12 +124,7 @@ std::vector<std::int32_t> squared_distance(const PhaseMap& map) {
   const auto far = static_cast<std::int32_t>(std::min<std::int64_t>(std::int64_t{map.width} + map.height, 1 << 30));
   const std::vector<std::int32_t> g = along_columns(map, far);
   std::vector<std::int32_t> squared(map.size());
-  Envelope envelope(map.width);
-  for (int y = 0; y < map.height; ++y) {
-    const std::size_t row = map.index(0, y);
-    envelope.build(g.data() + row, map.width);
-    envelope.write(g.data() + row, map.width, squared.data() + row);
-  }
+  for (int y = 0; y < map.height; ++y) along_row(g.data() + map.index(0, y), map.width, squared.data() + map.index(0, y));
   if (std::find(g.begin(), g.end(), 0) == g.end()) std::fill(squared.begin(), squared.end(), std::numeric_limits<std::int32_t>::max());
   return squared;
 }

@@ -7,6 +7,7 @@
 #include "core/median.hpp"
 #include "core/problems.hpp"
 #include "geometry/rectangle.hpp"
+#include "model/packing.hpp"
 #include "thermal/imaging/disk_model.hpp"
 
 namespace arenite::imaging {
@@ -58,18 +59,6 @@ double correlation(const Cover& c, const FloatImage& picture, int dx, int dy) {
   return spread > 0 ? (ab - a * b / n) / std::sqrt(spread) : 0;
 }
 
-Vec2 middle_of(const PictureGrains& g) {
-  Vec2 sum;
-  for (const Vec2 centre : g.centre) sum += centre;
-  return (1 / static_cast<double>(g.size())) * sum;
-}
-
-double farthest(const PictureGrains& g, Vec2 from) {
-  double most = 1;
-  for (const Vec2 centre : g.centre) most = std::max(most, norm(centre - from));
-  return most;
-}
-
 /// t, then turned about a place and shifted.
 Similarity turned(Similarity t, double angle, Vec2 about, Vec2 shift) {
   t.shift = about + shift + Similarity{1, angle, {}}(t.shift - about);
@@ -80,8 +69,10 @@ Similarity turned(Similarity t, double angle, Vec2 about, Vec2 shift) {
 /// By whole pixels, and by turns that move the outermost grain by one.
 void search(const PictureGrains& circles, const FloatImage& picture, const OverlayOptions& options, Overlay& found) {
   const PictureGrains at = apply(found.transform, circles);
-  const Vec2 middle = middle_of(at);
-  const double step = 1 / farthest(at, middle);
+  const Vec2 middle = mean_point(at.centre);
+  double farthest = 1;
+  for (const Vec2 centre : at.centre) farthest = std::max(farthest, norm(centre - middle));
+  const double step = 1 / farthest;
   const int turns = static_cast<int>(std::ceil(options.turn / step)), reach = static_cast<int>(std::ceil(options.reach));
   const Similarity first = found.transform;
   for (int k = -turns; k <= turns; ++k) {
@@ -96,8 +87,6 @@ void search(const PictureGrains& circles, const FloatImage& picture, const Overl
   }
 }
 
-double robust_rms(const std::vector<double>& distance) { return median(distance) / median_of_plane_distance; }
-
 /// Fits every circle to the picture from where the transform has it, and the transform to where they went.
 void refine(const PictureGrains& circles, const FloatImage& picture, Overlay& found) {
   const PictureGrains at = apply(found.transform, circles);
@@ -110,25 +99,20 @@ void refine(const PictureGrains& circles, const FloatImage& picture, Overlay& fo
   model.refresh();
   model.fit(10);
   const std::vector<Vec2> fitted = mapped(model.disks(), &DiskModel::Disk::centre);
-  const auto distances = [&] {
-    std::vector<double> away;
-    for (std::size_t i = 0; i < fitted.size(); ++i) away.push_back(norm(found.transform(circles.centre[i]) - fitted[i]));
-    return away;
+  std::vector<double> away(fitted.size());
+  const auto measure = [&] {
+    for (std::size_t i = 0; i < fitted.size(); ++i) away[i] = norm(found.transform(circles.centre[i]) - fitted[i]);
+    found.rms = median(away) / median_of_plane_distance;
   };
-  std::vector<double> away = distances();
+  measure();
   for (int pass = 0; pass < rounds; ++pass) {
-    found.rms = robust_rms(away);
     std::vector<Vec2> from, to;
-    for (std::size_t i = 0; i < at.size(); ++i) {
-      if (away[i] > overlay_outlier * found.rms * 1.2 + 1e-9) continue;
-      from.push_back(circles.centre[i]);
-      to.push_back(fitted[i]);
-    }
+    for (std::size_t i = 0; i < at.size(); ++i)
+      if (away[i] <= overlay_outlier * found.rms * 1.2 + 1e-9) from.push_back(circles.centre[i]), to.push_back(fitted[i]);
     if (from.size() < 3) return;
     found.transform = fit_similarity(from, to, false);
-    away = distances();
+    measure();
   }
-  found.rms = robust_rms(away);
 }
 
 }  // namespace

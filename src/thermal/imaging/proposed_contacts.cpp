@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "core/problems.hpp"
 #include "model/periodic_images.hpp"
@@ -31,11 +30,6 @@ double surface_error(const GrainErrors& errors, std::size_t g) {
   return std::hypot(errors.position.empty() ? 0.0 : errors.position[g], errors.radius.empty() ? 0.0 : errors.radius[g]);
 }
 
-void add_contact(Contacts& contacts, std::int32_t i, std::int32_t j, Vec2 normal, double arm_i, double arm_j, double overlap) {
-  contacts.add(i, j, normal, 0, 0, arm_i, arm_j);
-  contacts.overlap.back() = overlap;
-}
-
 }  // namespace
 
 Contacts propose_contacts(const Grains& grains, const Domain& domain, const GrainErrors& errors, const ContactTolerance& tolerance) {
@@ -50,17 +44,17 @@ Contacts propose_contacts(const Grains& grains, const Domain& domain, const Grai
     const double distance = norm(branch), overlap = grains.radius[a] + grains.radius[b] - distance;
     const double error = std::hypot(surface_error(errors, a), surface_error(errors, b));
     if (-overlap > floor + tolerance.errors * error || !(distance > 0)) continue;
-    add_contact(contacts, i, j, (1 / distance) * branch, grains.radius[a] - 0.5 * overlap, grains.radius[b] - 0.5 * overlap, overlap);
+    contacts.add(i, j, (1 / distance) * branch, 0, 0, grains.radius[a] - 0.5 * overlap, grains.radius[b] - 0.5 * overlap);
+    contacts.overlap.back() = overlap;
   }
   for (int side = left; side <= top; ++side) {
-    const Wall& wall = domain.wall[static_cast<std::size_t>(side)];
-    if (!wall.present) continue;
-    const Vec2 normal = inward_normal(side);
+    if (!domain.wall[static_cast<std::size_t>(side)].present) continue;
     for (std::size_t g = 0; g < grains.size(); ++g) {
-      const double distance = dot(normal, grains.position[g]) - (normal.x + normal.y) * wall.position;
+      const double distance = domain.depth(side, grains.position[g]);
       const double error = std::hypot(surface_error(errors, g), tolerance.wall_error);
       if (distance - grains.radius[g] > floor + tolerance.errors * error) continue;
-      add_contact(contacts, static_cast<std::int32_t>(g), wall_partner(side), normal, distance, 0, grains.radius[g] - distance);
+      contacts.add(static_cast<std::int32_t>(g), wall_partner(side), inward_normal(side), 0, 0, distance, 0);
+      contacts.overlap.back() = grains.radius[g] - distance;
     }
   }
   return contacts;

@@ -20,11 +20,10 @@ struct GrainErrors {
   std::vector<double> radius;
 };
 
-/// Contacts between grains, and with the walls that are present, whose surfaces are no farther apart than the tolerance:
-/// grains first, by (i, j), then walls by side. Forces are 0, `overlap` is minus the gap (below 0 where surfaces are
-/// apart), and a contact lies in the middle of the overlap, on a wall in its plane. Periodic sides are honoured, sheared
-/// cells too. Linear in the number of grains. Throws InputError where arrays disagree in length or hold values that are
-/// no numbers.
+/// Contacts between grains, and with the walls that are present, whose surfaces are no farther apart than the tolerance: grains first, by (i, j), then walls by
+/// side. Forces are 0, `overlap` is minus the gap (below 0 where surfaces are apart), and a contact lies in the middle of the overlap, on a wall in its plane.
+/// Periodic sides are honoured, sheared cells too. Linear in the number of grains. Throws InputError where arrays disagree in length or hold values that are no
+/// numbers.
 Contacts propose_contacts(const Grains& grains, const Domain& domain, const GrainErrors& errors = {}, const ContactTolerance& tolerance = {});
 
 }  // namespace arenite::imaging

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/problems.hpp"
+#include "model/packing.hpp"
 #include "thermal/imaging/registration_search.hpp"
 
 namespace arenite::imaging {
@@ -24,13 +25,12 @@ void check(const PictureGrains& grains, const char* which) {
 /// Of the transform, from the distances that it leaves.
 void tell_errors(const PictureGrains& from, const RegistrationSearch& search, Registration& r) {
   const double n = static_cast<double>(r.pairs.size());
+  const Vec2 middle = mean_point(mapped(r.pairs, [&](const auto& pair) { return from.centre[pair.first]; }));
   double squares = 0, spread = 0;
-  Vec2 middle;
   for (const auto& pair : r.pairs) {
     squares += std::pow(search.distance(r.transform, pair), 2);
-    middle += (1 / n) * from.centre[pair.first];
+    spread += dot(from.centre[pair.first] - middle, from.centre[pair.first] - middle);
   }
-  for (const auto& pair : r.pairs) spread += dot(from.centre[pair.first] - middle, from.centre[pair.first] - middle);
   r.rms = std::sqrt(squares / (2 * n));
   r.scale_error = std::sqrt(squares / std::max(1.0, 2 * n - 4)) / std::sqrt(spread);
   r.rotation_error = r.scale_error / r.transform.scale;

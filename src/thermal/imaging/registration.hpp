@@ -47,12 +47,10 @@ struct Registration {
   double matched = 0;                                        ///< pairs over the size of the smaller set
 };
 
-/// Finds the similarity that lays grains found in one picture (optical) on those found in another (thermal) without a
-/// hand-picked point: two grains of the one are held against all pairs of the other that agree in size, what fits their
-/// neighbours is grown over the picture, and the transform whose pairs are many and near is fitted to all of them, outliers
-/// left out; it is taken once two more pairs of grains have led to none better.
-/// Grains may be missing or invented in both, and the pictures need not show the same part. Throws InputError where there
-/// are fewer than three grains in a set or too few find a partner.
+/// Finds the similarity that lays grains found in one picture (optical) on those found in another (thermal) without a hand-picked point: two grains of the one
+/// are held against all pairs of the other that agree in size, what fits their neighbours is grown over the picture, and the transform whose pairs are many and
+/// near is fitted to all of them, outliers left out; it is taken once two more pairs of grains have led to none better. Grains may be missing or invented in
+/// both, and the pictures need not show the same part. Throws InputError where there are fewer than three grains in a set or too few find a partner.
 Registration register_circles(const PictureGrains& from, const PictureGrains& to, const RegistrationOptions& options = {});
 
 struct OverlayOptions {
@@ -68,10 +66,9 @@ struct Overlay {
   double shift_error = 0;  ///< standard error: pixels at the middle of the grains
 };
 
-/// Lays circles found in one picture on another in which single grains need not be told apart: the place at which what they
-/// cover looks most like the picture (shifts by whole pixels, turns by a pixel at the edge), then all circles fitted to it
-/// (DiskModel) and the similarity fitted to these, outliers left out. `first` says where they lie nearly. Throws InputError
-/// for fewer than three circles.
+/// Lays circles found in one picture on another in which single grains need not be told apart: the place at which what they cover looks most like the picture
+/// (shifts by whole pixels, turns by a pixel at the edge), then all circles fitted to it (DiskModel) and the similarity fitted to these, outliers left out.
+/// `first` says where they lie nearly. Throws InputError for fewer than three circles.
 Overlay lay_over(const PictureGrains& circles, const Similarity& first, const FloatImage& picture, const OverlayOptions& options = {});
 
 }  // namespace arenite::imaging

@@ -148,10 +148,7 @@ class RegistrationSearch {
   /// All grains of `from`, the nearest to a place first.
   std::vector<std::int32_t> around(Vec2 middle) const {
     std::vector<std::int32_t> index = all_;
-    std::sort(index.begin(), index.end(), [&](std::int32_t a, std::int32_t b) {
-      const Vec2 u = from_.centre[a] - middle, v = from_.centre[b] - middle;
-      return std::pair(dot(u, u), a) < std::pair(dot(v, v), b);
-    });
+    std::ranges::stable_sort(index, {}, [&](std::int32_t a) { return dot(from_.centre[a] - middle, from_.centre[a] - middle); });
     return index;
   }
 

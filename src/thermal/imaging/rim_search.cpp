@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "thermal/imaging/blur.hpp"
-
 namespace arenite::imaging {
 namespace {
 
@@ -34,13 +32,12 @@ Slope slope_of(const FloatImage& image, bool bright) {
   return slope;
 }
 
-/// What one pixel in a hundred exceeds of the slopes: that of a picture's clear edges.
-float steepest(const Slope& slope) {
+/// Slope that counts as none: of the noise, and a share of what one pixel in a hundred exceeds, the picture's clear edges.
+float no_slope(const FloatImage& image, const Slope& slope) {
   std::vector<float> square = slope.square.value;
   const auto at = square.begin() + static_cast<std::ptrdiff_t>(square.size() * 99 / 100);
-  if (at == square.end()) return 0;
   std::nth_element(square.begin(), at, square.end());
-  return std::sqrt(*at);
+  return static_cast<float>(noise_level(image)) + texture * std::sqrt(*at) + 1e-30F;
 }
 
 struct RingPixel {
@@ -112,24 +109,22 @@ float score_of(const Slope& slope, const FloatImage& square, int x, int y, const
 
 /// Climbs from a circle to the best one nearby, a pixel or half a pixel of radius at a time.
 void climb(const Slope& slope, const FloatImage& square, float noise, int& x, int& y, double& radius) {
-  constexpr double moves[6][3] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 0.5}, {0, 0, -0.5}};
-  std::vector<RingPixel> ring = ring_of(radius), other;
+  struct Move {
+    int x, y;
+    double radius;
+  };
+  constexpr Move moves[] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 0.5}, {0, 0, -0.5}};
+  std::vector<RingPixel> ring = ring_of(radius);
   float best = score_of(slope, square, x, y, ring, noise);
-  for (int i = 0, failed = 0; i < 60 && failed < 6; ++i) {
-    const double* m = moves[i % 6];
-    const int to_x = x + static_cast<int>(m[0]), to_y = y + static_cast<int>(m[1]);
-    if (m[2] != 0) other = ring_of(radius + m[2]);
-    const float score = score_of(slope, square, to_x, to_y, m[2] != 0 ? other : ring, noise);
-    if (score <= best) {
-      ++failed;
-      continue;
-    }
-    failed = 0;
+  for (int i = 0, failed = 0; i < 60 && failed < 6; ++i, ++failed) {
+    const Move& to = moves[i % 6];
+    std::vector<RingPixel> there = to.radius != 0 ? ring_of(radius + to.radius) : ring;
+    const float score = score_of(slope, square, x + to.x, y + to.y, there, noise);
+    if (score <= best) continue;
+    failed = -1;
     best = score;
-    x = to_x;
-    y = to_y;
-    radius += m[2];
-    if (m[2] != 0) std::swap(ring, other);
+    x += to.x, y += to.y, radius += to.radius;
+    ring = std::move(there);
   }
 }
 
@@ -147,7 +142,7 @@ bool is_summit(const FloatImage& before, const FloatImage& here, const FloatImag
 void search_level(const FloatImage& image, double first, double last, double scale, const Mask& open, const RimOptions& options, std::vector<Circle>& found) {
   const std::vector<Run> runs = runs_of(open);
   const Slope slope = slope_of(image, options.bright);
-  const float noise = static_cast<float>(noise_level(image)) + texture * steepest(slope) + 1e-30F;
+  const float noise = no_slope(image, slope);
   std::vector<double> radii;
   for (double r = first / step; r < last * step * step; r *= step) radii.push_back(r);
   FloatImage before = scores_at(slope, radii[0], noise, runs), here = scores_at(slope, radii[1], noise, runs);
@@ -165,7 +160,7 @@ void search_level(const FloatImage& image, double first, double last, double sca
 /// Circles found on a coarse picture, moved to where they fit best on one twice as fine.
 void refine(const FloatImage& image, double scale, bool bright, std::vector<Circle>& found) {
   const Slope slope = slope_of(image, bright);
-  const float noise = static_cast<float>(noise_level(image)) + texture * steepest(slope) + 1e-30F;
+  const float noise = no_slope(image, slope);
   FloatImage square = slope.square;
   double blur = 0;
   for (Circle& circle : found) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -174,7 +175,7 @@ class SearchRounds {
     if (candidates.empty()) return 0;
     const double least = round == 0 ? 0.55 * candidates[std::min<std::size_t>(4, candidates.size() - 1)].score : 0.25;
     std::erase_if(candidates, [&](const Circle& circle) { return circle.score < least; });
-    std::stable_sort(candidates.begin(), candidates.end(), [](const Circle& a, const Circle& b) { return weight(a) > weight(b); });
+    std::ranges::stable_sort(candidates, std::greater{}, weight);
     std::size_t added = 0;
     for (Circle circle : candidates) {
       const double ring = circle.radius;
@@ -212,12 +213,9 @@ class SearchRounds {
 
   void find_classes() {
     if (!options_.radii.empty()) {
-      statistics::Clusters given{classes_.mean, classes_.spread, std::vector<std::size_t>(classes_.size(), 0), {}};
-      for (const auto& disk : model_.disks()) {
-        given.of.push_back(static_cast<std::int32_t>(nearest_class(disk.radius)));
-        ++given.members[static_cast<std::size_t>(given.of.back())];
-      }
-      classes_ = std::move(given);
+      classes_.of = mapped<std::int32_t>(model_.disks(), [&](const auto& disk) { return static_cast<std::int32_t>(nearest_class(disk.radius)); });
+      classes_.members.assign(classes_.size(), 0);
+      for (const std::int32_t c : classes_.of) ++classes_.members[static_cast<std::size_t>(c)];
       return;
     }
     const auto logs = mapped(model_.disks(), [](const auto& disk) { return std::log(disk.radius); });

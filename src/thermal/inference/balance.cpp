@@ -32,11 +32,7 @@ double overlap_of(const Packing& packing, std::size_t c) {
   const Grains& grains = packing.grains;
   const auto i = static_cast<std::size_t>(packing.contacts.i[c]);
   if (packing.contacts.is_boundary(c)) return grains.radius[i] - packing.contacts.arm_i[c];
-  if (packing.contacts.is_wall(c)) {
-    const int side = packing.contacts.wall_side(c);
-    const Vec2 inward = inward_normal(side);
-    return grains.radius[i] - dot(inward, grains.position[i]) + (inward.x + inward.y) * packing.domain.wall[static_cast<std::size_t>(side)].position;
-  }
+  if (packing.contacts.is_wall(c)) return grains.radius[i] - packing.domain.depth(packing.contacts.wall_side(c), grains.position[i]);
   const auto j = static_cast<std::size_t>(packing.contacts.j[c]);
   return grains.radius[i] + grains.radius[j] - norm(packing.domain.nearest_image(grains.position[i] - grains.position[j]));
 }
@@ -58,13 +54,6 @@ void judge_presence(const Packing& packing, double widest_gap, InferredForces& f
   forces.presence = std::move(found.probability);
   forces.idle = std::move(found.idle);
   forces.fit.proposed = forces.contacts.size(), forces.fit.present = found.expected, forces.fit.present_error = found.error;
-}
-
-/// |sum of forces on a grain|, N.
-double imbalance(const std::vector<Touch>& touches, const std::vector<double>& force) {
-  Vec2 sum;
-  for (const Touch& t : touches) sum += t.force_of(force);
-  return norm(sum);
 }
 
 }  // namespace
@@ -171,7 +160,11 @@ InferredForces ForceEquations::finish(const ForceOptions& options, const Touches
   }
   for (std::size_t m = 0; m < unknowns.scales; ++m) out.fit.factor_scale_error.push_back(std::sqrt(variance[static_cast<std::size_t>(unknowns.scale(m))]));
   judge_presence(packing, options.widest_gap, out);
-  out.imbalance = mapped(touches, [&](const auto& own) { return imbalance(own, force); });
+  out.imbalance = mapped(touches, [&](const std::vector<Touch>& own) {
+    Vec2 sum;
+    for (const Touch& t : own) sum += t.force_of(force);
+    return norm(sum);
+  });
   return out;
 }
 

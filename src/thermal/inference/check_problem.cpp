@@ -1,10 +1,7 @@
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 #include <set>
 
-#include "core/error.hpp"
 #include "core/problems.hpp"
 #include "model/periodic_images.hpp"
 #include "thermal/inference/equations.hpp"

@@ -1,5 +1,4 @@
 #pragma once
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -42,9 +41,8 @@ struct WallLoad {
   double force = 0, error = 0;  ///< N, compression positive
 };
 
-/// What the forces obey beside the data. A single state has f = x_1 (n + mu t) + x_2 (n - mu t) with x >= 0. The difference
-/// of two states lies in no cone in general; where the small load is the share r of the large one at every contact,
-/// it lies in that of mu (1 + r)/(1 - r).
+/// What the forces obey beside the data. A single state has f = x_1 (n + mu t) + x_2 (n - mu t) with x >= 0. The difference of two states lies in no cone in
+/// general; where the small load is the share r of the large one at every contact, it lies in that of mu (1 + r)/(1 - r).
 enum class Inequality { none, cone };
 
 struct ForceOptions {
@@ -58,29 +56,26 @@ struct ForceOptions {
   bool fit_factors = false;     ///< the factor of every material is an unknown, too: how many times larger the film asks for
   double position_error = 0.1;  ///< standard error of grain centres, pixels; 0: centres are taken as exact
   double balance_error = 1e-2;  ///< standard error of a grain's balance, share of the mean contact force
-  double prior = 0;             ///< elastic regularisation: standard deviation of a contact's force about the elastic
-                                ///< solution, in mean contact forces; 0: 10 (next to nothing) for pixels, and for means
-                                ///< what makes them likeliest (MacKay's evidence)
+  double prior = 0;             ///< elastic regularisation: standard deviation of a contact's force about the elastic solution, in mean contact forces; 0: 10
+                                ///< (next to nothing) for pixels, and for means what makes them likeliest (MacKay's evidence)
   Inequality inequality = Inequality::none;
   double friction = 0.5;  ///< mu of the cone
   double widest_gap = 0;  ///< between grains or to walls that are proposed as contacts, m; 0: as the proposals show
   int iterations = 3;     ///< of forces and centres together
 };
 
-/// Grains as found (domain with thickness and periodicity), and proposed contacts, whose forces are not read. Normals of
-/// contacts between grains follow from the centres. `factor` is A of every material, K/Pa; -1 K/Pa stands for a
-/// picture of sigma_kk itself, in Pa. Means do not read it.
+/// Grains as found (domain with thickness and periodicity), and proposed contacts, whose forces are not read. Normals of contacts between grains follow from
+/// the centres. `factor` is A of every material, K/Pa; -1 K/Pa stands for a picture of sigma_kk itself, in Pa. Means do not read it.
 struct ForceProblem {
   const Packing& packing;
   std::vector<double> factor;
   std::vector<WallLoad> walls;
 };
 
-/// Forces from pixels: least squares of every pixel's warming (superposed Flamant fields with the term that frees the
-/// rim, seen through lens and pixel) with the balance of every grain, wall loads and, weakly, the smallest elastic energy;
-/// centres are refined with the forces. Standard errors hold the errors of pixels, fields and centres; they know of no cone.
-/// Throws InputError where a factor is missing, grains overlap by more than a fifth of the smaller diameter, or no pixel
-/// sees a contact.
+/// Forces from pixels: least squares of every pixel's warming (superposed Flamant fields with the term that frees the rim, seen through lens and pixel) with
+/// the balance of every grain, wall loads and, weakly, the smallest elastic energy; centres are refined with the forces. Standard errors hold the errors of
+/// pixels, fields and centres; they know of no cone. Throws InputError where a factor is missing, grains overlap by more than a fifth of the smaller diameter,
+/// or no pixel sees a contact.
 InferredForces infer_from_pixels(const ForceProblem& problem, const ThermoelasticPicture& picture, const ForceOptions& options);
 
 /// Forces from the mean stresses of grains alone: sum of fn = 2 pi R L p (p = -sigma_hyd, Pa), with balance and wall loads.

@@ -22,7 +22,7 @@ class NormalEquations {
   /// |ft| <= mu fn; found by an interior-point method (Mehrotra 1992).
   std::vector<double> solve() const;
   std::vector<double> solve_in_cone(int contacts, double mu) const;
-  /// Diagonal of the inverse of H, by Takahashi's recurrence on the factor's pattern.
+  /// Diagonal of the inverse of H.
   std::vector<double> inverse_diagonal() const;
   /// Number of eigenvalues of H below `threshold` times its largest diagonal entry, by Sylvester's law of inertia.
   int small_eigenvalues(double threshold) const;
@@ -47,11 +47,6 @@ class NormalEquations {
   mutable std::shared_ptr<const Factorised> factor_;  // for solution and errors alike; none after equations were added
 };
 
-/// Diagonal of the inverse of L D L^T, L with unit diagonal, by columns (rows ascending, the unit diagonal may be stored),
-/// from Takahashi's recurrence: only entries in the pattern of L are computed.
-std::vector<double> selected_inverse_diagonal(const std::vector<int>& begin, const std::vector<int>& row, const std::vector<double>& value,
-                                              const std::vector<double>& d);
-
 /// A contact as one of its grains has it: `normal` points into the grain; the force on it is fn normal + ft t.
 struct Touch {
   int contact = 0;
@@ -72,9 +67,8 @@ Touches touches_of_grains(const Packing& packing, const std::vector<Vec2>& centr
 /// Throws InputError with everything that is wrong with grains, contacts, walls and options; `factors` where those count.
 void check_problem(const ForceProblem& problem, const ForceOptions& options, bool factors);
 
-/// Unknowns of an inference: fn and ft of contact c are 2 c and 2 c + 1, in units of `force`; where centres are refined,
-/// the changes of centre g along x and y are 2 (contacts + g) and the next, in units of `move`; where materials' factors are
-/// fitted, the changes of their scales come last.
+/// Unknowns of an inference: fn and ft of contact c are 2 c and 2 c + 1, in units of `force`; where centres are refined, the changes of centre g along x and y
+/// are 2 (contacts + g) and the next, in units of `move`; where materials' factors are fitted, the changes of their scales come last.
 struct Unknowns {
   std::size_t contacts = 0, grains = 0;
   double force = 1;        ///< N
@@ -100,8 +94,7 @@ class ForceEquations : public NormalEquations {
  public:
   ForceEquations(const Packing& of, const Unknowns& with) : NormalEquations(with.count()), packing(of), unknowns(with) {}
 
-  /// Forces and couple of every grain vanish to `error` (N). `force` is the present estimate, of which turning normals change
-  /// the direction, N.
+  /// Forces and couple of every grain vanish to `error` (N). `force` is the present estimate, of which turning normals change the direction, N.
   void add_balance(const Touches& touches, const std::vector<double>& force, double error);
   void add_walls(const std::vector<WallLoad>& walls);
   /// Elastic energy of the contacts: sum of compliance (f/(prior unit))^2.
@@ -131,12 +124,11 @@ struct Presence {
   double error_scale = 1;           ///< by which forces of contacts that are not there scatter more than their errors say
 };
 
-/// Probability of every proposed contact. Forces and overlaps of all of them are taken as a mixture: contacts that are not
-/// there have forces that scatter about zero, and gaps of any width that was proposed; those that lost their force on the way
-/// likewise, with forces below zero; those that are there have forces of a law of its own (steps of 0.3 mean forces and
-/// wider, so that it goes on smoothly to weak forces, where the two cannot be told apart one by one) and overlaps linear
-/// in their force, as strong contacts of their kind show. Shares, law and scatter are those that make the data likeliest
-/// (expectation maximisation). The sum of probabilities counts what noise hides, and counts out what it feigns.
+/// Probability of every proposed contact. Forces and overlaps of all of them are taken as a mixture: contacts that are not there have forces that scatter about
+/// zero, and gaps of any width that was proposed; those that lost their force on the way likewise, with forces below zero; those that are there have forces of
+/// a law of its own (steps of 0.3 mean forces and wider, so that it goes on smoothly to weak forces, where the two cannot be told apart one by one) and
+/// overlaps linear in their force, as strong contacts of their kind show. Shares, law and scatter are those that make the data likeliest (expectation
+/// maximisation). The sum of probabilities counts what noise hides, and counts out what it feigns.
 Presence presence(const ContactEvidence& evidence);
 
 /// 1 for the contacts taken as there: the likeliest, as many as are expected, so that misses and false alarms cancel.

@@ -133,8 +133,7 @@ class GrainField {
     return -2 * Vec2{gradient.x, -gradient.y};
   }
 
-  /// The same at the rim. The centre moves by d: a point of the grain is then seen at a place d farther, where the pixel's weight
-  /// is slope.d larger.
+  /// The same at the rim. The centre moves by d: a point of the grain is then seen at a place d farther, where the pixel's weight is slope.d larger.
   template <class Fill> Vec2 see_points(std::span<const PointsInside::Points> points, const Fill& fill) {
     stress_.assign(points.size(), pressure_ - Two{});
     Two weight{}, shift_x{}, shift_y{};

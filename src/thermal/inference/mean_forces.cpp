@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "core/error.hpp"
+#include "core/mapped.hpp"
 #include "thermal/inference/equations.hpp"
 
 namespace arenite::inference {
@@ -19,8 +20,7 @@ void add_means(ForceEquations& equations, const Touches& touches, const std::vec
   const Packing& packing = equations.packing;
   for (std::size_t g = 0; g < touches.size(); ++g) {
     if (!known(error[g]) || touches[g].empty()) continue;
-    std::vector<int> columns;
-    for (const Touch& t : touches[g]) columns.push_back(2 * t.contact);
+    const auto columns = mapped(touches[g], [](const Touch& t) { return 2 * t.contact; });
     const double spread = std::abs(normal_sum(packing, g, error[g]));
     equations.add(columns, std::vector<double>(columns.size(), equations.unknowns.force), {normal_sum(packing, g, sigma_hyd[g])}, {1 / (spread * spread)});
   }
@@ -42,8 +42,7 @@ int null_space(const ForceProblem& problem, const Touches& touches, const std::v
   return equations.small_eigenvalues(1e-9);
 }
 
-/// MacKay's fixed point: the mean square of deviations from the elastic solution over the number of those directions
-/// that the data determine.
+/// MacKay's fixed point: the mean square of deviations from the elastic solution over the number of those directions that the data determine.
 double likelier_prior(double prior, const std::vector<double>& x, const std::vector<double>& elastic, const std::vector<double>& compliance,
                       const NormalEquations& equations) {
   const std::vector<double> variance = equations.inverse_diagonal();

@@ -4,8 +4,11 @@
 #include <Eigen/SparseCore>
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <utility>
 
 #include "core/error.hpp"
+#include "core/mapped.hpp"
 
 namespace arenite::inference {
 
@@ -127,6 +130,30 @@ Vector nonnegative(const Matrix& h, const Vector& b, Eigen::Index bounded) {
   throw CannotGoOn("forces within the friction cone were not found in 100 steps; check the units of loads and factors, and forces.friction");
 }
 
+/// L by columns; those that follow each other and have the same rows below them are a supernode.
+struct Lower {
+  Matrix l;
+  std::vector<int> first;            ///< column of every supernode, and the end
+  std::vector<std::size_t> node_of;  ///< of every column
+
+  explicit Lower(Matrix of) : l(std::move(of)) {
+    for (int j = 0; j < l.cols(); ++j) {
+      if (j == 0 || rows(j - 1).size() != rows(j).size() + 1 || rows(j - 1)[0] != j) first.push_back(j);
+      node_of.push_back(first.size() - 1);
+    }
+    first.push_back(static_cast<int>(l.cols()));
+  }
+  /// Where a column begins below the diagonal, which may be stored.
+  int start(int j) const {
+    const int begin = l.outerIndexPtr()[j];
+    return begin + (begin < l.outerIndexPtr()[j + 1] && l.innerIndexPtr()[begin] == j ? 1 : 0);
+  }
+  std::span<const int> rows(int j) const { return {l.innerIndexPtr() + start(j), l.innerIndexPtr() + l.outerIndexPtr()[j + 1]}; }
+  /// The rows below a supernode's columns, and the supernode of the first of them.
+  std::span<const int> below(std::size_t node) const { return rows(first[node + 1] - 1); }
+  std::size_t parent(std::size_t node) const { return node_of[static_cast<std::size_t>(below(node)[0])]; }
+};
+
 }  // namespace
 
 /// Factor has no copy: it is made in place.
@@ -151,16 +178,39 @@ std::vector<double> NormalEquations::solve_in_cone(int contacts, double mu) cons
   return finite_values(t * nonnegative(h, t.transpose() * vector(right_), 2 * contacts));
 }
 
+// Z = (L D L^T)^-1 obeys Z = D^-1 L^-1 + (1 - L^T) Z (Takahashi): with the rows R below the diagonal of L's column j, Z_Rj = -Z_RR L_Rj and
+// Z_jj = 1/D_j - L_Rj . Z_Rj. A supernode has Z of all its rows; of those below its columns it is a part of its parent's, which goes when its last
+// child has it.
 std::vector<double> NormalEquations::inverse_diagonal() const {
-  const Factorised& factor = factorised();
-  const Matrix l = factor.matrixL();
-  std::vector<int> begin(l.outerIndexPtr(), l.outerIndexPtr() + l.cols() + 1), row(l.innerIndexPtr(), l.innerIndexPtr() + l.nonZeros());
-  const std::vector<double> value(l.valuePtr(), l.valuePtr() + l.nonZeros());
-  const std::vector<double> z = selected_inverse_diagonal(begin, row, value, values(factor.vectorD()));
-  std::vector<double> diagonal(z.size());
-  const auto& order = factor.permutationP().indices();  // old index -> new index
-  for (std::size_t u = 0; u < z.size(); ++u) diagonal[u] = z[static_cast<std::size_t>(order[static_cast<Eigen::Index>(u)])];
-  return diagonal;
+  const Lower l(factorised().matrixL());
+  const Vector& d = factorised().vectorD();
+  std::vector<int> children(l.first.size() - 1);
+  for (std::size_t k = 0; k < children.size(); ++k)
+    if (!l.below(k).empty()) ++children[l.parent(k)];
+  std::vector<Eigen::MatrixXd> z(children.size());
+  Vector diagonal(d.size());
+  for (std::size_t k = z.size(); k-- > 0;) {
+    const Eigen::Index columns = l.first[k + 1] - l.first[k], further = std::ssize(l.below(k)), size = columns + further;
+    z[k].resize(size, size);  // lower triangle
+    if (further > 0) {
+      const std::size_t parent = l.parent(k);
+      const auto others = l.below(parent);  // places of the rows among its columns and these
+      const int begin = l.first[parent], end = l.first[parent + 1];
+      const auto place =
+          mapped(l.below(k), [&](int row) { return row < end ? row - begin : end - begin + (std::ranges::lower_bound(others, row) - others.begin()); });
+      z[k].bottomRightCorner(further, further) = z[parent](place, place);
+      if (--children[parent] == 0) z[parent] = {};
+    }
+    for (Eigen::Index c = columns - 1; c >= 0; --c) {
+      const int j = l.first[k] + static_cast<int>(c);
+      const Eigen::Map<const Vector> column(l.l.valuePtr() + l.start(j), size - c - 1);
+      auto under = z[k].col(c).tail(column.size());
+      under.noalias() = z[k].bottomRightCorner(column.size(), column.size()).selfadjointView<Eigen::Lower>() * -column;
+      diagonal[j] = z[k](c, c) = 1 / d[j] - column.dot(under);
+    }
+    if (children[k] == 0) z[k] = {};
+  }
+  return values(factorised().permutationP().inverse() * diagonal);
 }
 
 int NormalEquations::small_eigenvalues(double threshold) const {

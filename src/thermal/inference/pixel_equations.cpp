@@ -5,18 +5,10 @@
 
 #include "core/median.hpp"
 #include "model/image.hpp"
+#include "model/periodic_images.hpp"
 
 namespace arenite::inference {
 namespace {
-
-/// Shifts by whole cells that may bring a grain into the picture.
-std::vector<Vec2> images(const Domain& domain) {
-  std::vector<Vec2> shifts;
-  const int nx = domain.periodic[0] ? 1 : 0, ny = domain.periodic[1] ? 1 : 0;
-  for (int b = -ny; b <= ny; ++b)
-    for (int a = -nx - (b ? nx : 0); a <= nx + (b ? nx : 0); ++a) shifts.push_back({a * domain.width() * nx + b * domain.tilt, b * domain.height() * ny});
-  return shifts;
-}
 
 double to_contact(Vec2 x, double radius, const std::vector<Touch>& touches) {
   double nearest = 2 * radius;
@@ -29,7 +21,7 @@ PixelEquations equations_of(const Unknowns& unknowns, const Placed& placed, std:
   const auto& touches = placed.touches[g];
   const std::size_t z = touches.size();
   const GrainRows found = rows_of_grain(placed, g, pixels, spread);
-  PixelEquations b{columns_of(unknowns, g, touches), {}, {}, {}, {}, {}};
+  PixelEquations b{columns_of(unknowns, g, touches), {}, {}, {}, pixels};
   if (unknowns.scales > 0) b.columns.push_back(unknowns.scale(static_cast<std::size_t>(placed.material[g])));
   const std::size_t n = b.columns.size();
   b.rows.assign(n * pixels.size(), 0.0);
@@ -47,8 +39,6 @@ PixelEquations equations_of(const Unknowns& unknowns, const Placed& placed, std:
     const double model = model_error * signal * close * close * close;
     b.right.push_back(pixels[q].value - found.spill[q]);
     b.weight.push_back(1 / (error * error + model * model));
-    b.value.push_back(pixels[q].value);
-    b.noise.push_back(error);
   }
   return b;
 }
@@ -57,22 +47,24 @@ PixelEquations equations_of(const Unknowns& unknowns, const Placed& placed, std:
 
 Pixels pixels_of_grains(const ThermoelasticPicture& picture, const Packing& packing, const Touches& touches, double rim_margin, double contact_margin) {
   const double side = picture.pixel;
+  const Vec2 first = picture.first;
+  const geometry::Rectangle window{first.x, first.x + (picture.width - 1) * side, first.y - (picture.height - 1) * side, first.y};
   Pixels pixels(packing.grains.size());
-  const std::vector<Vec2> shifts = images(packing.domain);
   for (std::size_t g = 0; g < pixels.size(); ++g) {
     const double radius = packing.grains.radius[g], inner = radius - rim_margin * side;
     if (inner <= 0) continue;
-    for (const Vec2 shift : shifts) {
-      const Vec2 centre = packing.grains.position[g] + shift;
-      const double column = (centre.x - picture.first.x) / side, row = (picture.first.y - centre.y) / side, reach = inner / side;
+    const auto [x0, y0] = packing.grains.position[g];
+    for_each_image(packing.domain, {x0 - radius, x0 + radius, y0 - radius, y0 + radius}, window, [&](const ImageShift& image) {
+      const Vec2 centre = packing.grains.position[g] + image.shift;
+      const double column = (centre.x - first.x) / side, row = (first.y - centre.y) / side, reach = inner / side;
       each_pixel_near({column, row}, reach, picture.width, picture.height, [&](int c, int r, std::size_t p) {
-        const Vec2 x = Vec2{picture.first.x + c * side, picture.first.y - r * side} - centre;
+        const Vec2 x = Vec2{first.x + c * side, first.y - r * side} - centre;
         const float value = picture.value[p], error = picture.error[p];
         if (norm(x) > inner || !std::isfinite(value) || !std::isfinite(error) || !(error > 0)) return;
         const double away = to_contact(x, radius, touches[g]);
         if (away >= 0.5 * contact_margin * side) pixels[g].push_back({x, value, error, away, p});
       });
-    }
+    });
   }
   return pixels;
 }
@@ -92,8 +84,8 @@ Misfit misfit(const std::vector<PixelEquations>& equations, const std::vector<do
       double left = b.right[q];
       for (std::size_t k = 0; k < b.columns.size(); ++k) left -= b.rows[q * b.columns.size() + k] * x[static_cast<std::size_t>(b.columns[k])];
       m.weighed += left * left * b.weight[q];
-      m.over_noise += left * left / (b.noise[q] * b.noise[q]);
-      off.push_back(std::abs(left)), signal.push_back(std::abs(b.value[q]));
+      m.over_noise += left * left / std::pow(static_cast<double>(b.pixels[q].error), 2);
+      off.push_back(std::abs(left)), signal.push_back(std::abs(static_cast<double>(b.pixels[q].value)));
     }
   const double freedom = std::max({1.0, 0.1 * count, count - taken});
   m.weighed /= freedom, m.over_noise /= freedom;

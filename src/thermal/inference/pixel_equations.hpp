@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "statistics/least_squares.hpp"
@@ -79,10 +80,11 @@ struct Misfit {
   double over_signal = 0;  ///< median size of what is left over that of the signal: one lost grain does not decide it
 };
 
-/// Equations of the pixels of one grain (NormalEquations::add), with their values and the errors of these.
+/// Equations of the pixels of one grain (NormalEquations::add).
 struct PixelEquations {
   std::vector<int> columns;
-  std::vector<double> rows, right, weight, value, noise;
+  std::vector<double> rows, right, weight;
+  std::span<const GrainPixel> pixels;
 };
 
 /// Adds the equations of all grains' pixels, and hands them back; `model_error` as a share of a grain's signal, `contact_margin` in m.

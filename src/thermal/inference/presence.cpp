@@ -8,6 +8,7 @@
 #include <numeric>
 #include <utility>
 
+#include "core/mapped.hpp"
 #include "core/median.hpp"
 #include "statistics/correlation.hpp"
 
@@ -54,14 +55,12 @@ std::map<int, OverlapLaw> overlap_laws(const ContactEvidence& s) {
   double widest = 0;
   for (const auto& [kind, contacts] : of) {
     if (contacts.size() < 12) continue;
-    std::vector<double> force, overlap;
-    for (const std::size_t c : contacts) force.push_back(s.fn[c]), overlap.push_back(s.overlap[c]);
-    const auto m = statistics::second_moments(force, overlap);
+    const auto of_each = [&contacts = contacts](const std::vector<double>& values) { return mapped(contacts, [&](std::size_t c) { return values[c]; }); };
+    const auto m = statistics::second_moments(of_each(s.fn), of_each(s.overlap));
     OverlapLaw law;
     law.slope = m.xx > 0 ? m.xy / m.xx : 0;
     law.at = m.mean_y - law.slope * m.mean_x;
-    std::vector<double> rest;
-    for (const std::size_t c : contacts) rest.push_back(std::abs(s.overlap[c] - law.at - law.slope * s.fn[c]));
+    auto rest = mapped(contacts, [&](std::size_t c) { return std::abs(s.overlap[c] - law.at - law.slope * s.fn[c]); });
     law.spread = std::max(0.02, median(std::move(rest)) / median_of_normal_size);
     widest = std::max(widest, law.spread);
     laws[kind] = law;

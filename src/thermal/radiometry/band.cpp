@@ -52,10 +52,6 @@ double photon_exitance_slope(const Band& band, double temperature) {
   return scale(temperature) / temperature * (3 * integral(a, b) + a * integrand(a) - b * integrand(b));
 }
 
-double exitance_exponent(const Band& band, double temperature) {
-  return temperature * photon_exitance_slope(band, temperature) / photon_exitance(band, temperature);
-}
-
 double temperature_of_exitance(const Band& band, double exitance) {
   if (!(exitance > 0)) return 0;
   // ln N falls almost linearly with u = 1/T.
@@ -64,15 +60,6 @@ double temperature_of_exitance(const Band& band, double exitance) {
   while (excess(low) < 0) low /= 4;
   while (excess(high) > 0) high *= 4;
   return 1 / bracketed_root<double>(excess, low, excess(low), high, excess(high));
-}
-
-double seen_exitance(const Band& band, const Surface& surface, double temperature) {
-  return surface.emissivity * photon_exitance(band, temperature) + (1 - surface.emissivity) * photon_exitance(band, surface.ambient);
-}
-
-double temperature_of_seen(const Band& band, const Surface& surface, double exitance) {
-  const double mirrored = (1 - surface.emissivity) * photon_exitance(band, surface.ambient);
-  return temperature_of_exitance(band, (exitance - mirrored) / surface.emissivity);
 }
 
 SmallChange taken_for_another(const Band& band, const Surface& assumed, const Surface& surface, double temperature) {

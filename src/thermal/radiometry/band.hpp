@@ -15,7 +15,9 @@ double photon_exitance(const Band& band, double temperature);
 double photon_exitance_slope(const Band& band, double temperature);
 
 /// The exponent n of N ~ T^n near this temperature, n = T N'/N (T eq. 1.64).
-double exitance_exponent(const Band& band, double temperature);
+inline double exitance_exponent(const Band& band, double temperature) {
+  return temperature * photon_exitance_slope(band, temperature) / photon_exitance(band, temperature);
+}
 
 /// The temperature whose photon exitance this is, K: the inverse of photon_exitance. 0 for an exitance of 0 or less.
 double temperature_of_exitance(const Band& band, double exitance);
@@ -27,10 +29,15 @@ struct Surface {
 };
 
 /// What a camera sees of a surface: eps N(T) + (1 - eps) N(T_amb), photons/s/m^2.
-double seen_exitance(const Band& band, const Surface& surface, double temperature);
+inline double seen_exitance(const Band& band, const Surface& surface, double temperature) {
+  return surface.emissivity * photon_exitance(band, temperature) + (1 - surface.emissivity) * photon_exitance(band, surface.ambient);
+}
 
 /// The temperature of a surface of which this is seen, K. 0 where the surroundings alone send as much.
-double temperature_of_seen(const Band& band, const Surface& surface, double exitance);
+inline double temperature_of_seen(const Band& band, const Surface& surface, double exitance) {
+  const double mirrored = (1 - surface.emissivity) * photon_exitance(band, surface.ambient);
+  return temperature_of_exitance(band, (exitance - mirrored) / surface.emissivity);
+}
 
 /// A temperature and a small change of it, K.
 struct SmallChange {

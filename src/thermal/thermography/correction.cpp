@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "core/median.hpp"
 #include "core/problems.hpp"
@@ -45,9 +44,7 @@ void replace_bad(const std::vector<Replacement>& bad, float* out) {
 constexpr std::size_t numbers = 8193;
 
 template <class Law> LevelCurve tabulate(const LevelRange& range, Law&& law) {
-  LevelCurve curve;
-  curve.first = range.low;
-  curve.step = (range.high - range.low) / static_cast<double>(numbers - 1);
+  LevelCurve curve{range.low, (range.high - range.low) / static_cast<double>(numbers - 1), {}};
   if (!(curve.step > 0)) throw refusal("levels from {} to {} are no range for a calibration curve; give a lower and a higher one", range.low, range.high);
   for (std::size_t i = 0; i < numbers; ++i) curve.temperature.push_back(static_cast<float>(law(range.low + static_cast<double>(i) * curve.step)));
   return curve;

@@ -39,8 +39,7 @@ std::vector<std::uint8_t> find_bad_pixels(const FrameStatistics& film);
 /// Marks those, and pixels whose answer to two references stands out.
 std::vector<std::uint8_t> find_bad_pixels(const FrameStatistics& cold, const FrameStatistics& warm);
 
-/// Digital level to temperature, as numbers at equal steps of the level between which it is straight; beyond the ends
-/// the end pieces go on.
+/// Digital level to temperature, as numbers at equal steps of the level between which it is straight; beyond the ends the end pieces go on.
 struct LevelCurve {
   double first = 0, step = 1;      ///< levels
   std::vector<float> temperature;  ///< K, at least two; empty: levels stay levels
@@ -83,8 +82,7 @@ class CorrectedFilm : public FilmSource {
   FrameBlock part_;
 };
 
-/// One-point correction: every pixel's offset, from the mean frame of a film of a black-body reference. Every pixel then shows it
-/// at the median level of all.
+/// One-point correction: every pixel's offset, from the mean frame of a film of a black-body reference. Every pixel then shows it at the median level of all.
 void correct_offsets(const FrameStatistics& reference, Correction& correction);
 
 /// Two-point correction: gain and offset of every pixel, from two black-body references of different temperature, so that every

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
 
 #include "core/median.hpp"
@@ -149,12 +148,6 @@ void project(LockinMaps& maps, const std::vector<std::int32_t>& owner) {
   }
 }
 
-std::vector<double> joined(const std::vector<std::vector<double>>& parts) {
-  std::vector<double> all;
-  for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
-  return all;
-}
-
 }  // namespace
 
 std::vector<std::int32_t> owners(const PictureGrains& grains, int width, int height, double beyond) {
@@ -180,7 +173,7 @@ LockinMaps follow_grains(const PhasePictures& pictures, const LockinMaps& maps, 
   const GrainScene scene(pictures, grains, motion, pool);
   const PhasePictures rest = without_scene(pictures, scene, blur, pool);
   const std::vector<std::int32_t> owner = owners(shown, maps.width, maps.height, 0);
-  std::vector<std::vector<double>> cosine(grains.size()), sine(grains.size());
+  std::vector<double> cosine(maps.size(), std::numeric_limits<double>::quiet_NaN()), sine = cosine;  // of the inner pixels of grains
   pool.for_each(grains.size(), [&](std::size_t i) {
     const PixelHarmonics fit(rest, motion, i);
     const Vec2 centre = shown.centre[i];
@@ -191,13 +184,11 @@ LockinMaps follow_grains(const PhasePictures& pictures, const LockinMaps& maps, 
       Followed f = fit.follow(rest, Vec2{column, row} + grains.centre[i] - centre);
       f.harmonics[0] += scene.level(i);
       put(result, p, f.harmonics, std::sqrt(f.variance), spread);
-      if (out > 0.7 * r) return;
-      cosine[i].push_back(f.harmonics[1]);
-      sine[i].push_back(f.harmonics[2]);
+      if (out <= 0.7 * r) cosine[p] = f.harmonics[1], sine[p] = f.harmonics[2];
     });
   });
   if (given_phase) result.reference_phase = *given_phase;
-  else if (grains.size() > 0) result.reference_phase = reference_phase(joined(cosine), joined(sine));
+  else if (grains.size() > 0) result.reference_phase = reference_phase(cosine, sine);
   project(result, owner);
   return result;
 }

@@ -4,28 +4,11 @@
 #include <array>
 #include <cmath>
 
+#include "core/mapped.hpp"
 #include "core/median.hpp"
 
 namespace arenite::thermography {
 namespace {
-
-struct PixelSums {
-  std::vector<double> sum, differences;
-  std::vector<float> before;
-};
-
-template <class T> void add_frame(const T* pixel, bool first, PixelSums& sums, FrameStatistics& s) {
-  const std::size_t n = s.mean.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    const auto x = static_cast<float>(pixel[i]);
-    const double d = first ? 0 : static_cast<double>(x) - static_cast<double>(sums.before[i]);
-    sums.sum[i] += static_cast<double>(x);
-    sums.differences[i] += d * d;
-    sums.before[i] = x;
-    s.least[i] = first ? x : std::min(s.least[i], x);
-    s.most[i] = first ? x : std::max(s.most[i], x);
-  }
-}
 
 constexpr double to_deviation = 1.4826;  // of a normal law, per median of absolute deviations
 constexpr double limit = 8;              // in these deviations: how far a good pixel may stand out
@@ -36,24 +19,9 @@ struct Robust {
 
 Robust robust(std::vector<double> x) {
   if (x.empty()) return {};
-  Robust r;
-  r.middle = median_in_place(x.begin(), x.end());
-  for (double& v : x) v = std::abs(v - r.middle);
-  r.deviation = to_deviation * median_in_place(x.begin(), x.end());
-  return r;
-}
-
-struct Neighbours {
-  std::array<double, 8> value{};
-  int count = 0;
-};
-
-Neighbours neighbours(const std::vector<float>& picture, int width, int height, int column, int row) {
-  Neighbours n;
-  each_pixel_near({static_cast<double>(column), static_cast<double>(row)}, 1, width, height, [&](int c, int r, std::size_t at) {
-    if (r != row || c != column) n.value[static_cast<std::size_t>(n.count++)] = static_cast<double>(picture[at]);
-  });
-  return n;
+  const double middle = median_in_place(x.begin(), x.end());
+  for (double& v : x) v = std::abs(v - middle);
+  return {middle, to_deviation * median_in_place(x.begin(), x.end())};
 }
 
 /// How far a pixel lies beyond all but two of its neighbours (one in a corner of the picture), and how these scatter.
@@ -61,18 +29,19 @@ struct Standing {
   double beyond = 0, scatter = 0, from_middle = 0;
 };
 
-Standing standing(double x, Neighbours n) {
-  if (n.count < 3) return {};
-  const auto begin = n.value.begin(), end = begin + n.count;
+Standing standing(const FrameStatistics& film, int column, int row) {
+  std::array<double, 9> value{};  // of the pixel, then of its neighbours
+  auto end = value.begin() + 1;
+  each_pixel_near({1.0 * column, 1.0 * row}, 1, film.width, film.height,
+                  [&](int c, int r, std::size_t at) { (r == row && c == column ? value[0] : *end++) = static_cast<double>(film.mean[at]); });
+  const double x = value[0];
+  const auto begin = value.begin() + 1;
+  if (end - begin < 3) return {};
   std::sort(begin, end);
-  Standing s;
-  const int alike = n.count < 5 ? 1 : 2;
-  s.beyond = std::max({0.0, x - *(end - 1 - alike), *(begin + alike) - x});
-  const double middle = n.value[static_cast<std::size_t>(n.count / 2)];
-  s.from_middle = x - middle;
+  const std::ptrdiff_t alike = end - begin < 5 ? 1 : 2;
+  const double beyond = std::max({0.0, x - *(end - 1 - alike), *(begin + alike) - x}), middle = *(begin + (end - begin) / 2);
   for (auto v = begin; v != end; ++v) *v = std::abs(*v - middle);
-  s.scatter = to_deviation * median_in_place(begin, end);
-  return s;
+  return {beyond, to_deviation * median_in_place(begin, end), x - middle};
 }
 
 void mark_levels(const FrameStatistics& film, std::vector<std::uint8_t>& bad) {
@@ -80,7 +49,7 @@ void mark_levels(const FrameStatistics& film, std::vector<std::uint8_t>& bad) {
   std::vector<double> deviations;
   for (int r = 0; r < film.height; ++r)
     for (int c = 0; c < film.width; ++c) {
-      all.push_back(standing(static_cast<double>(film.mean[all.size()]), neighbours(film.mean, film.width, film.height, c, r)));
+      all.push_back(standing(film, c, r));
       deviations.push_back(all.back().from_middle);
     }
   const double usual = robust(std::move(deviations)).deviation;
@@ -100,9 +69,7 @@ void mark_outliers(const std::vector<double>& x, BadPixel why, std::vector<std::
 void mark_noise(const FrameStatistics& film, std::vector<std::uint8_t>& bad) {
   constexpr std::size_t least_frames = 8;
   if (film.frames < least_frames || std::all_of(film.noise.begin(), film.noise.end(), [](float n) { return n == 0; })) return;
-  std::vector<double> logarithm;
-  for (const float n : film.noise) logarithm.push_back(std::log(static_cast<double>(n)));  // of a frozen pixel: minus infinity
-  mark_outliers(logarithm, bad_noise, bad);
+  mark_outliers(mapped(film.noise, [](double noise) { return std::log(noise); }), bad_noise, bad);  // of a frozen pixel: minus infinity
 }
 
 }  // namespace
@@ -112,15 +79,25 @@ FrameStatistics frame_statistics(FilmSource& film, std::size_t most_frames) {
   const std::size_t n = info.pixels(), all = static_cast<std::size_t>(info.frames);
   FrameStatistics s{info.width, info.height, most_frames == 0 ? all : std::min(all, most_frames), {}, {}, {}, {}};
   for (auto* array : {&s.mean, &s.noise, &s.least, &s.most}) array->resize(n);
-  PixelSums sums{std::vector<double>(n), std::vector<double>(n), std::vector<float>(n)};
-  read_frames(film, 0, s.frames, [&](const auto* pixels, std::size_t first, std::size_t some) {
-    for (std::size_t k = 0; k < some; ++k) add_frame(pixels + k * n, first + k == 0, sums, s);
+  std::vector<double> sum(n), differences(n);
+  std::vector<float> before(n);
+  read_frames(film, 0, s.frames, [&](const auto* pixel, std::size_t number, std::size_t some) {
+    for (std::size_t end = number + some; number < end; ++number, pixel += n)
+      for (std::size_t i = 0; i < n; ++i) {
+        const auto x = static_cast<float>(pixel[i]);
+        const double d = number == 0 ? 0 : static_cast<double>(x) - static_cast<double>(before[i]);
+        sum[i] += static_cast<double>(x);
+        differences[i] += d * d;
+        before[i] = x;
+        s.least[i] = number == 0 ? x : std::min(s.least[i], x);
+        s.most[i] = number == 0 ? x : std::max(s.most[i], x);
+      }
     return true;
   });
   const auto count = static_cast<double>(s.frames);
   for (std::size_t i = 0; i < n; ++i) {
-    s.mean[i] = static_cast<float>(sums.sum[i] / count);
-    s.noise[i] = s.frames > 1 ? static_cast<float>(std::sqrt(sums.differences[i] / (2 * (count - 1)))) : 0;
+    s.mean[i] = static_cast<float>(sum[i] / count);
+    s.noise[i] = s.frames > 1 ? static_cast<float>(std::sqrt(differences[i] / (2 * (count - 1)))) : 0;
   }
   return s;
 }

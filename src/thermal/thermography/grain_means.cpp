@@ -34,24 +34,17 @@ double slope(const LockinMaps& maps, Vec2 centre, double radius) {
 }  // namespace
 
 DiskMean disk_mean(const LockinMaps& maps, const std::vector<float>& map, Vec2 centre, double radius) {
-  DiskMean result;
-  double sum = 0, squares = 0;
+  double sum = 0, squares = 0, area = 0;
   each_pixel_near(centre, radius + 0.5, maps.width, maps.height, [&](int column, int row, std::size_t p) {
     const auto value = static_cast<double>(map[p]), e = static_cast<double>(maps.standard_error[p]);
     if (!std::isfinite(value) || !std::isfinite(e)) return;
     const double covered = geometry::disk_window_area(centre, radius, {column - 0.5, column + 0.5, row - 0.5, row + 0.5});
     sum += covered * value;
     squares += covered * covered * e * e;
-    result.area += covered;
+    area += covered;
   });
-  if (result.area > 0) {
-    result.mean = sum / result.area;
-    result.error = std::sqrt(squares) / result.area;
-  } else {
-    result.mean = std::numeric_limits<double>::quiet_NaN();
-    result.error = std::numeric_limits<double>::infinity();
-  }
-  return result;
+  if (area > 0) return {sum / area, std::sqrt(squares) / area, area};
+  return {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 0};
 }
 
 PeakToPeak grain_means(const LockinMaps& maps, const PictureGrains& grains, const GrainMeanOptions& options) {

@@ -8,6 +8,7 @@
 #include "core/mapped.hpp"
 #include "core/median.hpp"
 #include "core/threads.hpp"
+#include "statistics/correlation.hpp"
 
 namespace arenite::thermography {
 namespace {
@@ -44,16 +45,14 @@ constexpr double margin = 0.6, reach_of_others = 2.2;
 double share_inside(double out) { return 0.5 * std::erfc(out / blur); }
 double slope_of_share(double out) { return -std::exp(-out * out / (blur * blur)) / (blur * std::sqrt(std::numbers::pi)); }
 
-double length(Vec2 v) { return std::hypot(v.x, v.y); }
-
 void add(const PictureGrains& g, std::size_t i, const std::vector<std::size_t>& neighbours, Vec2 place, Rim& own) {
   const Vec2 from_centre = place - g.centre[i];
-  const double out = length(from_centre) - g.radius[i];
+  const double out = norm(from_centre) - g.radius[i];
   if (std::abs(out) > rim_reach) return;
   std::vector<OtherRim> others;
   for (const std::size_t j : neighbours) {
     const Vec2 from_other = place - g.centre[j];
-    const double r = length(from_other), away = r - g.radius[j];
+    const double r = norm(from_other), away = r - g.radius[j];
     if (away < margin) return;
     if (away <= reach_of_others) others.push_back({own.pixels.size(), j, share_inside(away), slope_of_share(away) / r * from_other});
   }
@@ -91,13 +90,8 @@ struct Left {
 double contrast_of(const Rim& rim, const std::vector<double>& mean, const std::vector<double>& contrast) {
   std::vector<double> value = mean;
   for (const OtherRim& o : rim.others) value[o.pixel] -= contrast[o.grain] * o.inside;
-  double n = 0, x = 0, y = 0, xx = 0, xy = 0;
-  for (std::size_t p = 0; p < value.size(); ++p) {
-    const double in = rim.pixels[p].inside;
-    n += 1, x += in, y += value[p], xx += in * in, xy += in * value[p];
-  }
-  const double spread = xx - x * x / n;
-  return spread > 0 ? (xy - x * y / n) / spread : 0;
+  const auto m = statistics::second_moments(mapped(rim.pixels, &RimPixel::inside), value);
+  return m.xx > 0 ? m.xy / m.xx : 0;
 }
 
 /// `motion` and `contrast` are those found so far. Seen from the grain, neighbours that move otherwise oscillate.
@@ -114,29 +108,25 @@ Left motion_left(const PhasePictures& pictures, const Rim& rim, std::size_t grai
   const PixelHarmonics fit(pictures, motion, grain);
   Matrix part(n, smooth), rest(n, unknowns + 2);
   std::vector<double> mean;
+  const auto weight = [&](std::size_t p) { return std::sqrt(rim.pixels[p].weight); };
   for (std::size_t p = 0; p < n; ++p) {
     const RimPixel& pixel = rim.pixels[p];
     const Followed f = fit.follow(pictures, pixel.place);
     mean.push_back(f.harmonics[0]);
-    const double in = pixel.inside;
+    const double w = weight(p), in = w * pixel.inside;
     const auto [x, y] = pixel.from_centre;
     const double shape[smooth] = {in, in * x, in * y, in * x * x, in * x * y, in * y * y};
     for (std::size_t k = 0; k < smooth; ++k) part(p, k) = shape[k];
-    rest(p, 0) = -f.slope.x, rest(p, 1) = -f.slope.y;
-    rest(p, unknowns) = f.harmonics[1], rest(p, unknowns + 1) = f.harmonics[2];
+    rest(p, 0) = -w * f.slope.x, rest(p, 1) = -w * f.slope.y;
+    rest(p, unknowns) = w * f.harmonics[1], rest(p, unknowns + 1) = w * f.harmonics[2];
   }
   for (const OtherRim& o : rim.others) {
     const std::size_t row = o.pixel, column = left.own(o.grain);
-    const Vec2 slope = contrast[o.grain] * o.slope;
+    const Vec2 slope = weight(row) * contrast[o.grain] * o.slope;
     rest(row, 0) += slope.x, rest(row, 1) += slope.y;
     rest(row, column) -= slope.x, rest(row, column + 1) -= slope.y;
     rest(row, unknowns) += dot(slope, motion.cosine[o.grain] - motion.cosine[grain]);
     rest(row, unknowns + 1) += dot(slope, motion.sine[o.grain] - motion.sine[grain]);
-  }
-  for (std::size_t p = 0; p < n; ++p) {
-    const double w = std::sqrt(rim.pixels[p].weight);
-    for (std::size_t k = 0; k < smooth; ++k) part(p, k) *= w;
-    for (std::size_t k = 0; k < unknowns + 2; ++k) rest(p, k) *= w;
   }
   left.contrast = contrast_of(rim, mean, contrast);
   const Matrix q = statistics::orthonormal(part).q;
@@ -195,7 +185,7 @@ double move(const Matrix& step, GrainMotion& motion) {
     for (std::size_t k = 0; k < 2; ++k) {
       Vec2& at = k == 0 ? motion.cosine[i] : motion.sine[i];
       const Vec2 way{step(2 * i, k), step(2 * i + 1, k)};
-      const double size = length(way), part = size > 1 ? 1 / size : 1;
+      const double size = norm(way), part = size > 1 ? 1 / size : 1;
       if (!std::isfinite(size) || norm(at + part * way) > largest) continue;
       at += part * way;
       longest = std::max(longest, part * size);

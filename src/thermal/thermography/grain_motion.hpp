@@ -10,10 +10,9 @@ namespace arenite::thermography {
 
 /// How every grain moves at the load frequency. A grain that moves by u(t) changes the level of a resting pixel by
 /// -u . grad(picture), most of all at its rim, where grains differ in emissivity from what is behind them. A few pixels on
-/// both sides of the rim, but none in other grains, are followed through the pictures of all phases with the motion
-/// found so far; what still oscillates in them is fitted by -du . grad(picture) and a smooth thermoelastic part inside the
-/// grain, until nothing is left to add. All grains first move together by an affine map, so that none loses itself.
-/// `grains` are at their mean places; grains that show no contrast get that affine motion, with an error of infinity.
+/// both sides of the rim, but none in other grains, are followed through the pictures of all phases with the motion found so far; what still oscillates in them
+/// is fitted by -du . grad(picture) and a smooth thermoelastic part inside the grain, until nothing is left to add. All grains first move together by an affine
+/// map, so that none loses itself. `grains` are at their mean places; grains that show no contrast get that affine motion, with an error of infinity.
 GrainMotion grain_motion(const PhasePictures& pictures, const PictureGrains& grains, int threads = 1);
 
 /// Grains that were not followed: what their motion leaves on their rims is so much that its error is beyond six times the
@@ -24,12 +23,11 @@ std::vector<std::uint8_t> lost_grains(const GrainMotion& motion);
 /// overlap in a picture, but each pixel belongs to one grain.
 std::vector<std::int32_t> owners(const PictureGrains& grains, int width, int height, double beyond);
 
-/// Lock-in maps whose pixels inside a grain follow it: the pictures are resampled where the grain is at every phase, and
-/// mean, amplitude and second harmonic fitted anew. Rims are too sharp for pixels to be resampled beside them: a drawing of even
-/// disks before an even background, seen through a lens of this `blur` (standard deviation, pixels), is taken off before and
-/// the grain's own mean added after. `grains` are at their mean places; `shown` are the same grains where the maps are to show
-/// them, there or, say, where they are at the largest load. Of pixels in no grain mean and drift stay, amplitudes have no value. The reference phase is
-/// found anew on the inner pixels of grains unless `reference_phase` gives it. Standard errors are those of a resting pixel.
+/// Lock-in maps whose pixels inside a grain follow it: the pictures are resampled where the grain is at every phase, and mean, amplitude and second harmonic
+/// fitted anew. Rims are too sharp for pixels to be resampled beside them: a drawing of even disks before an even background, seen through a lens of this
+/// `blur` (standard deviation, pixels), is taken off before and the grain's own mean added after. `grains` are at their mean places; `shown` are the same
+/// grains where the maps are to show them, there or, say, where they are at the largest load. Of pixels in no grain mean and drift stay, amplitudes have no
+/// value. The reference phase is found anew on the inner pixels of grains unless `reference_phase` gives it. Standard errors are those of a resting pixel.
 LockinMaps follow_grains(const PhasePictures& pictures, const LockinMaps& maps, const PictureGrains& grains, const GrainMotion& motion,
                          const PictureGrains& shown, std::optional<double> reference_phase = {}, int threads = 1, double blur = 0.5);
 
@@ -40,11 +38,10 @@ struct GrainMeanOptions {
   std::vector<double> factor;
 };
 
-/// Peak-to-peak change of every grain from the mean of the signed map over its central part: pixels weigh as much as the disk covers of
-/// them. Without body forces sigma_kk is harmonic, so its mean over a concentric disk of any size is the grain's. Maps
-/// are in K, of whichever convention they state. The error holds the pixels' standard errors
-/// and the centre's position error times the slope of the mean when the disk is shifted; it is infinite for a grain of
-/// which no pixel has a value. Throws InputError for a share out of (0, 1] and for a grain's material without factor.
+/// Peak-to-peak change of every grain from the mean of the signed map over its central part: pixels weigh as much as the disk covers of them. Without body
+/// forces sigma_kk is harmonic, so its mean over a concentric disk of any size is the grain's. Maps are in K, of whichever convention they state. The error
+/// holds the pixels' standard errors and the centre's position error times the slope of the mean when the disk is shifted; it is infinite for a grain of which
+/// no pixel has a value. Throws InputError for a share out of (0, 1] and for a grain's material without factor.
 PeakToPeak grain_means(const LockinMaps& maps, const PictureGrains& grains, const GrainMeanOptions& options);
 
 /// Mean of a map over a disk by covered area, pixels without a value left out.

@@ -76,21 +76,15 @@ statistics::Matrix pass_weights(const SegmentSums& s, std::size_t k) {
   return g;
 }
 
-double HarmonicFit::inflation(std::size_t frames) const {
-  const std::size_t a = harmonic(1);
-  return (covariance(a, a) + covariance(a + 1, a + 1)) * static_cast<double>(frames) / 4;
-}
-
 HarmonicFit harmonic_fit(const SegmentSums& s, double frequency, int drift_order, bool with_beat, double spacing, std::vector<int> beside) {
-  HarmonicFit fit;
-  fit.frequency = frequency;
-  fit.spacing = spacing;
-  fit.beside = std::move(beside);
-  fit.beat = with_beat;
-  fit.drift = static_cast<std::size_t>(drift_order) + 1;
-  fit.harmonics = s.functions / 2;
-  fit.middle = (s.time.front() + s.time.back()) / 2;
-  fit.half = (s.time.back() - s.time.front()) / 2;
+  HarmonicFit fit{frequency,
+                  static_cast<std::size_t>(drift_order) + 1,
+                  s.functions / 2,
+                  (s.time.front() + s.time.back()) / 2,
+                  (s.time.back() - s.time.front()) / 2,
+                  spacing,
+                  std::move(beside),
+                  with_beat};
   const std::size_t size = fit.size(), planes = s.planes();
   Matrix mixed(size, size), tests(size, size), projections(size, s.segments() * planes);
   fit.normal = Matrix(size, size);
@@ -98,7 +92,7 @@ HarmonicFit harmonic_fit(const SegmentSums& s, double frequency, int drift_order
     const Matrix g = pass_weights(s, k);
     Matrix phi(size, g.columns());
     for (std::size_t n = 0; n < g.columns(); ++n) functions_at(fit, s.time[s.first[k] + n], phi.column(n));
-    fit.normal += times_transposed(phi, phi);
+    if (fit.beside.empty()) fit.normal += times_transposed(phi, phi);
     const Matrix squared = times_transposed(g, g), r = projection(fit, s.centre[k], g.rows()), turned = r * squared;
     mixed += r * times_transposed(g, phi);
     tests += times_transposed(turned, r);
@@ -121,14 +115,8 @@ void fit_pixels_with_variance(const SegmentSums& sums, const HarmonicFit& fit, s
   std::vector<double> frames(sums.segments());
   for (std::size_t k = 0; k < frames.size(); ++k) frames[k] = sums.frames_of(k);
   out.variance.resize(PixelFit::run);
-  kernels().power(sums.view(), frames.data(), out.variance.data(), begin, begin + count);
+  kernels().residual(sums.view(), frames.data(), fit.normal.column(0), size, out.value.data(), PixelFit::run, out.variance.data(), begin, begin + count);
   const double freedom = static_cast<double>(sums.time.size() - size);
-  for (std::size_t m = 0; m < size; ++m)
-    for (std::size_t n = 0; n <= m; ++n) {
-      const double weight = (n == m ? 1 : 2) * fit.normal(m, n);
-      const double *a = out.value.data() + m * PixelFit::run, *b = out.value.data() + n * PixelFit::run;
-      for (std::size_t i = 0; i < count; ++i) out.variance[i] -= weight * a[i] * b[i];
-    }
   for (std::size_t i = 0; i < count; ++i) out.variance[i] = out.variance[i] < 0 ? 0 : out.variance[i] / freedom;
 }
 

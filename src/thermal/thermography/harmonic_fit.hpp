@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
-#include <memory>
 #include <vector>
 
+#include "core/pages.hpp"
 #include "core/threads.hpp"
 #include "model/film.hpp"
 #include "statistics/least_squares.hpp"
@@ -12,13 +12,15 @@
 
 namespace arenite::thermography {
 
-/// Times of all frames, s after the first: its stamps, so that dropped frames leave a gap, or number over frame rate
-/// where frames are not stamped. `frame_rate` (Hz) above 0 is used where the film says neither. Throws InputError where
-/// there is no rate at all or stamps do not rise.
+/// Times of all frames, s after the first: its stamps, so that dropped frames leave a gap, or number over frame rate where frames are not stamped. `frame_rate`
+/// (Hz) above 0 is used where the film says neither. Throws InputError where there is no rate at all or stamps do not rise.
 std::vector<double> frame_times(const FilmInfo& film, double frame_rate = 0);
 
 /// From the beginning of the first frame to the end of the last, s.
-double film_length(const std::vector<double>& time);
+inline double film_length(const std::vector<double>& time) {
+  const auto frames = static_cast<double>(time.size());
+  return time.size() < 2 ? 0 : (time.back() - time.front()) * frames / (frames - 1);
+}
 
 /// Half the rate of frames where they follow each other without a gap, Hz.
 double nyquist_frequency(const std::vector<double>& time);
@@ -26,10 +28,9 @@ double nyquist_frequency(const std::vector<double>& time);
 /// Called with the share of the frames that has been read; false stops.
 using Progress = std::function<bool(double share)>;
 
-/// What one pass over a film keeps of every pixel: for each of some ten segments of the film, the sums of its values
-/// weighed with 1 and with cos and sin of every harmonic h of `frequency`, counted from the middle of the segment, and
-/// the sum of their squares. Fits for all frequencies near by follow from these sums: segments are turned against each
-/// other and need not be read again. Values are taken relative to the first frame of the segment.
+/// What one pass over a film keeps of every pixel: for each of some ten segments of the film, the sums of its values weighed with 1 and with cos and sin of
+/// every harmonic h of `frequency`, counted from the middle of the segment, and the sum of their squares. Fits for all frequencies near by follow from these
+/// sums: segments are turned against each other and need not be read again. Values are taken relative to the first frame of the segment.
 struct SegmentSums {
   std::vector<double> time;        ///< s after the first frame, one a frame
   std::vector<std::size_t> first;  ///< first frame of every segment, and the end
@@ -41,37 +42,35 @@ struct SegmentSums {
   std::vector<float> base;           ///< first frame
   std::vector<std::size_t> watched;  ///< some pixels spread over the picture, whose every value is kept
   std::vector<float> seen;           ///< frames x watched, less the pixel's first value
-  std::unique_ptr<float[]> sums;     ///< see SegmentView; planes 1, functions, squares, first frame less the film's first
+  Buffer<float> sums;                ///< see SegmentView; planes 1, functions, squares, first frame less the film's first
 
   std::size_t segments() const { return centre.size(); }
   std::size_t planes() const { return functions + 3; }
   double frames_of(std::size_t segment) const { return static_cast<double>(first[segment + 1] - first[segment]); }
-  SegmentView view() const { return {sums.get(), segments(), planes()}; }
+  SegmentView view() const { return {sums.data(), segments(), planes()}; }
 };
 
-/// One pass over the film with `harmonics` (1 to 4) of `frequency`; a film in memory is not copied. Every segment is
-/// short against the drift polynomial of this order and, where the film allows it, against the beat of a frequency that
-/// is 1e-2 off. No sums if `progress` stopped it.
+/// One pass over the film with `harmonics` (1 to 4) of `frequency`; a film in memory is not copied. Every segment is short against the drift polynomial of this
+/// order and, where the film allows it, against the beat of a frequency that is 1e-2 off. No sums if `progress` stopped it.
 SegmentSums sum_segments(FilmSource& film, std::vector<double> time, double frequency, int harmonics, int drift_order, const ThreadPool& pool,
                          const Progress& progress);
 
-/// Least squares of drift and harmonics of one frequency, the same for all pixels, as numbers by which the sums of
-/// segments are multiplied. Functions fitted: Legendre polynomials of x = (t - middle)/half the film's time, then
-/// cos(h w t), sin(h w t) of every harmonic h, the highest first, then, if asked for, x cos(w t), x sin(w t), which show a frequency that
-/// is off, or cos and sin of frequencies beside w, which show the noise there. The film is projected on the same functions with x and the phase of a small w - w_0 constant within a
-/// segment: what is of the fitted form is found exactly, with a standard error larger than that of plain least squares by
-/// less than a per cent.
+/// Least squares of drift and harmonics of one frequency, the same for all pixels, as numbers by which the sums of segments are multiplied. Functions fitted:
+/// Legendre polynomials of x = (t - middle)/half the film's time, then cos(h w t), sin(h w t) of every harmonic h, the highest first, then, if asked for, x
+/// cos(w t), x sin(w t), which show a frequency that is off, or cos and sin of frequencies beside w, which show the noise there. The film is projected on the
+/// same functions with x and the phase of a small w - w_0 constant within a segment: what is of the fitted form is found exactly, with a standard error larger
+/// than that of plain least squares by less than a per cent.
 struct HarmonicFit {
   double frequency = 0;   ///< Hz
   std::size_t drift = 0;  ///< polynomials, order + 1
   std::size_t harmonics = 0;
-  double middle = 0, half = 0;     ///< s
-  statistics::Matrix coefficient;  ///< transposed: (segments x planes) x functions
-  statistics::Matrix covariance;   ///< of the fitted numbers over the variance of the noise
-  statistics::Matrix normal;       ///< sums of products of the fitted functions
-  double spacing = 0;              ///< Hz
-  std::vector<int> beside;         ///< frequencies beside it, so many spacings above or below
-  bool beat = false;               ///< x cos(w t) and x sin(w t) are the last
+  double middle = 0, half = 0;          ///< s
+  double spacing = 0;                   ///< Hz
+  std::vector<int> beside = {};         ///< frequencies beside it, so many spacings above or below
+  bool beat = false;                    ///< x cos(w t) and x sin(w t) are the last
+  statistics::Matrix coefficient = {};  ///< transposed: (segments x planes) x functions
+  statistics::Matrix covariance = {};   ///< of the fitted numbers over the variance of the noise
+  statistics::Matrix normal = {};       ///< sums of products of the fitted functions, unless there are frequencies beside
 
   std::size_t size() const { return side(beside.size()) + (beat ? 2 : 0); }
   /// Column of cos of harmonic h; sin is next to it.
@@ -80,7 +79,10 @@ struct HarmonicFit {
   std::size_t side(std::size_t k) const { return drift + 2 * (harmonics + k); }
   /// Variance of the amplitude over what it would be if nothing else were fitted to as many frames: 1 in a film of many
   /// cycles, far more where drift and harmonics can do what the load's frequency does.
-  double inflation(std::size_t frames) const;
+  double inflation(std::size_t frames) const {
+    const std::size_t a = harmonic(1);
+    return (covariance(a, a) + covariance(a + 1, a + 1)) * static_cast<double>(frames) / 4;
+  }
 };
 
 HarmonicFit harmonic_fit(const SegmentSums& sums, double frequency, int drift_order, bool with_beat, double spacing = 0, std::vector<int> beside = {});

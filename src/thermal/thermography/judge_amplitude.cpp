@@ -7,6 +7,7 @@
 #include <complex>
 #include <numbers>
 
+#include "core/mapped.hpp"
 #include "core/median.hpp"
 #include "core/problems.hpp"
 #include "thermal/thermography/lockin.hpp"
@@ -96,8 +97,7 @@ Seen look(const SegmentSums& s, const HarmonicFit& fit, const HarmonicFit& wide)
 
 /// Variance of the noise in the median pixel, from those frequencies that no line of the instrument lifts far above the others.
 double typical_noise(const Seen& seen) {
-  std::vector<double> powers;
-  for (const PhasorSums& each : seen.beside) powers.push_back(each.power);
+  const auto powers = mapped(seen.beside, &PhasorSums::power);
   const double bound = 5 * median(powers);
   std::vector<double> own(seen.pixels, 0);
   double used = 0;
@@ -139,8 +139,7 @@ double noise_around(const SegmentSums& s, const HarmonicFit& fit, double tried, 
     noise = 0;
     for (const PhasorSums& each : seen.beside) noise += each.power / (2 * pixels) / sides, square += std::abs(each.square) / sides;
     if (seen.pixels > 1) together = noise_together(seen, noise, s.pixels);
-    // Of one source that all pixels share, |z^2| is exponential, and that of few frequencies beside is known no better; of
-    // many sources its tail is shorter.
+    // Of one source that all pixels share, |z^2| is exponential, and that of few frequencies beside is known no better; of many sources its tail is shorter.
     chance = tried * std::pow(1 + in_phase / (sides * square), -sides);
   } else {
     chance = tried * std::exp(-in_phase / std::sqrt(2 * std::numbers::pi * pixels));  // white noise of each pixel's own

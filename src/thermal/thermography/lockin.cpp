@@ -8,6 +8,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "core/mapped.hpp"
 #include "core/problems.hpp"
 #include "statistics/correlation.hpp"
 #include "statistics/least_squares.hpp"
@@ -42,13 +43,9 @@ int possible_harmonics(const std::vector<double>& time, const LockinOptions& o) 
   return std::max(harmonics, 1);
 }
 
+/// Of a pixel that never changes all sums are 0, and of one that is no number none is larger or smaller.
 void refuse_constant(const SegmentSums& s) {
-  const SegmentView view = s.view();
-  for (std::size_t p = 0; p < s.pixels; ++p)
-    for (std::size_t k = 0; k < s.segments(); ++k) {
-      const float *squares = view.sums + view.at(p, k, s.functions + 1), *step = squares + chunk;
-      if (*squares > 0 || std::abs(*step) > 0) return;
-    }
+  if (std::ranges::any_of(s.sums, [](float sum) { return std::abs(sum) > 0; })) return;
   throw InputError("every pixel of the film is constant in time (or is no number); a lock-in needs a film of a loaded sample");
 }
 
@@ -92,7 +89,7 @@ void project(LockinMaps& maps, const std::vector<double>& cosine, const std::vec
 LockinMaps locked_in(FilmSource& film, const LockinOptions& o, std::vector<double> time, int harmonics) {
   const ThreadPool pool(o.threads);
   const SegmentSums sums = sum_segments(film, std::move(time), o.frequency, harmonics, o.drift_order, pool, o.progress);
-  if (!sums.sums) return {};
+  if (sums.sums.empty()) return {};
   refuse_constant(sums);
   std::optional<FrequencyFit> refined;
   if (o.refine) refined = refine_frequency(sums, o.drift_order, pool);
@@ -169,10 +166,6 @@ double reference_phase(const std::vector<double>& cosine, const std::vector<doub
   return phase > 0 ? phase - std::numbers::pi : phase + std::numbers::pi;
 }
 
-double diffusion_length(double diffusivity, double frequency) { return std::sqrt(diffusivity / (std::numbers::pi * frequency)); }
-
-Adiabatic::Adiabatic(double diffusivity, double frequency, double side) : length(diffusion_length(diffusivity, frequency)), pixel(side) {}
-
 double Adiabatic::lost() const {
   const double wave = std::numbers::pi * length / pixel;
   return 1 - 1 / std::hypot(1.0, wave * wave / 2);
@@ -211,8 +204,7 @@ std::optional<LoadSignal> fit_load_signal(const std::vector<double>& time, const
   if (time.size() != signal.size() || time.size() < 8 || !(given > 0)) return std::nullopt;
   const auto n = static_cast<double>(time.size());
   const double middle = std::accumulate(time.begin(), time.end(), 0.0) / n, length = time.back() - time.front();
-  std::vector<double> t;
-  for (const double each : time) t.push_back(each - middle);
+  const auto t = mapped(time, [&](double each) { return each - middle; });
   const double nyquist = 0.5 * (n - 1) / length, first = std::max(given / 2, 2 / length), last = std::min(2 * given, 0.95 * nyquist);
   double step = 1 / (8 * length), best = 0, least = left_by_line(t, signal);
   const double all = least;

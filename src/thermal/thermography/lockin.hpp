@@ -1,6 +1,8 @@
 #pragma once
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -23,12 +25,11 @@ struct LockinOptions {
   Progress progress;
 };
 
-/// Lock-in of a film, in one pass: in every pixel, least squares of a polynomial in time and of harmonics of the load
-/// frequency, at the times of the frames, with the frequency refined on all pixels together. Standard errors are those of
-/// the noise as it is beside the load's frequency. Throws InputError for a load frequency at or above the Nyquist frequency,
-/// less than one cycle, so few cycles that drift and load cannot be told apart, fewer frames than unknowns, or a film in
-/// which nothing changes; and, where the frequency is to be refined, for a film that oscillates at another frequency and not there.
-/// Empty maps if `progress` stopped it.
+/// Lock-in of a film, in one pass: in every pixel, least squares of a polynomial in time and of harmonics of the load frequency, at the times of the frames,
+/// with the frequency refined on all pixels together. Standard errors are those of the noise as it is beside the load's frequency. Throws InputError for a load
+/// frequency at or above the Nyquist frequency, less than one cycle, so few cycles that drift and load cannot be told apart, fewer frames than unknowns, or a
+/// film in which nothing changes; and, where the frequency is to be refined, for a film that oscillates at another frequency and not there. Empty maps if
+/// `progress` stopped it.
 LockinMaps lock_in(FilmSource& film, const LockinOptions& options);
 
 /// 1, cosine and sine of the phase 2 pi f t, and of twice the phase; or what a fit has of them.
@@ -51,14 +52,14 @@ double reference_phase(const std::vector<double>& cosine, const std::vector<doub
 
 /// Length over which heat diffuses within a cycle, sqrt(D/(pi f)), m; the signal is adiabatic where this is far below a
 /// pixel and a grain. `diffusivity` in m^2/s, `frequency` in Hz.
-double diffusion_length(double diffusivity, double frequency);
+inline double diffusion_length(double diffusivity, double frequency) { return std::sqrt(diffusivity / (std::numbers::pi * frequency)); }
 
 /// Whether heat stays where it came to be within a cycle of the load.
 struct Adiabatic {
   double length = 0, pixel = 0;  ///< that heat diffuses, and the side of a pixel, m; no pixel: unknown
 
   /// `diffusivity` of heat in the grains, m^2/s; `frequency` of the load, Hz.
-  Adiabatic(double diffusivity, double frequency, double side = 0);
+  Adiabatic(double diffusivity, double frequency, double side = 0) : length(diffusion_length(diffusivity, frequency)), pixel(side) {}
   /// Share of its amplitude that the finest detail of a picture loses to it: stripes of two pixels' length have 1/|1 + i D k^2/(2 pi f)| of theirs.
   double lost() const;
   /// At a fifth of a pixel the finest detail loses 2 % of its amplitude and lags by 11 degrees.

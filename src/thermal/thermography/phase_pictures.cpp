@@ -84,14 +84,6 @@ Bins sort_frames(const std::vector<double>& time, double frequency, std::size_t 
   return bins;
 }
 
-/// Adds a frame to its picture and, weighed, to the sums that give each pixel's drift.
-template <class T>
-void add(const T* frame, const std::vector<float>& mean, const float* slow, std::size_t order, float* sum, float* drift, std::size_t begin, std::size_t end) {
-  for (std::size_t p = begin; p < end; ++p) sum[p] += static_cast<float>(frame[p]) - mean[p];
-  for (std::size_t j = 0; j < order; ++j, drift += mean.size())
-    for (std::size_t p = begin; p < end; ++p) drift[p] += slow[j] * (static_cast<float>(frame[p]) - mean[p]);
-}
-
 /// What gives a pixel's drift from its weighed sums: least squares of polynomials beside any oscillation, as frames of a like phase
 /// show it, whatever the pixel shows within a cycle.
 Matrix drift_solver(const Bins& bins) {
@@ -148,11 +140,17 @@ PhasePictures phase_pictures(FilmSource& film, const LockinMaps& maps, const Loc
   result.spline.resize(result.size() * pixels);
   std::vector<float> drift(bins.order * pixels);
   const ThreadPool pool(options.threads);
+  // A frame goes to its picture and, weighed, to the sums that give each pixel's drift.
   const auto take = [&](const auto* frames, std::size_t n, std::size_t some) {
     pool.for_ranges(pixels, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = 0; k < some; ++k) {
+        const auto* frame = frames + k * pixels;
         float* sum = result.spline.data() + bins.of_frame[n + k] * pixels;
-        add(frames + k * pixels, maps.mean, bins.slow.data() + (n + k) * bins.order, bins.order, sum, drift.data(), begin, end);
+        for (std::size_t p = begin; p < end; ++p) sum[p] += static_cast<float>(frame[p]) - maps.mean[p];
+        for (std::size_t j = 0; j < bins.order; ++j) {
+          const float slow = bins.slow[(n + k) * bins.order + j];
+          for (std::size_t p = begin; p < end; ++p) drift[j * pixels + p] += slow * (static_cast<float>(frame[p]) - maps.mean[p]);
+        }
       }
     });
     return !options.progress || options.progress(static_cast<double>(n + some) / static_cast<double>(time.size()));

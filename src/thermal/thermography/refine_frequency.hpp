@@ -28,10 +28,9 @@ SearchBand search_band(const std::vector<double>& time, double frequency);
 /// How many independent frequencies there are in it, with what a search between them finds more.
 double frequencies_in(const SearchBand& band, const std::vector<double>& time);
 
-/// The frequency of the band at which all pixels together have most power: first where the segments of some thousand pixels
-/// are most in step or, in films of few cycles, where a fit to these pixels explains most, then Newton steps of the
-/// least-squares problem of all pixels, each weighed by its noise. The error is the Cramer-Rao bound for white noise.
-/// A film that shows no oscillation in the band keeps the frequency of the sums, with an error of infinity.
+/// The frequency of the band at which all pixels together have most power: first where the segments of some thousand pixels are most in step or, in films of
+/// few cycles, where a fit to these pixels explains most, then Newton steps of the least-squares problem of all pixels, each weighed by its noise. The error is
+/// the Cramer-Rao bound for white noise. A film that shows no oscillation in the band keeps the frequency of the sums, with an error of infinity.
 FrequencyFit refine_frequency(const SegmentSums& sums, int drift_order, const ThreadPool& pool);
 
 /// Throws InputError for a film of so few cycles that drift can do nearly all that the load does.
@@ -48,9 +47,8 @@ inline double peak_between(double before, double at, double after) {
   return curve < 0 ? std::clamp(0.5 * (before - after) / curve, -0.5, 0.5) : 0;
 }
 
-/// The pixels of a film of which every value is kept, without drift, over their spread, and under a window that keeps a
-/// strong line to itself. They show the whole band, where sums of segments show the neighbourhood of one frequency only, into
-/// which what is further away may leak.
+/// The pixels of a film of which every value is kept, without drift, over their spread, and under a window that keeps a strong line to itself. They show the
+/// whole band, where sums of segments show the neighbourhood of one frequency only, into which what is further away may leak.
 class WatchedPixels {
  public:
   explicit WatchedPixels(const SegmentSums& sums);

@@ -52,35 +52,35 @@ struct Pass {
 
   /// Frames first .. first + count - 1, all within segment k.
   template <class T> void add(const T* frames, std::size_t first, std::size_t count, std::size_t k) {
-    float* sums = s.sums.get() + s.view().at(0, k, 0);
-    const std::size_t stride = s.segments() * s.planes() * chunk;
     const bool opens = first == s.first[k];
-    const WeighedFrames<T> weighed{frames, s.pixels, count, s.weights.data() + first * s.functions, s.functions, reference.data()};
     const std::size_t chunks = (s.pixels + chunk - 1) / chunk;
     pool.for_ranges(chunks, [&](std::size_t from, std::size_t to) {
       const std::size_t begin = from * chunk, end = std::min(to * chunk, s.pixels);
       if (opens) refer(frames, k, begin, end);
-      if constexpr (sizeof(T) == 2) kernels().add_levels(weighed, sums, stride, begin, end);
-      else kernels().add_values(weighed, sums, stride, begin, end);
+      for (std::size_t p = begin; p < end; p += tile)
+        for (std::size_t n = 0; n < count; n += group) {
+          const std::size_t some = std::min(group, count - n), ahead = n + 2 * group <= count ? group * s.pixels : 0;
+          add_group(WeighedFrames<T>{frames + n * s.pixels, s.pixels, some, s.weights.data() + (first + n) * s.functions, s.functions, reference.data(), ahead},
+                    first + n, k, p, std::min(p + tile, end));
+        }
     });
-    keep(frames, first, count);
   }
 
-  template <class T> void keep(const T* frames, std::size_t first, std::size_t count) {
-    float* out = s.seen.data() + first * s.watched.size();
-    for (std::size_t n = 0; n < count; ++n, frames += s.pixels)
-      for (const std::size_t p : s.watched) *out++ = static_cast<float>(frames[p]) - s.base[p];
+  /// The watched pixels are kept while the caches still hold these frames.
+  template <class T> void add_group(const WeighedFrames<T>& some, std::size_t first, std::size_t k, std::size_t begin, std::size_t end) {
+    float* sums = s.sums.data() + s.view().at(0, k, 0);
+    const std::size_t stride = s.segments() * s.planes() * chunk;
+    if constexpr (sizeof(T) == 2) kernels().add_levels(some, sums, stride, begin, end);
+    else kernels().add_values(some, sums, stride, begin, end);
+    for (std::size_t i = 0; i < s.watched.size(); ++i)
+      if (const std::size_t p = s.watched[i]; p >= begin && p < end)
+        for (std::size_t n = 0; n < some.count; ++n) s.seen[(first + n) * s.watched.size() + i] = static_cast<float>(some.frames[n * s.pixels + p]) - s.base[p];
   }
 
   template <class T> void refer(const T* frame, std::size_t k, std::size_t begin, std::size_t end) {
-    const SegmentView view = s.view();
     for (std::size_t p = begin; p < end; ++p) reference[p] = static_cast<float>(frame[p]);
     if (k == 0) std::copy_n(reference.data() + begin, end - begin, s.base.data() + begin);
-    for (std::size_t from = begin; from < end; from += chunk) {
-      float* plane = s.sums.get() + view.at(from, k, 0);
-      std::fill_n(plane, s.planes() * chunk, 0.f);
-      for (std::size_t p = from; p < std::min(from + chunk, end); ++p) plane[(s.planes() - 1) * chunk + p - from] = reference[p] - s.base[p];
-    }
+    for (std::size_t p = begin; p < end; ++p) s.sums[s.view().at(p, k, s.planes() - 1)] = reference[p] - s.base[p];
   }
 };
 
@@ -117,11 +117,6 @@ std::vector<double> frame_times(const FilmInfo& film, double frame_rate) {
   return time;
 }
 
-double film_length(const std::vector<double>& time) {
-  const auto frames = static_cast<double>(time.size());
-  return time.size() < 2 ? 0 : (time.back() - time.front()) * frames / (frames - 1);
-}
-
 double nyquist_frequency(const std::vector<double>& time) {
   std::vector<double> step;
   for (std::size_t n = 1; n < time.size(); ++n) step.push_back(time[n] - time[n - 1]);
@@ -140,8 +135,8 @@ SegmentSums sum_segments(FilmSource& film, std::vector<double> time, double freq
   weigh(s);
   watch(s);
   s.base.resize(s.pixels);
-  s.sums.reset(new float[s.view().at((s.pixels + chunk - 1) / chunk * chunk, 0, 0)]);
-  if (!pass_over(s, pool, film, progress)) s.sums.reset();
+  s.sums = Buffer<float>(s.view().at((s.pixels + chunk - 1) / chunk * chunk, 0, 0));
+  if (!pass_over(s, pool, film, progress)) s.sums.clear();
   return s;
 }
 

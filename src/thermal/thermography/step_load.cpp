@@ -56,9 +56,8 @@ struct Side {
   double explained() const { return statistics::dot(solve_symmetric(normal, value).column(0), value.column(0), value.size()); }
 };
 
-/// The time in the middle between the two frames between which the pixels of `series` (pixels x frames, over their noise)
-/// jump most: each split of the film is judged by what polynomials of this order on both sides explain. InputError for too
-/// few frames.
+/// The time in the middle between the two frames between which the pixels of `series` (pixels x frames, over their noise) jump most: each split of the film is
+/// judged by what polynomials of this order on both sides explain. InputError for too few frames.
 double find_step(const Matrix& series, const std::vector<double>& time, int drift_order) {
   const std::size_t frames = time.size(), size = static_cast<std::size_t>(drift_order) + 1, margin = size + 2;
   if (frames < 2 * margin) throw InputError("the film has too few frames for a step to be found; give its time, or ask for less drift");
@@ -85,9 +84,23 @@ class StepSums {
 
   /// False if stopped.
   bool pass(FilmSource& film, const StepSide& side, const ThreadPool& pool, const std::function<bool(std::size_t)>& progress) {
-    return read_frames(film, side.first, side.count, [&](const auto* frames, std::size_t n, std::size_t some) {
-      add(frames, n, some, side, pool);
-      return progress(some);
+    return read_frames(film, side.first, side.count, [&](const auto* frames, std::size_t first, std::size_t count) {
+      pool.for_ranges(pixels_, [&](std::size_t begin, std::size_t end) {
+        if (first == 0)
+          for (std::size_t p = begin; p < end; ++p) base_[p] = static_cast<double>(frames[p]);
+        for (std::size_t f = 0; f < count; ++f) {
+          const auto* value = frames + f * pixels_;
+          for (std::size_t p = begin; p < end; ++p) {
+            const double d = static_cast<double>(value[p]) - base_[p];
+            squares_[p] += d * d;
+          }
+          for (std::size_t k = 0; k < sum_.size(); ++k) {
+            const double w = side.weight(first + f, k);
+            for (std::size_t p = begin; p < end; ++p) sum_[k][p] += w * (static_cast<double>(value[p]) - base_[p]);
+          }
+        }
+      });
+      return progress(count);
     });
   }
 
@@ -105,24 +118,6 @@ class StepSums {
   }
 
  private:
-  template <class T> void add(const T* frames, std::size_t first, std::size_t count, const StepSide& side, const ThreadPool& pool) {
-    pool.for_ranges(pixels_, [&](std::size_t begin, std::size_t end) {
-      if (first == 0)
-        for (std::size_t p = begin; p < end; ++p) base_[p] = static_cast<double>(frames[p]);
-      for (std::size_t f = 0; f < count; ++f) {
-        const T* value = frames + f * pixels_;
-        for (std::size_t p = begin; p < end; ++p) {
-          const double d = static_cast<double>(value[p]) - base_[p];
-          squares_[p] += d * d;
-        }
-        for (std::size_t k = 0; k < sum_.size(); ++k) {
-          const double w = side.weight(first + f, k);
-          for (std::size_t p = begin; p < end; ++p) sum_[k][p] += w * (static_cast<double>(value[p]) - base_[p]);
-        }
-      }
-    });
-  }
-
   std::size_t pixels_;
   std::vector<double> base_, squares_;
   std::vector<std::vector<double>> sum_;
@@ -149,13 +144,6 @@ void fill(StepMaps& maps, const StepSides& sides, const StepSums (&sums)[2]) {
   if (!changes) throw InputError("every pixel of the film is constant in time (or is no number); a step needs a film of a loaded sample");
 }
 
-/// Throws where the jumps that were sought in so many frames are no more than noise makes them once in a hundred films.
-void refuse_without_step(const StepSides& sides, std::size_t frames) {
-  const double tried = std::sqrt(2 * std::log(100 * static_cast<double>(frames)));
-  if (sides.evidence > chi_squared_above(sides.noise.pixels, tried)) return;
-  throw InputError("the film shows no step of the load: nowhere do its pixels jump by more than their noise; give the time of the step");
-}
-
 }  // namespace
 
 StepMaps step_load(FilmSource& film, const StepOptions& o) {
@@ -170,18 +158,13 @@ StepMaps step_load(FilmSource& film, const StepOptions& o) {
   });
   if (stopped) return {};
   if (series.rows() == 0) throw InputError("every pixel of the film is constant in time (or is no number); a step needs a film of a loaded sample");
-  StepMaps maps;
-  maps.time = o.time ? *o.time : find_step(series, time, o.drift_order);
-  const StepSides sides = step_sides(series, time, maps.time, o);
-  if (!o.time) refuse_without_step(sides, time.size());
-  maps.width = film.info().width;
-  maps.height = film.info().height;
+  const double step = o.time ? *o.time : find_step(series, time, o.drift_order);
+  const StepSides sides = step_sides(series, time, step, o);
+  // Jumps that were sought in so many frames are no more than noise makes them once in a hundred films.
+  if (!o.time && !(sides.evidence > chi_squared_above(sides.noise.pixels, std::sqrt(2 * std::log(100 * static_cast<double>(time.size()))))))
+    throw InputError("the film shows no step of the load: nowhere do its pixels jump by more than their noise; give the time of the step");
   const auto& [before, after] = sides.side;
-  maps.before = before.count;
-  maps.after = after.count;
-  maps.drift_order = o.drift_order;
-  maps.relaxation_before = before.relaxation;
-  maps.relaxation_after = after.relaxation;
+  StepMaps maps{film.info().width, film.info().height, step, before.count, after.count, o.drift_order, before.relaxation, after.relaxation};
   StepSums sums[2] = {StepSums(film.info().pixels(), before.height.rows()), StepSums(film.info().pixels(), after.height.rows())};
   const ThreadPool pool(o.threads);
   std::size_t read = 0;

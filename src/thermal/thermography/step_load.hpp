@@ -24,22 +24,21 @@ struct StepMaps {
   double time = 0;                    ///< of the middle of the step, s after the first frame
   std::size_t before = 0, after = 0;  ///< frames used
   int drift_order = 0;
-  double relaxation_before = 0, relaxation_after = 0;  ///< s, of the exponential that was fitted on a side beside the polynomial; 0: none was
-  std::vector<float> jump;                             ///< after less before, both continued to the middle of the step: -A times the stress step
-  std::vector<float> standard_error;                   ///< of the jump, from the residual, its correlation and what the fit may miss
-  std::vector<float> level;                            ///< before, continued to the middle of the step
-  std::vector<float> drift_before, drift_after;        ///< slopes there, unit/s
-  std::vector<float> residual;                         ///< root mean square of what the fit leaves
+  double relaxation_before = 0, relaxation_after = 0;      ///< s, of the exponential that was fitted on a side beside the polynomial; 0: none was
+  std::vector<float> jump = {};                            ///< after less before, both continued to the middle of the step: -A times the stress step
+  std::vector<float> standard_error = {};                  ///< of the jump, from the residual, its correlation and what the fit may miss
+  std::vector<float> level = {};                           ///< before, continued to the middle of the step
+  std::vector<float> drift_before = {}, drift_after = {};  ///< slopes there, unit/s
+  std::vector<float> residual = {};                        ///< root mean square of what the fit leaves
 
   std::size_t size() const { return jump.size(); }
 };
 
-/// The jump of every pixel between two polynomials in time, one before and one after a step of the load, by least
-/// squares with a common noise: the signal of a load that does not cycle. A step is adiabatic only at its middle: where heat
-/// that flows later makes the pixels relax by more than their noise, an exponential joins the polynomial. A first pass looks
-/// at some thousand pixels: it finds that, the noise and, where no time is given, the split of the film that explains
-/// most. InputError for a step outside the film, too few frames on a side, a
-/// film in which nothing changes or, where it is to be found, without a step. Empty maps if `progress` stopped it.
+/// The jump of every pixel between two polynomials in time, one before and one after a step of the load, by least squares with a common noise: the signal of a
+/// load that does not cycle. A step is adiabatic only at its middle: where heat that flows later makes the pixels relax by more than their noise, an
+/// exponential joins the polynomial. A first pass looks at some thousand pixels: it finds that, the noise and, where no time is given, the split of the film
+/// that explains most. InputError for a step outside the film, too few frames on a side, a film in which nothing changes or, where it is to be found, without a
+/// step. Empty maps if `progress` stopped it.
 StepMaps step_load(FilmSource& film, const StepOptions& options);
 
 }  // namespace arenite::thermography

@@ -44,19 +44,14 @@ Spectrum spectrum(const FloatMatrix& value, const std::vector<double>& time) {
   while (size < 2 * (slot(time.size() - 1) + 1) && size <= most) size *= 2;
   if (size > most) return {};
   Spectrum all{rate / static_cast<double>(size), std::vector<double>(size / 2), std::vector<Complex>(size / 2)};
-  Eigen::FFT<double> transform;
-  std::vector<Complex> in(size), out(size);
-  for (std::size_t i = 0; i < value.rows(); i += 2) {  // two pixels at once, as real and imaginary part
-    std::fill(in.begin(), in.end(), Complex{});
-    const bool pair = i + 1 < value.rows();
-    for (std::size_t n = 0; n < time.size(); ++n)
-      in[std::min(slot(n), size - 1)] += Complex(static_cast<double>(value(i, n)), pair ? static_cast<double>(value(i + 1, n)) : 0);
+  Eigen::FFT<double> transform({}, Eigen::FFT<double>::HalfSpectrum);
+  std::vector<double> in;
+  std::vector<Complex> out;
+  for (std::size_t i = 0; i < value.rows(); ++i) {
+    in.assign(size, 0.0);
+    for (std::size_t n = 0; n < time.size(); ++n) in[std::min(slot(n), size - 1)] += static_cast<double>(value(i, n));
     transform.fwd(out, in);
-    for (std::size_t k = 1; k < size / 2; ++k) {
-      const Complex a = 0.5 * (out[k] + std::conj(out[size - k])), b = Complex(0, -0.5) * (out[k] - std::conj(out[size - k]));
-      all.power[k] += std::norm(a) + std::norm(b);
-      all.square[k] += a * a + b * b;
-    }
+    for (std::size_t k = 1; k < size / 2; ++k) all.power[k] += std::norm(out[k]), all.square[k] += out[k] * out[k];
   }
   return all;
 }
@@ -72,23 +67,19 @@ double power_around(const std::vector<double>& power, std::size_t k, std::size_t
 
 }  // namespace
 
-WatchedPixels::WatchedPixels(const SegmentSums& s) : time_(s.time) {
-  const std::size_t frames = s.time.size(), count = s.watched.size();
-  FloatMatrix all(count, frames);
-  std::copy_n(s.seen.data(), all.size(), all.column(0));
+WatchedPixels::WatchedPixels(const SegmentSums& s) : time_(s.time), value_(s.watched.size(), s.time.size()) {
+  std::copy_n(s.seen.data(), value_.size(), value_.column(0));
   const FloatMatrix slow = slow_changes(time_);
-  all -= times_transposed(all * slow, slow);
-  std::vector<float> spread(count);
-  for (std::size_t n = 0; n < frames; ++n)
-    for (std::size_t i = 0; i < count; ++i) spread[i] += all(i, n) * all(i, n);
-  std::vector<std::size_t> used;
-  for (std::size_t i = 0; i < count; ++i)
-    if (spread[i] > 0 && std::isfinite(spread[i])) used.push_back(i);
-  value_ = FloatMatrix(used.size(), frames);
-  for (std::size_t n = 0; n < frames; ++n) {
+  value_ -= times_transposed(value_ * slow, slow);
+  std::vector<float> squares(value_.rows());
+  for (std::size_t n = 0; n < value_.columns(); ++n)
+    for (std::size_t i = 0; i < squares.size(); ++i) squares[i] += value_(i, n) * value_(i, n);
+  const auto changes = [](float sum) { return sum > 0 && std::isfinite(sum); };
+  if (std::ranges::none_of(squares, changes)) value_ = {};
+  for (std::size_t n = 0; n < value_.columns(); ++n) {
     const double share = (time_[n] - time_.front()) / (time_.back() - time_.front());
     const auto window = static_cast<float>(0.5 - 0.5 * std::cos(2 * std::numbers::pi * share));
-    for (std::size_t k = 0; k < used.size(); ++k) value_(k, n) = all(used[k], n) / std::sqrt(spread[used[k]]) * window;
+    for (std::size_t i = 0; i < value_.rows(); ++i) value_(i, n) = changes(squares[i]) ? value_(i, n) / std::sqrt(squares[i]) * window : 0;
   }
 }
 

@@ -1,7 +1,9 @@
 // The passes of kernels.hpp for lanes of some width: included by the sources of this folder, which are compiled with flags of
 // their own, and therefore without names that a linker could take from one of them for another.
 #pragma once
+#include <array>
 #include <cstdint>
+#include <utility>
 #ifdef __AVX2__
 #include <immintrin.h>
 #endif
@@ -26,6 +28,7 @@ template <class T, std::size_t n> struct Lanes {
 #endif
     return {__builtin_convertvector(*reinterpret_cast<const typename Lanes<float, n>::Anywhere*>(p), Numbers)};
   }
+  static Lanes load(const double* p) { return {*reinterpret_cast<const Anywhere*>(p)}; }
   static Lanes load(const std::uint16_t* p) {
 #if defined(__AVX512F__)
     if constexpr (sizeof(Numbers) == 64) return {_mm512_cvtepi32_ps(_mm512_cvtepu16_epi32(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(p))))};
@@ -43,25 +46,18 @@ template <class T, std::size_t n> struct Lanes {
   friend Lanes fma(Lanes a, Lanes b, Lanes c) { return {a.v * b.v + c.v}; }
 };
 
-/// Frames whose share goes into sums that stay in registers; as many streams as a machine fetches ahead.
-constexpr std::size_t group = 16;
-/// Pixels whose sums stay in the second cache from group to group, in long runs of every frame.
-constexpr std::size_t tile = 8192;
-
 /// `n` neighbouring vectors at once, so that a weight is fetched once for all; `sums` are those of the first.
-template <class V, int n, int functions, class T>
-inline void add_group(const WeighedFrames<T>& f, std::size_t first, std::size_t count, float* sums, std::size_t p) {
+template <class V, int n, int functions, class T> inline void add_pixels(const WeighedFrames<T>& f, float* sums, std::size_t p) {
   V sum[functions + 2][n], reference[n];
   for (int i = 0; i < n; ++i) {
     for (int k = 0; k < functions + 2; ++k) sum[k][i] = V::load(sums + static_cast<std::size_t>(k) * chunk + static_cast<std::size_t>(i) * V::lanes);
     reference[i] = V::load(f.reference + p + static_cast<std::size_t>(i) * V::lanes);
   }
-  const T* value = f.frames + first * f.pixels + p;
-  const float* weight = f.weights + first * functions;
-  const std::size_t ahead = first + count + group <= f.count ? group * f.pixels : 0;
-#pragma GCC unroll 4
-  for (std::size_t j = 0; j < count; ++j, value += f.pixels, weight += functions) {
-    __builtin_prefetch(value + ahead, 0, 2);
+  const T* value = f.frames + p;
+  const float* weight = f.weights;
+  std::size_t j = 0;
+  do {  // of at least one frame: sums that the loop might leave alone would go to memory before it
+    __builtin_prefetch(value + f.ahead, 0, 2);
     V d[n];
     for (int i = 0; i < n; ++i) {
       d[i] = V::load(value + static_cast<std::size_t>(i) * V::lanes) - reference[i];
@@ -72,7 +68,8 @@ inline void add_group(const WeighedFrames<T>& f, std::size_t first, std::size_t 
       const V w = V::all(weight[k]);
       for (int i = 0; i < n; ++i) sum[k + 1][i] = fma(w, d[i], sum[k + 1][i]);
     }
-  }
+    value += f.pixels, weight += functions;
+  } while (++j < f.count);
   for (int k = 0; k < functions + 2; ++k)
     for (int i = 0; i < n; ++i) sum[k][i].store(sums + static_cast<std::size_t>(k) * chunk + static_cast<std::size_t>(i) * V::lanes);
 }
@@ -80,16 +77,10 @@ inline void add_group(const WeighedFrames<T>& f, std::size_t first, std::size_t 
 template <class Floats, int functions, class T>
 void add_frames(const WeighedFrames<T>& f, float* sums, std::size_t stride, std::size_t begin, std::size_t end) {
   constexpr std::size_t step = 2 * Floats::lanes;
-  for (std::size_t from = begin; from < end; from += tile) {
-    const std::size_t to = from + tile < end ? from + tile : end;
-    for (std::size_t first = 0; first < f.count; first += group) {
-      const std::size_t count = first + group < f.count ? group : f.count - first;
-      const auto of = [&](std::size_t p) { return sums + p / chunk * stride + p % chunk; };
-      std::size_t p = from;
-      for (; p + step <= to; p += step) add_group<Floats, 2, functions>(f, first, count, of(p), p);
-      for (; p < to; ++p) add_group<Lanes<float, 1>, 1, functions>(f, first, count, of(p), p);
-    }
-  }
+  const auto of = [&](std::size_t p) { return sums + p / chunk * stride + p % chunk; };
+  std::size_t p = begin;
+  for (; p + step <= end; p += step) add_pixels<Floats, 2, functions>(f, of(p), p);
+  for (; p < end; ++p) add_pixels<Lanes<float, 1>, 1, functions>(f, of(p), p);
 }
 
 template <class Floats, class T> void add(const WeighedFrames<T>& f, float* sums, std::size_t stride, std::size_t begin, std::size_t end) {
@@ -112,46 +103,60 @@ template <class V, int rows> inline void combine_at(const SegmentView& s, std::s
   for (int m = 0; m < rows; ++m) sum[m].store(out + static_cast<std::size_t>(m) * apart);
 }
 
+/// Calls at(lanes' type, number) for pixels 0 .. count - 1: lanes of them, then what is left over one by one.
+template <class Doubles, class At> inline void each_pixel(std::size_t count, const At& at) {
+  std::size_t i = 0;
+  for (; i + Doubles::lanes <= count; i += Doubles::lanes) at(Doubles{}, i);
+  for (; i < count; ++i) at(Lanes<double, 1>{}, i);
+}
+
 template <class Doubles, int rows>
 void combine_rows(const SegmentView& s, const double* coefficient, double* out, std::size_t apart, std::size_t begin, std::size_t end) {
-  std::size_t p = begin;
-  for (; p + Doubles::lanes <= end; p += Doubles::lanes) combine_at<Doubles, rows>(s, p, coefficient, out + (p - begin), apart);
-  for (; p < end; ++p) combine_at<Lanes<double, 1>, rows>(s, p, coefficient, out + (p - begin), apart);
+  each_pixel<Doubles>(end - begin, [&]<class V>(V, std::size_t i) { combine_at<V, rows>(s, begin + i, coefficient, out + i, apart); });
 }
 
+/// As many rows in one reading of the sums as registers hold.
 template <class Doubles>
 void combine(const SegmentView& s, const double* coefficient, std::size_t rows, double* out, std::size_t apart, std::size_t begin, std::size_t end) {
-  const std::size_t count = s.segments * s.planes;
-  std::size_t m = 0;
-  for (; m + 8 <= rows; m += 8) combine_rows<Doubles, 8>(s, coefficient + m * count, out + m * apart, apart, begin, end);
-  // What is left goes in one reading of the sums, too.
-  using Combine = void (*)(const SegmentView&, const double*, double*, std::size_t, std::size_t, std::size_t);
-  constexpr Combine rest[] = {combine_rows<Doubles, 1>, combine_rows<Doubles, 2>, combine_rows<Doubles, 3>, combine_rows<Doubles, 4>,
-                              combine_rows<Doubles, 5>, combine_rows<Doubles, 6>, combine_rows<Doubles, 7>};
-  if (m < rows) rest[rows - m - 1](s, coefficient + m * count, out + m * apart, apart, begin, end);
+  constexpr std::size_t most = 13;
+  const std::size_t count = s.segments * s.planes, readings = (rows + most - 1) / most;
+  const auto table = []<int... few>(std::integer_sequence<int, few...>) { return std::array{combine_rows<Doubles, few + 1>...}; }
+  (std::make_integer_sequence<int, most>());
+  for (std::size_t r = 0; r < readings; ++r) {
+    const std::size_t first = rows * r / readings, some = rows * (r + 1) / readings - first;
+    table[some - 1](s, coefficient + first * count, out + first * apart, apart, begin, end);
+  }
 }
 
-template <class V> inline void power_at(const SegmentView& s, std::size_t p, const double* frames, double* out) {
+template <class V>
+inline void residual_at(const SegmentView& s, std::size_t p, const double* frames, const double* normal, std::size_t rows, const double* fitted,
+                        std::size_t apart, double* out) {
   V sum = V::all(0);
   const float* plane = s.sums + s.at(p, 0, 0);
   for (std::size_t q = 0; q < s.segments; ++q, plane += s.planes * chunk) {
     const V level = V::load(plane), squares = V::load(plane + (s.planes - 2) * chunk), step = V::load(plane + (s.planes - 1) * chunk);
     sum = fma(fma(V::all(frames[q]), step, level + level), step, sum + squares);
   }
+  for (std::size_t m = 0; m < rows; ++m, normal += rows) {
+    V mixed = V::all(0);
+    for (std::size_t n = 0; n < m; ++n) mixed = fma(V::all(normal[n]), V::load(fitted + n * apart), mixed);
+    const V own = V::load(fitted + m * apart);
+    sum = fma(V::all(0) - own, fma(V::all(normal[m]), own, mixed + mixed), sum);
+  }
   sum.store(out);
 }
 
-template <class Doubles> void power(const SegmentView& s, const double* frames, double* out, std::size_t begin, std::size_t end) {
-  std::size_t p = begin;
-  for (; p + Doubles::lanes <= end; p += Doubles::lanes) power_at<Doubles>(s, p, frames, out + (p - begin));
-  for (; p < end; ++p) power_at<Lanes<double, 1>>(s, p, frames, out + (p - begin));
+template <class Doubles>
+void residual(const SegmentView& s, const double* frames, const double* normal, std::size_t rows, const double* fitted, std::size_t apart, double* out,
+              std::size_t begin, std::size_t end) {
+  each_pixel<Doubles>(end - begin, [&]<class V>(V, std::size_t i) { residual_at<V>(s, begin + i, frames, normal, rows, fitted + i, apart, out + i); });
 }
 
 /// The passes for `floats` single or half as many double numbers at once.
 template <std::size_t floats> constexpr Kernels kernels_of(const char* name) {
   using Floats = Lanes<float, floats>;
   using Doubles = Lanes<double, floats / 2>;
-  return {name, add<Floats, std::uint16_t>, add<Floats, float>, combine<Doubles>, power<Doubles>};
+  return {name, add<Floats, std::uint16_t>, add<Floats, float>, combine<Doubles>, residual<Doubles>};
 }
 
 }  // namespace

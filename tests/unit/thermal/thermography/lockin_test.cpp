@@ -59,6 +59,40 @@ TEST(LockIn, KernelsAgree) {
     }
 }
 
+TEST(LockIn, KernelsFitAsOneWouldByHand) {
+  const std::size_t pixels = 101, segments = 3, planes = 9, rows = 15, apart = 128, count = segments * planes;
+  RandomStream random(5, Purpose::test);
+  std::vector<float> sums(4 * chunk * count);
+  for (float& v : sums) v = static_cast<float>(random.uniform(-1, 1));
+  std::vector<double> coefficient(rows * count), normal(rows * rows);
+  for (double& v : coefficient) v = random.uniform(-1, 1);
+  for (std::size_t m = 0; m < rows; ++m)
+    for (std::size_t n = 0; n <= m; ++n) normal[m * rows + n] = normal[n * rows + m] = random.uniform(-1, 1);
+  const double frames[] = {7, 9, 8};
+  const SegmentView view{sums.data(), segments, planes};
+  const auto plane = [&](std::size_t p, std::size_t s, std::size_t k) { return static_cast<double>(sums[view.at(p, s, k)]); };
+  for (const char* name : {"portable", "avx2", "avx512"})
+    if (const Kernels* k = kernels(name)) {
+      std::vector<double> fitted(rows * apart), left(apart);
+      k->combine(view, coefficient.data(), rows, fitted.data(), apart, 0, pixels);
+      k->residual(view, frames, normal.data(), rows, fitted.data(), apart, left.data(), 0, pixels);
+      for (const std::size_t p : {0, 70, 100}) {
+        double rest = 0;
+        for (std::size_t m = 0; m < rows; ++m) {
+          double sum = 0;
+          for (std::size_t q = 0; q < count; ++q) sum += coefficient[m * count + q] * plane(p, q / planes, q % planes);
+          EXPECT_NEAR(fitted[m * apart + p], sum, 1e-12) << name << " " << m;
+          for (std::size_t n = 0; n < rows; ++n) rest -= normal[m * rows + n] * fitted[m * apart + p] * fitted[n * apart + p];
+        }
+        for (std::size_t s = 0; s < segments; ++s) {
+          const double step = plane(p, s, planes - 1);
+          rest += plane(p, s, planes - 2) + 2 * step * plane(p, s, 0) + frames[s] * step * step;
+        }
+        EXPECT_NEAR(left[p], rest, 1e-10) << name << " " << p;
+      }
+    }
+}
+
 void expect_refused(Film film, const LockinOptions& o, const char* word) {
   try {
     lock_in(film, o);

@@ -1,4 +1,4 @@
-#include "thermal/identify/factor.hpp"
+#include "thermal/identify/curve.hpp"
 
 #include <gtest/gtest.h>
 
