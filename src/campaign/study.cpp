@@ -10,7 +10,7 @@
 #include "core/hash.hpp"
 #include "core/problems.hpp"
 #include "io/disk/file.hpp"
-#include "recipe/reader.hpp"
+#include "recipe/document.hpp"
 
 namespace arenite::campaign {
 namespace {

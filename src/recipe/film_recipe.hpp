@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/parameters.hpp"
 #include "io/film/film.hpp"
 #include "thermal/camera/camera.hpp"
 
@@ -128,6 +129,9 @@ std::string changed_keys(const FilmRecipe& recipe);
 
 /// Documentation of every key (Markdown).
 std::string film_key_reference();
+
+/// Every key of a film's recipe.
+void declare(ParameterVisitor& visitor, FilmRecipe& recipe);
 
 /// The recipe that `arenite init film` writes.
 FilmRecipe film_template();

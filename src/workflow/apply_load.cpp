@@ -29,18 +29,6 @@ FieldResult upright(const FieldResult& sample, recipe::Load::Axis axis) {
   return result;
 }
 
-/// What loads and tests to failure have in common.
-template <class Options> Options common_options(const recipe::Load& load, const peridynamics::Watch& watch) {
-  Options options;
-  options.stiffness = load.stiffness.resolved();
-  options.loading = load.loading;
-  options.lower = load.lower;
-  options.tolerance = load.tolerance;
-  options.watch = watch;
-  options.law = load.bond_law;
-  return options;
-}
-
 History convergence_of(const std::vector<double>& residuals) {
   std::vector<double> iteration;
   for (std::size_t k = 0; k < residuals.size(); ++k) iteration.push_back(static_cast<double>(k));
@@ -100,11 +88,7 @@ void measure_stress(const recipe::Load& load, FieldResult& result, std::optional
 std::optional<FieldResult> load_until_failure(const recipe::Load& load, FieldResult result, const peridynamics::Watch& watch,
                                               const FailureCheckpoint& checkpoint) {
   using Ending = peridynamics::DamageResult::Ending;
-  auto options = common_options<peridynamics::DamageOptions>(load, watch);
-  options.toughness = load.toughness.resolved();
-  options.max_strain = load.max_strain;
-  options.band = load.band;
-  options.end_stress = load.end_stress;
+  peridynamics::DamageOptions options{load, load, load.stiffness.resolved(), watch, load.toughness.resolved()};
   options.keep = checkpoint.keep;
   if (checkpoint.resume) options.resume = &*checkpoint.resume;
   auto tested = peridynamics::load_to_failure(result.map, options);
@@ -129,11 +113,7 @@ std::optional<FieldResult> apply_load(const recipe::Load& load, const FieldResul
     if (tested) measure_stress(load, *tested, measured);
     return tested;
   }
-  auto options = common_options<peridynamics::LoadOptions>(load, watch);
-  options.method = load.method;
-  options.strain = load.strain;
-  options.max_iterations = static_cast<int>(load.max_iterations);
-  options.exact_stretch = load.exact_stretch;
+  const peridynamics::LoadOptions options{load, load, load.stiffness.resolved(), watch};
   auto loaded = peridynamics::load(result.map, options);
   if (loaded.report.ending == peridynamics::Ending::stopped) return std::nullopt;
   result.converged = loaded.report.ending == peridynamics::Ending::solved;
