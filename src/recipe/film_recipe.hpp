@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -101,6 +102,7 @@ struct FilmRecipe {
   ForcesSection forces;
   std::optional<SimulationSection> simulation;
   std::optional<CameraSection> camera;
+  std::filesystem::path beside(const std::string& file) const { return std::filesystem::path(source_file).parent_path() / file; }  ///< that it names
 };
 
 /// Emissivity of every material: its own, that of [temperature], or 0.9.

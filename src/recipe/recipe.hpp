@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -125,6 +126,7 @@ struct Recipe {
   cement::CementParameters cement_or_none() const;
   GridSection grid_or_default() const { return grid.value_or(GridSection{}); }
   bool has_field() const { return cement || grid || !loads.empty(); }  ///< goes on to cement, grid and loads
+  std::filesystem::path beside(const std::string& file) const { return std::filesystem::path(source_file).parent_path() / file; }  ///< that it names
   bool operator==(const Recipe&) const = default;
 };
 

@@ -21,7 +21,7 @@ Judgement judge_t17(const Results& results) {
   judgement.checks.push_back(reported("slope of stresses found against true ones",
                                       mean_over_seeds(runs, [](const Run& run) { return campaign::film_number(run.folder(), "slope"); })));
   judgement.checks.push_back(
-      reported("grains whose stress the films give", mean_over_seeds(runs, [](const Run& run) { return campaign::film_number(run.folder(), "grains"); })));
+      reported("grains whose stress the films give", mean_over_seeds(runs, [](const Run& run) { return campaign::film_number(run.folder(), "count"); })));
   judgement.decides =
       "The camera films the field of stress that the simulation has; friction and damping decide which field that is, not how well it is found.";
   return judgement;
