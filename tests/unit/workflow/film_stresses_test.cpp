@@ -11,7 +11,7 @@ using namespace arenite::workflow;
 
 namespace {
 
-const std::vector<std::uint8_t> all{1, 1, 1, 1};
+const std::vector<std::uint8_t> all_four{1, 1, 1, 1};
 
 /// A film of four grains in a row, all of one material and away from each other.
 FilmResult four(const std::vector<double>& film, const std::vector<double>& simulation) {
@@ -32,7 +32,7 @@ FilmResult four(const std::vector<double>& film, const std::vector<double>& simu
 }  // namespace
 
 TEST(FilmStresses, AreTakenOverTheMeanOfTheGrainsThatCount) {
-  const auto stresses = film_stresses(four({-1e5, -2e5, -3e5, -2e5}, {-1e5, -1e5, -4e5, -2e5}), all);
+  const auto stresses = film_stresses(four({-1e5, -2e5, -3e5, -2e5}, {-1e5, -1e5, -4e5, -2e5}), all_four);
   ASSERT_EQ(stresses.sources.size(), 2u);
   EXPECT_NEAR(stresses.sources[0].mean, -2e5, 1e-6);
   EXPECT_NEAR(stresses.sources[0].sigma_norm[2], 1.5, 1e-12);
@@ -40,7 +40,7 @@ TEST(FilmStresses, AreTakenOverTheMeanOfTheGrainsThatCount) {
 }
 
 TEST(FilmStresses, LeaveOutGrainsThatOneSourceDoesNotKnow) {
-  const auto stresses = film_stresses(four({-1e5, NAN, -3e5, -2e5}, {-1e5, -9e5, -4e5, -4e5}), all);
+  const auto stresses = film_stresses(four({-1e5, NAN, -3e5, -2e5}, {-1e5, -9e5, -4e5, -4e5}), all_four);
   EXPECT_TRUE(std::isnan(stresses.sources[1].sigma_hyd[1]));
   EXPECT_NEAR(stresses.sources[1].mean, -3e5, 1e-6);
   EXPECT_EQ(stresses.considered, (std::vector<std::uint8_t>{1, 0, 1, 1}));
@@ -65,7 +65,7 @@ TEST(FilmStresses, HaveTheTexturesStatisticsWhereNoSourceKnowsLess) {
 
 TEST(FilmStresses, OfAFilmThatIsTwiceItsSimulationAgreeWithSlopeTwo) {
   const FilmResult r = four({-2e5, -4e5, -6e5, -8e5}, {-1e5, -2e5, -3e5, -4e5});
-  const auto stresses = film_stresses(r, all);
+  const auto stresses = film_stresses(r, all_four);
   const Numbers sets = agreement_of(r.packing, stresses, stresses.sources[1]);
   ASSERT_EQ(sets.size(), 1u);
   EXPECT_EQ(sets["all"]["count"].get<int>(), 4);
@@ -77,7 +77,7 @@ TEST(FilmStresses, OfAFilmThatIsTwiceItsSimulationAgreeWithSlopeTwo) {
 
 TEST(FilmAgreement, OfAStressWithItself) {
   const std::vector<double> stress{-1e6, -2e6, -4e6, -5e6};
-  const Agreement a = agreement(stress, stress, all);
+  const Agreement a = agreement(stress, stress, all_four);
   EXPECT_EQ(a.relation.count, 4u);
   EXPECT_NEAR(a.relation.pearson.value, 1, 1e-15);
   EXPECT_EQ(a.rms, 0);
@@ -93,7 +93,7 @@ TEST(FilmAgreement, ByHand) {
   EXPECT_NEAR(two.relation.pearson.value, 1, 1e-15);
   // About their means (2, 4): products 2 + 0 + 1 over squares 1 + 0 + 1.
   EXPECT_NEAR(agreement({2, 4, 5}, {1, 2, 3}, {1, 1, 1}).relation.line.slope, 1.5, 1e-15);
-  EXPECT_NEAR(agreement({1, 2, 3, 2}, {3, 2, 1, 2}, all).relation.pearson.value, -1, 1e-15);
+  EXPECT_NEAR(agreement({1, 2, 3, 2}, {3, 2, 1, 2}, all_four).relation.pearson.value, -1, 1e-15);
 }
 
 TEST(FilmAgreement, LeavesOutWhatDoesNotCountOrIsUnknown) {
@@ -111,7 +111,7 @@ RC_GTEST_PROP(FilmAgreement, InSigmaNormKnowsNoScale, (int seed)) {
     other.push_back(-1 - random.uniform());
     scaled.push_back(7 * other.back());
   }
-  const Agreement a = agreement(one, other, all), b = agreement(one, scaled, all);
+  const Agreement a = agreement(one, other, all_four), b = agreement(one, scaled, all_four);
   RC_ASSERT(std::abs(a.rms_sigma_norm - b.rms_sigma_norm) < 1e-12);
   RC_ASSERT(std::abs(a.relation.pearson.value - b.relation.pearson.value) < 1e-9);
   RC_ASSERT(std::abs(a.relation.line.slope - 7 * b.relation.line.slope) < 1e-9 * std::abs(a.relation.line.slope));
