@@ -102,8 +102,8 @@ struct Load : peridynamics::LoadCase, peridynamics::FieldChoices, peridynamics::
   bool operator==(const Load&) const = default;
 };
 
-/// What a recipe says, checked and in SI. The declaration of every key (name, unit, range, sentence) is in
-/// recipe/keys*.cpp; reading, checks, the resolved recipe and docs/recipe.md follow from it.
+/// What a recipe says, checked and in SI. The declaration of every key (name, unit, range, sentence) is in recipe/keys*.cpp, or with the struct that it
+/// fills (`declare`); reading, checks, the resolved recipe and docs/recipe.md follow from it.
 struct Recipe {
   std::string title;
   std::uint64_t seed = 1;
