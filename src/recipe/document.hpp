@@ -97,8 +97,8 @@ struct Record {
   };
   Key key;
   std::string form = {};     ///< a literal with dots for what is to be filled in
-  std::string example = {};  ///< a literal of some value
   std::string allowed = {};  ///< "above 0 mm"
+  std::string example = {};  ///< a literal of some value, where the form with 1 for its dots is none
   Kind kind = Kind::value;
   std::string condition = {};               ///< `law = "normal"`, if the key exists only then
   std::optional<std::string> literal = {};  ///< value in TOML; nothing if it is not set

@@ -21,6 +21,13 @@ std::string as_phrase(std::string_view sentence) {
   return phrase;
 }
 
+std::string example_of(const Record& record) {
+  if (!record.example.empty()) return record.example;
+  std::string literal = record.choices.empty() ? record.form : record.choices.front().literal;
+  if (const auto dots = literal.find("..."); dots != literal.npos && literal != "\"...\"") literal.replace(dots, 3, "1");
+  return literal;
+}
+
 /// Reads one table of a recipe into what the declarations name; sub-tables get readers of their own. Problems are collected; whatever is wrong keeps
 /// its default.
 class Reader : public KeyVisitor {
@@ -107,7 +114,7 @@ class Reader : public KeyVisitor {
   void visit(Record record, const std::function<void(const Written&)>& read) override {
     const Key& key = record.key;
     if (const Entry* entry = find(key)) watch(key, [&] { read({entry->value, path_of(key.name), reading_}); });
-    else if (key.required) refuse(key, table_.place, fmt::format("is missing; write for example {} = {}", key.name, record.example));
+    else if (key.required) refuse(key, table_.place, fmt::format("is missing; write for example {} = {}", key.name, example_of(record)));
   }
 
   const Entry* find(const Key& key) {

@@ -29,7 +29,7 @@ template <class Items, class Literal> std::optional<std::string> list_literal(co
 }
 
 Record record_of_rows(const Key& key, const std::vector<Vec2>& rows, std::string_view unit_x, std::string_view unit_y, const std::string& example) {
-  Record record{key, fmt::format("[[{}, {}], ...]", with_unit("...", unit_x), with_unit("...", unit_y)), example};
+  Record record{key, fmt::format("[[{}, {}], ...]", with_unit("...", unit_x), with_unit("...", unit_y)), {}, example};
   record.literal = list_literal(rows, [&](Vec2 row) { return fmt::format("[{}, {}]", number_literal(row.x, unit_x), number_literal(row.y, unit_y)); });
   return record;
 }
@@ -139,7 +139,7 @@ void read_form(const Written& at, int& form, double& value, const std::vector<Fo
 }  // namespace
 
 void KeyVisitor::number(const Key& key, std::optional<double>& value, std::string_view unit, const Range& range) {
-  Record record{key, with_unit("...", unit), with_unit("1", unit), to_string(range, unit)};
+  Record record{key, with_unit("...", unit), to_string(range, unit)};
   if (value) record.literal = number_literal(*value, unit);
   visit(std::move(record), [&](const Written& at) {
     if (const auto read = read_number(at, unit, range)) value = read;
@@ -147,7 +147,7 @@ void KeyVisitor::number(const Key& key, std::optional<double>& value, std::strin
 }
 
 void KeyVisitor::integer(const Key& key, std::optional<std::int64_t>& value, const IntegerRange& range) {
-  Record record{key, "...", "1", to_string(range)};
+  Record record{key, "...", to_string(range)};
   if (value) record.literal = std::to_string(*value);
   visit(std::move(record), [&](const Written& at) {
     const Node& node = at.node;
@@ -161,7 +161,7 @@ void KeyVisitor::integer(const Key& key, std::optional<std::int64_t>& value, con
 }
 
 void KeyVisitor::flag(const Key& key, bool& value) {
-  visit({.key = key, .form = "...", .example = "true", .literal = value ? "true" : "false"}, [&](const Written& at) {
+  visit({.key = key, .form = "true", .literal = value ? "true" : "false"}, [&](const Written& at) {
     if (at.is_a(Node::Kind::flag, "true or false (without quotes)")) value = at.node.flag;
   });
 }
@@ -170,7 +170,7 @@ void KeyVisitor::text(const Key& key, std::string& value) { visit_text(key, valu
 void KeyVisitor::file(const Key& key, std::string& value) { visit_text(key, value, true); }
 
 void KeyVisitor::visit_text(const Key& key, std::string& value, bool names_file) {
-  Record record{key, "\"...\"", "\"...\""};
+  Record record{key, "\"...\""};
   if (!value.empty() || key.required) record.literal = toml_text(value);
   visit(std::move(record), [&](const Written& at) {
     if (!at.is_a(Node::Kind::text, "a text in quotes")) return;
@@ -183,8 +183,8 @@ void KeyVisitor::visit_text(const Key& key, std::string& value, bool names_file)
 
 void KeyVisitor::numbers(const Key& key, std::vector<double>& values, std::string_view unit, const Range& range) {
   const std::string each = to_string(range, unit);
-  Record record{key, fmt::format("[{}]", with_unit("...", unit)), fmt::format("[{}, {}]", with_unit("1", unit), with_unit("2", unit)),
-                each.empty() ? "" : "each " + each};
+  Record record{key, fmt::format("[{}]", with_unit("...", unit)), each.empty() ? "" : "each " + each,
+                fmt::format("[{}, {}]", with_unit("1", unit), with_unit("2", unit))};
   record.literal = list_literal(values, [&](double value) { return number_literal(value, unit); });
   visit(std::move(record), [&](const Written& at) {
     if (at.is_a(Node::Kind::array, "a list")) read_items(at, values, [&](const Written& item) { return read_number(item, unit, range); });
@@ -192,7 +192,7 @@ void KeyVisitor::numbers(const Key& key, std::vector<double>& values, std::strin
 }
 
 void KeyVisitor::pairs(const Key& key, std::vector<std::pair<std::int32_t, std::int32_t>>& values) {
-  Record record{key, "[[0, 1], ...]", "[[0, 1], [1, 2]]"};
+  Record record{key, "[[0, 1], ...]", {}, "[[0, 1], [1, 2]]"};
   record.literal = list_literal(values, [](const auto& pair) { return fmt::format("[{}, {}]", pair.first, pair.second); });
   visit(std::move(record), [&](const Written& at) {
     const auto is_index = [](const Node& n) { return n.kind == Node::Kind::integer && n.integer >= 0 && n.integer <= INT32_MAX; };
@@ -226,7 +226,7 @@ void KeyVisitor::series(const Key& key, std::vector<Vec2>& values, std::string_v
 
 void KeyVisitor::choice(const Key& key, int& index, const std::vector<Word>& words) {
   const auto names = mapped<std::string>(words, &Word::word);
-  Record record{key, "\"...\"", toml_text(names.front())};
+  Record record{key, "\"...\""};
   for (const auto& word : words) record.choices.push_back({toml_text(word.word), std::string(word.sentence), word});
   record.literal = record.choices[static_cast<std::size_t>(index)].literal;
   visit(std::move(record), [&](const Written& at) {
@@ -240,7 +240,7 @@ void KeyVisitor::choice(const Key& key, int& index, const std::vector<Word>& wor
 }
 
 void KeyVisitor::tagged(const Key& key, int& form, double& value, const std::vector<Form>& forms) {
-  Record record{key, "...", form_literal(forms.front(), with_unit("1", forms.front().unit))};
+  Record record{key, "..."};
   for (const auto& each : forms) record.choices.push_back({form_literal(each, with_unit("...", each.unit)), std::string(each.sentence)});
   const Form& chosen = forms[static_cast<std::size_t>(form)];
   record.literal = form_literal(chosen, number_literal(value, chosen.unit));
