@@ -20,7 +20,7 @@ void add_with_border(Results& results, const std::string& study, double border, 
     auto row = run.study->table().rows[run.row];
     row.numbers.assign(table.names.size(), {});
     try {
-      for (const auto& [name, estimate, meaning] : campaign::flat_numbers(workflow::texture_with_border(run.folder(), border))) {
+      for (const auto& [name, estimate, meaning] : campaign::flat_numbers(workflow::numbers(workflow::final_state(run.folder(), {.border = border}), false))) {
         const auto [column, added] = columns.try_emplace(name, table.names.size());
         if (added) table.names.push_back(name);
         row.numbers.resize(table.names.size());

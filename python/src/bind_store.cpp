@@ -113,7 +113,7 @@ StageResult load_stage(const Packing& packing, Recipe recipe, const py::object& 
     dem::Engine engine(packing, recipe.contact, recipe.integration);
     auto loaded = workflow::load_stage({recipe, place, workflow::stage_key(recipe, place, engine.save()), &packing}, engine, {}, run_options(call, progress),
                                        {.stages = 1, .name = recipe.stages[place - 1].name});
-    return loaded ? std::move(loaded->result) : StageResult{};
+    return loaded ? std::move(*loaded) : StageResult{};
   });
 }
 

@@ -12,7 +12,7 @@
 #include "core/text.hpp"
 #include "core/units.hpp"
 #include "io/table/table.hpp"
-#include "recipe/reader.hpp"
+#include "recipe/document.hpp"
 #include "statistics/measured.hpp"
 
 namespace arenite::campaign {

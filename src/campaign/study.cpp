@@ -10,7 +10,7 @@
 #include "core/hash.hpp"
 #include "core/problems.hpp"
 #include "io/disk/file.hpp"
-#include "recipe/reader.hpp"
+#include "recipe/document.hpp"
 
 namespace arenite::campaign {
 namespace {
@@ -89,7 +89,7 @@ class Expansion {
     for (const auto& [key, value] : point) run.values.emplace_back(key, toml_literal(value));
     try {
       recipe::Recipe recipe = recipe_from(with(study_.tree, point, reading_), study_.file);
-      if (recipe.packing.method == recipe::PackingParameters::Method::file) files_.insert((fs::path(study_.file).parent_path() / recipe.packing.file).string());
+      if (recipe.packing.method == recipe::PackingParameters::Method::file) files_.insert(recipe.beside(recipe.packing.file).string());
       const recipe::Recipe base = recipe;
       for (std::int64_t r = 0; r < std::max<std::int64_t>(sweep_.replicates, 1); ++r) {
         StudyRun replicate = run;

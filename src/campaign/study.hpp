@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "recipe/document.hpp"
-#include "recipe/reader.hpp"
 #include "recipe/recipe.hpp"
 #include "workflow/stage_keys.hpp"
 

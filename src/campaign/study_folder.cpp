@@ -176,10 +176,7 @@ void note_runs_of_version_0_1(const fs::path& out, Study& study) {
 void write_runs(const std::filesystem::path& file, const Study& study) {
   std::string text = fmt::format("{}\nmade\t{}\n", first_line, made_with(study));
   for (const auto& [path, hash] : study.inputs) text += fmt::format("input\t{}\t{}\n", path, hash);
-  recipe::Node title;
-  title.kind = recipe::Node::Kind::text;
-  title.text = study.title;
-  text += fmt::format("title\t{}\n", toml_literal(title));
+  text += fmt::format("title\t{}\n", recipe::toml_text(study.title));
   for (const auto& key : study.keys) text += fmt::format("key\t{}\n", key);
   for (const auto& run : study.runs) text += line_of(run);
   io::write_atomically(file, text + "end\n");

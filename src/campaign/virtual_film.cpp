@@ -33,7 +33,8 @@ void write(const fs::path& file, const KeptFilm& film) {
 KeptFilm read(const fs::path& file) {
   KeptFilm film;
   film.numbers = io::read_numbers_file(file);
-  film.provenance.input_hash = film.numbers.value("input_hash", "");  // none in one from before films had names
+  if (film.numbers.contains("grains")) film.numbers["count"] = film.numbers["grains"];  // its name of before
+  film.provenance.input_hash = film.numbers.value("input_hash", "");                    // none in one from before films had names
   return film;
 }
 
@@ -72,18 +73,10 @@ std::vector<double> true_change(const std::vector<std::size_t>& grains, const Pa
   return change;
 }
 
-std::vector<double> over_mean(std::vector<double> values) {
-  double sum = 0, count = 0;
-  for (const double value : values)
-    if (std::isfinite(value)) sum += value, ++count;
-  for (double& value : values) value *= count / sum;
-  return values;
-}
-
 /// Those whose stress is known.
 Numbers found_grains(const FilmResult& film, const std::vector<double>& truth) {
   const Grains& grains = film.packing.grains;
-  const auto found = over_mean(film.peak_to_peak.sigma_hyd), simulated = over_mean(truth);
+  const auto found = statistics::over_mean(film.peak_to_peak.sigma_hyd), simulated = statistics::over_mean(truth);
   Numbers j = Numbers::tree();
   for (const char* name : {"x", "y", "radius", "material", "zone", "sigma_norm", "simulation"}) j[name] = Numbers::list();
   for (std::size_t i = 0; i < grains.size(); ++i) {
@@ -133,13 +126,10 @@ std::optional<Numbers> filmed(const recipe::FilmRecipe& camera, const fs::path& 
   for (std::size_t i = 0; i < simulated.size(); ++i) film->packing.grains.zone[i] = high.grains.zone[simulated[i]];
   const auto found = workflow::agreement(film->peak_to_peak.sigma_hyd, truth, std::vector<std::uint8_t>(truth.size(), 1));
   fs::remove_all(folder);
-  using statistics::described;
-  return Numbers{{"grains", described(found.relation.count, "", "Grains that are compared")},
-                 {"correlation", described(found.relation.pearson.value, "", "Pearson's correlation of the grains' stresses, film and simulation")},
-                 {"rms_sigma_norm", described(found.rms_sigma_norm, "", "Root mean square difference of the stresses, each over its mean")},
-                 {"slope", described(found.relation.line.slope, "", "Slope of the film's stresses on the simulation's")},
-                 {"found", found_grains(*film, truth)},
-                 {"texture", curves_of(*film)}};
+  Numbers numbers = workflow::numbers(found);
+  numbers["found"] = found_grains(*film, truth);
+  numbers["texture"] = curves_of(*film);
+  return numbers;
 }
 
 }  // namespace
@@ -172,7 +162,9 @@ Numbers film_numbers(const fs::path& run) {
 
 double film_number(const fs::path& run, const char* name) {
   const Numbers j = read(file_in(run)).numbers;
-  return j.contains(name) && j[name].is_number() ? j[name].get<double>() : statistics::unknown;
+  const Numbers* value = j.at_path(fmt::format("/{}/value", name));
+  if (!value) value = j.at_path(fmt::format("/{}", name));
+  return value && value->is_number() ? value->get<double>() : statistics::unknown;
 }
 
 }  // namespace arenite::campaign

@@ -65,6 +65,9 @@ std::size_t behind_string(std::string_view text, std::size_t at) {
   return text.size();
 }
 
+/// Parts that a dotted key may have; the deepest of a recipe has five.
+constexpr std::size_t deepest = 16;
+
 /// toml++ builds a.b.c by recursion without a bound, so a key of very many parts would exhaust the stack.
 void refuse_deep_keys(std::string_view text, const std::string& file_name) {
   int line = 1;
@@ -109,6 +112,20 @@ std::string real_literal(double value) {
   return text;
 }
 
+std::size_t item_index(const std::string& part, const Node& array) {
+  const auto index = parse_number<std::size_t>(part);
+  if (!index || *index >= array.items.size()) throw InputError(fmt::format("\"{}\" is not one of the {} items, counted from 0", part, array.items.size()));
+  return *index;
+}
+
+/// The value under `part`; made where there is none, and turned into a table where `part` needs one.
+Node& step_into(Node& node, const std::string& part, const Place& place) {
+  if (node.kind == Node::Kind::array) return node.items[item_index(part, node)];
+  if (node.kind != Node::Kind::table) node = {.place = place};
+  const auto at = std::ranges::find(node.entries, part, &Entry::key);
+  return at != node.entries.end() ? at->value : node.entries.emplace_back(Entry{part, place, {.place = place}}).value;
+}
+
 }  // namespace
 
 const Entry* Node::find(std::string_view key) const {
@@ -136,6 +153,27 @@ void each_place(Node& node, const std::function<void(Place&)>& visit) {
     visit(entry.place);
     each_place(entry.value, visit);
   }
+}
+
+std::vector<std::string> parts_of(std::string_view key) {
+  std::vector<std::string> parts;
+  for (std::size_t begin = 0; begin <= key.size();) {
+    const std::size_t end = std::min(key.find('.', begin), key.size());
+    parts.emplace_back(trimmed(key.substr(begin, end - begin)));
+    if (parts.back().empty()) throw InputError("a part of the key is empty");
+    if (parts.size() > deepest) throw InputError("no recipe key has that many parts");
+    begin = end + 1;
+  }
+  return parts;
+}
+
+void put(Node& root, const std::vector<std::string>& parts, Node value) {
+  Place place = value.place;
+  place.wins = true;
+  each_place(value, [&](Place& each) { each = place; });
+  Node* node = &root;
+  for (const auto& part : parts) node = &step_into(*node, part, place);
+  *node = std::move(value);
 }
 
 Node read_document(std::string_view text, const std::string& file_name) {

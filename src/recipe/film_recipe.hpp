@@ -1,10 +1,12 @@
 #pragma once
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/parameters.hpp"
 #include "io/film/film.hpp"
 #include "thermal/camera/camera.hpp"
 
@@ -100,6 +102,7 @@ struct FilmRecipe {
   ForcesSection forces;
   std::optional<SimulationSection> simulation;
   std::optional<CameraSection> camera;
+  std::filesystem::path beside(const std::string& file) const { return std::filesystem::path(source_file).parent_path() / file; }  ///< that it names
 };
 
 /// Emissivity of every material: its own, that of [temperature], or 0.9.
@@ -128,6 +131,9 @@ std::string changed_keys(const FilmRecipe& recipe);
 
 /// Documentation of every key (Markdown).
 std::string film_key_reference();
+
+/// Every key of a film's recipe.
+void declare(ParameterVisitor& visitor, FilmRecipe& recipe);
 
 /// The recipe that `arenite init film` writes.
 FilmRecipe film_template();

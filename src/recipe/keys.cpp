@@ -1,4 +1,4 @@
-#include "recipe/keys.hpp"
+#include "recipe/recipe.hpp"
 
 #include <fmt/core.h>
 
@@ -12,6 +12,9 @@
 #include "grains/dem/integrators/integrators.hpp"
 
 namespace arenite::recipe {
+
+using Visitor = ParameterVisitor;
+
 namespace {
 
 void declare(Visitor& v, Material& material) {
@@ -79,23 +82,15 @@ void declare(Visitor& v, PackingParameters& packing) {
   });
 }
 
-void declare(Visitor& v, Region& region, const ContainerParameters& frame) {
-  v.number({"x", "Centre, from the left side.", true}, region.centre.x, "mm", range::not_negative);
-  v.number({"y", "Centre, from the bottom.", true}, region.centre.y, "mm", range::not_negative);
-  v.require(frame.width <= 0 || region.centre.x <= frame.width, {"x"}, "must lie inside the container");
-  v.require(frame.height <= 0 || region.centre.y <= frame.height, {"y"}, "must lie inside the container");
-  v.integer({"count", "Number of grains nearest to the centre, instead of a shape."}, region.count, {1, 100'000'000});
-  v.when(!region.count, "no count", [&](Visitor& inner) {
-    inner.choice({"shape", "Outline of the region; grains whose centre lies inside are glued."}, region.shape,
-                 {{"circle", "of a radius"}, {"rectangle", "of width and height"}});
-  });
-  v.when(!region.count && region.shape == Region::Shape::circle, "shape = \"circle\"", [&](Visitor& inner) {
-    inner.number({"radius", "Radius of the circle.", true}, region.radius, "mm", range::positive);
-  });
-  v.when(!region.count && region.shape == Region::Shape::rectangle, "shape = \"rectangle\"", [&](Visitor& inner) {
-    inner.number({"width", "Width of the rectangle.", true}, region.width, "mm", range::positive);
-    inner.number({"height", "Height of the rectangle.", true}, region.height, "mm", range::positive);
-  });
+void declare(Visitor& v, BidisperseSection& classes, const Materials& materials) {
+  classes.law.declare(v);
+  v.text({"large", "Material of the large disks, a section of [materials]."}, classes.large);
+  v.text({"small", "Material of the small disks, another section of [materials]."}, classes.small);
+  for (const auto& [key, name] : {std::pair{"large", classes.large}, {"small", classes.small}})
+    v.require(materials.empty() || std::ranges::count(materials, name, &Material::name) > 0, {key},
+              fmt::format("there is no section [materials.{0}]; add it, or name the material of the {1} disks with bidisperse.{1}", name, key));
+  v.require(classes.large != classes.small, {"small", "large"},
+            fmt::format("both classes are made of \"{}\"; give each its own material, with the same numbers if they are alike", classes.small));
 }
 
 void require_grains(Visitor& v, const Recipe& recipe) {
@@ -200,15 +195,22 @@ void declare(Visitor& v, Recipe& recipe) {
   v.section({"container", "The box, or periodic cell, that holds the grains.", true, "frame"},
             [&](Visitor& inner) { declare(inner, recipe.container, recipe.packing.method); });
   declare_materials(v, recipe.materials);
-  declare_bidisperse(v, recipe);
+  const bool sampled = recipe.packing.method == PackingParameters::Method::poisson;
+  v.when(sampled, "packing.method = \"poisson\"", [&](Visitor& outer) {
+    outer.optional_section<BidisperseSection>({"bidisperse", "Two size classes of disks in a square box of their own.", sampled}, recipe.bidisperse,
+                                              [&](Visitor& inner, BidisperseSection& classes) { declare(inner, classes, recipe.materials); });
+  });
   v.list<Population>({"populations", "Grains of one material and one size law."}, recipe.populations,
                      [&](Visitor& inner, Population& population) { declare(inner, population, recipe); });
   require_grains(v, recipe);
-  v.section({"contact", "Forces between grains, and between grains and walls."}, [&](Visitor& inner) { declare(inner, recipe.contact); });
+  v.section({"contact", "Forces between grains, and between grains and walls."}, [&](Visitor& inner) { recipe.contact.declare(inner); });
   require_constants(v, recipe);
-  v.section({"integration", "Newton's equations in time."}, [&](Visitor& inner) { declare(inner, recipe.integration); });
-  v.optional_section<Region>({"glued", "Region in which grains are glued to each other."}, recipe.glued,
-                             [&](Visitor& inner, Region& region) { declare(inner, region, recipe.container); });
+  v.section({"integration", "Newton's equations in time."}, [&](Visitor& inner) { recipe.integration.declare(inner); });
+  v.optional_section<Region>({"glued", "Region in which grains are glued to each other."}, recipe.glued, [&](Visitor& inner, Region& region) {
+    region.declare(inner);
+    inner.require(recipe.container.width <= 0 || region.centre.x <= recipe.container.width, {"x"}, "must lie inside the container");
+    inner.require(recipe.container.height <= 0 || region.centre.y <= recipe.container.height, {"y"}, "must lie inside the container");
+  });
   v.require(!recipe.glued || recipe.contact.adheres() || recipe.contact.has_bonds(), {"glued", "contact"},
             "there is nothing to glue with; set contact.adhesion and contact.surface_energy, or contact.bonds");
   declare_boundaries(v, recipe);

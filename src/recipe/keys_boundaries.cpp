@@ -6,21 +6,15 @@
 #include "core/problems.hpp"
 #include "core/text.hpp"
 #include "grains/dem/integrators/integrators.hpp"
-#include "recipe/keys.hpp"
+#include "recipe/recipe.hpp"
 
 namespace arenite::recipe {
+
+using Visitor = ParameterVisitor;
+
 namespace {
 
 using dem::Programme;
-
-/// Two numbers, along x and y; none stand for none.
-void declare_vector(Visitor& v, const Key& key, std::optional<Vec2>& value, std::string_view unit) {
-  std::vector<double> parts;
-  if (value) parts = {value->x, value->y};
-  v.numbers(key, parts, unit, range::any);
-  v.require(parts.empty() || parts.size() == 2, {key.name}, "must be two numbers, along x and along y");
-  value = parts.size() == 2 ? std::optional(Vec2{parts[0], parts[1]}) : std::nullopt;
-}
 
 void declare(Visitor& v, Boundary& boundary, const Recipe& recipe) {
   v.text({"name", "Name in stages and results: letters, digits, _ and -.", true}, boundary.name);
@@ -37,26 +31,13 @@ void declare(Visitor& v, Boundary& boundary, const Recipe& recipe) {
 }
 
 void declare(Visitor& v, dem::BoundaryMotion& motion, const Stage& stage, const Recipe& recipe) {
-  v.text({"name", "Which boundary.", true}, motion.name);
+  motion.declare(v);
   const auto names = mapped(recipe.boundaries, &Boundary::name);
   v.require(std::ranges::count(names, motion.name) > 0, {"name"},
             names.empty() ? std::string("there are no [[boundaries]] that could move; add them")
                           : fmt::format("there is no boundary \"{}\"; there are: {}", motion.name, list_of(names)));
   v.require(std::ranges::count(stage.boundaries, motion.name, &dem::BoundaryMotion::name) <= 1, {"name"},
             fmt::format("boundary \"{}\" is named twice in this stage", motion.name));
-  std::optional<Vec2> velocity = motion.velocity == Vec2{} ? std::nullopt : std::optional(motion.velocity);
-  declare_vector(v, {"velocity", "Along x and y."}, velocity, "mm/s");
-  motion.velocity = velocity.value_or(Vec2{});
-  v.number({"spin", "Angular velocity, counter-clockwise."}, motion.spin, "deg/s", range::any);
-  declare_vector(v, {"centre", "Centre of rotation at the start of the stage; it moves with the velocity. Unless given, the mean of the points."},
-                 motion.centre, "mm");
-  v.flag({"absent", "The boundary is absent in this stage: a gate that opens."}, motion.absent);
-  v.number({"mass", "With a mass it moves under its weight, the force and the grains, starting from the given velocity or from its previous one."}, motion.mass,
-           "kg", range::positive);
-  std::optional<Vec2> force = motion.force == Vec2{} ? std::nullopt : std::optional(motion.force);
-  declare_vector(v, {"force", "Along x and y, on a boundary with a mass."}, force, "N");
-  motion.force = force.value_or(Vec2{});
-  v.require(motion.mass || motion.force == Vec2{}, {"force", "mass"}, "moves only a boundary with a mass; write mass = \"... kg\"");
   v.require(!motion.mass || dem::integrator_of(recipe.integration.integrator).moves_bodies, {"mass"},
             "boundaries with a mass need integration.integrator = " + dem::integrators_of_bodies());
 }
@@ -117,34 +98,16 @@ void require_place(Visitor& v, const Programme& p, const Stage& stage, const Rec
   }
 }
 
-void declare(Visitor& v, Programme& p, const Stage& stage, const Recipe& recipe) {
-  v.choice(
-      {"of",
-       "Driven quantity: a side's velocity (inward), force or pressure, the sliding of a wall, the shear rate, gravity, or a boundary: its position or angle "
-       "relative to the start of the stage, its velocity or spin, or the force on it.",
-       true},
-      p.of, mapped(dem::programme_targets, [](const auto& target) {
-        return Word{target.word, ""};
-      }));
-  v.when(p.drives_boundary(), "of = \"boundary...\"", [&](Visitor& inner) { inner.text({"boundary", "Which boundary.", true}, p.name); });
-  const auto& target = dem::programme_targets[static_cast<std::size_t>(p.of)];
-  v.series({"table",
-            "Times from the beginning of the stage and values in the target's unit (mm, mm/s, N, kN, kPa, 1/s, m/s^2, deg or deg/s), with linear "
-            "interpolation, constant "
-            "before the first "
-            "and after the last row; two rows with the same time are a jump. Or the name of a CSV file of these two columns with their units "
-            "(`time [s],force [kN]`).",
-            true},
-           p.table, target.unit);
-  v.flag({"repeat", "The table starts again after its last time, for cycles."}, p.repeat);
-  const bool in_order = !p.table.empty() && p.table.front().x >= 0 && std::ranges::is_sorted(p.table, {}, &Vec2::x);
-  v.require(in_order, {"table"}, "needs at least one row, with times from 0 s that never decrease");
-  v.require(!p.repeat || (in_order && p.table.back().x > 0), {"repeat", "table"}, "only a table with a duration can repeat");
-  const bool may_be_negative = (p.drives_side() && p.drive() == 0) || (p.of >= Programme::slide && p.of != Programme::gravity_size);
-  v.require(may_be_negative || std::ranges::all_of(
-                                   p.table, [](double y) { return y >= 0; }, &Vec2::y),
-            {"table"}, fmt::format("no value of {} may be below 0", target.word));
-  require_place(v, p, stage, recipe);
+bool presses(const SideDrive& drive) { return drive.kind == SideDrive::Kind::force || drive.kind == SideDrive::Kind::pressure; }
+
+/// A force on an edge of a periodic cell moves that edge and strains the cell; with the opposite edge free as well, the
+/// cell would drift.
+void require_one_pressing_edge(Visitor& v, const Stage& stage, std::size_t first, bool periodic) {
+  const SideDrive &one = stage.side[first], &other = stage.side[first + 1];
+  const char *name = side_names[first], *opposite = side_names[first + 1];
+  const bool both_at_work = (presses(one) && other.kind != SideDrive::Kind::fixed) || (presses(other) && one.kind != SideDrive::Kind::fixed);
+  v.require(!periodic || !both_at_work, {opposite, name},
+            fmt::format("of the two periodic edges {0} and {1} one is under pressure and the other fixed; leave {0} = \"fixed\"", name, opposite));
 }
 
 }  // namespace
@@ -176,21 +139,38 @@ void declare_openings(Visitor& v, Stage& stage, const Recipe& recipe) {
            stage.count_below, "mm", range::any);
 }
 
+void require_usable_sides(Visitor& v, const Stage& stage, const ContainerParameters& frame) {
+  using Kind = SideDrive::Kind;
+  require_one_pressing_edge(v, stage, left, frame.periodic[0]);
+  require_one_pressing_edge(v, stage, bottom, frame.periodic[1]);
+  v.require(!stage.gravity || !frame.periodic[1], {"gravity"}, "grains would fall for ever through periodic sides; set container.periodic_y = false");
+  const bool moves = std::ranges::count(stage.side, Kind::velocity, &SideDrive::kind) > 0 || stage.slide != std::array<double, 4>{} || stage.shear_rate != 0 ||
+                     std::ranges::any_of(stage.boundaries, [](const auto& b) { return b.velocity != Vec2{} || b.spin != 0; });
+  v.require(stage.shear_rate == 0 || (frame.periodic[0] && frame.periodic[1]), {"shear_rate"},
+            "only a cell periodic in both directions can be sheared in this way; set container.periodic_x and periodic_y, or let a wall slide");
+  for (std::size_t side = 0; side < 4; ++side)
+    v.require((stage.slide[side] == 0 && !stage.rough[side]) || !frame.is_periodic(side), {"slide", "rough"},
+              fmt::format("there is no wall at the {}: the container is periodic there", side_names[side]));
+  v.require(!moves || stage.duration, {"duration", "left", "right", "bottom", "top", "boundaries"},
+            "a stage with a moving side or boundary never reaches equilibrium; give it a duration, for example duration = \"1 s\"");
+  if (!stage.cycles) return;
+  const auto side = static_cast<std::size_t>(stage.cycles->side);
+  v.require(stage.side[side].kind == Kind::force, {"cycles", side_names[side]},
+            fmt::format("cycles need a side under force; write {} = {{ force = \"...\" }} in this stage", side_names[side]));
+}
+
 void require_boundary_loads(Visitor& v, const Stage& stage, const Recipe& recipe) {
   require_still_cell(v, stage, recipe);
   for (const auto& p : stage.programmes)
     if (p.drives_boundary()) require_boundary(v, p, stage, recipe);
 }
 
-void declare_store_every(Visitor& v, std::optional<std::int64_t>& every) {
-  v.integer(
-      {"store_every", "States are stored every so many cycles, and for the first and the last; unless given, for all. Curves against cycles contain all."},
-      every, {1, 1'000'000});
-}
-
 void declare_programmes(Visitor& v, Stage& stage, const Recipe& recipe) {
   v.list<Programme>({"programmes", "Tables in time that drive the stage, which then needs a duration. They are followed step by step."}, stage.programmes,
-                    [&](Visitor& inner, Programme& p) { declare(inner, p, stage, recipe); });
+                    [&](Visitor& inner, Programme& p) {
+                      p.declare(inner);
+                      require_place(inner, p, stage, recipe);
+                    });
   for (const Programme& p : stage.programmes) {
     const auto same = std::count_if(stage.programmes.begin(), stage.programmes.end(), [&](const Programme& other) {
       if (p.drives_boundary()) return other.drives_boundary() && other.name == p.name && other.boundary_axis() == p.boundary_axis();
@@ -206,18 +186,7 @@ void declare_strain_cycles(Visitor& v, Stage& stage, const Recipe& recipe) {
       {"strain_cycles",
        "Cycles between two strains, each half at a constant rate; they end the stage. The first half starts from the initial strain and ends at `max`."},
       stage.strain_cycles, [&](Visitor& inner, dem::StrainCycles& cycles) {
-        inner.choice({"of", "What moves."}, cycles.of,
-                     {{"left", ""},
-                      {"right", ""},
-                      {"bottom", ""},
-                      {"top", "this side; strains are those of the sample normal to it, positive inward"},
-                      {"shear", "a cell periodic in both directions, sheared back and forth"}});
-        inner.number({"min", "Strain at the end of each cycle."}, cycles.min, "", range::between(-0.9, 0.9));
-        inner.number({"max", "Strain in the middle of each cycle.", true}, cycles.max, "", range::between(-0.9, 0.9));
-        inner.require(cycles.max > cycles.min, {"max", "min"}, "must be above min");
-        inner.number({"rate", "Of strain.", true}, cycles.rate, "1/s", range::positive);
-        inner.integer({"count", "Number of cycles.", true}, cycles.count, {1, 1'000'000'000});
-        declare_store_every(inner, cycles.store_every);
+        cycles.declare(inner);
         const auto of = static_cast<std::size_t>(cycles.of);
         if (cycles.of == dem::StrainCycles::shear)
           inner.require(recipe.container.periodic[0] && recipe.container.periodic[1], {"of"},

@@ -7,89 +7,35 @@
 #include "core/text.hpp"
 #include "grains/dem/integrators/integrators.hpp"
 #include "model/packing.hpp"
-#include "recipe/keys.hpp"
+#include "recipe/recipe.hpp"
 
 namespace arenite::recipe {
 
-void declare(Visitor& v, dem::ContactParameters& contact) {
-  v.member({"normal", "Normal force at an overlap h."}, contact.normal);
-  v.choice({"stiffness_rule", "Stiffness of a contact of two materials."}, contact.stiffness_rule,
-           {{"thesis", "k for like grains, k_i k_j/(k_i + k_j) for unlike ones"}, {"series", "two springs in series, of 2 k_i and 2 k_j"}});
-  v.choice({"wall_stiffness", "Stiffness of a contact with a wall."}, contact.wall_stiffness,
-           {{"stiffest", "that of the stiffest material"}, {"grain", "that of the grain"}, {"series", "by the series rule"}});
-  v.number({"restitution", "Ratio of speeds after and before a head-on collision; sets the damping of each pair."}, contact.restitution, "",
-           range::above(0, 1));
-  v.number({"normal_damping", "Damping coefficient alpha_n of every pair, instead of the one that follows from restitution."}, contact.normal_damping, "N s/m",
-           range::not_negative);
-  v.flag({"attractive_dashpot", "The dashpot may attract while grains separate; false: contacts without adhesion are never tensile."},
-         contact.attractive_dashpot);
-  v.member({"friction_law", "Tangential force."}, contact.friction_law);
-  v.number({"friction", "Coefficient mu between grains."}, contact.friction, "", range::not_negative);
-  v.number({"wall_friction", "Coefficient mu at the walls; unless given, that of the grains."}, contact.wall_friction, "", range::not_negative);
-  v.number({"sliding_viscosity", "gamma_s, tangential damping coefficient of the friction law; if not given, the normal damping of the pair."},
-           contact.sliding_viscosity, "N s/m", range::not_negative);
-  v.number({"tangential_stiffness_ratio", "k_t/k_n, for friction laws with a tangential spring."}, contact.tangential_stiffness_ratio, "", range::positive);
-  v.member({"rolling", "Moment between two grains that rotate relative to each other."}, contact.rolling);
-  v.member({"bonds", "Cement between two grains, from the stage that creates it."}, contact.bonds);
-  v.member({"cohesion", "Attraction between all grains, touching or not: adhesion without glue, or liquid bridges."}, contact.cohesion);
-  v.choice({"arms", "Lever arms of contact forces."}, contact.arms, {{"contact_point", "to the middle of the overlap"}, {"full_radius", "the radii"}});
-  v.member({"adhesion", "Adhesion between glued grains."}, contact.adhesion);
-  v.number({"surface_energy", "gamma of the adhesion."}, contact.surface_energy, "kN/mm", range::not_negative);
-  v.require(!contact.adheres() || contact.surface_energy > 0, {"surface_energy", "adhesion"}, "must be above 0 kN/mm where adhesion acts");
-  v.choice({"effective_radius", "r_eff of the adhesion."}, contact.effective_radius,
-           {{"four_reduced", "4 r_i r_j/(r_i + r_j)"}, {"sum", "r_i + r_j"}, {"geometric_mean", "2 sqrt(r_i r_j)"}});
-  v.choice({"friction_cap", "Coulomb limit in the presence of adhesion."}, contact.friction_cap,
-           {{"raised_by_adhesion", "mu (F_n + |F_c|)"}, {"as_printed", "mu (F_n - |F_c|)"}});
-  v.pairs({"glued_pairs", "Pairs of grains (indices from 0) that are glued, instead of all pairs in the glued region."}, contact.glued_pairs);
+using Visitor = ParameterVisitor;
+
+std::vector<Word> words(cement::CementParameters::Kind) {
+  return {{"none", "nowhere"},
+          {"bridges", "trapezia between neighbouring grains"},
+          {"full", "in all space between the grains"},
+          {"coating", "a layer of uniform thickness around every grain"},
+          {"menisci", "between two arcs that touch both neighbours, like a liquid"}};
 }
 
-void declare(Visitor& v, dem::IntegrationParameters& integration) {
-  v.choice({"integrator", "Scheme for Newton's equations."}, integration.integrator, mapped(dem::integrators, &dem::Integrator::word));
-  v.number({"time_step", "Time step; an unstable one is refused. Unless given, safety sets it, and the masses of a stage may shorten it."},
-           integration.time_step, "s", range::positive);
-  v.number({"safety", "Time step as a fraction of the shortest contact time, pi sqrt(m_eff/k)."}, integration.safety, "", range::above(0, 1));
-  v.flag({"rotations", "Grains rotate; false: they only translate."}, integration.rotations);
-  v.flag({"track_energy", "Compute dissipation and work at every step (slower)."}, integration.track_energy);
-  // A name from elsewhere (--kernel) comes here without having been read, so it may be none of these.
-  static const std::vector<std::string> kernels{"auto", "portable", "avx2", "avx512"};
-  const auto found = std::find(kernels.begin(), kernels.end(), integration.kernel);
-  if (found == kernels.end()) { throw InputError(fmt::format("there is no kernel \"{}\"; choose one of: {}", integration.kernel, list_of(kernels))); }
-  int kernel = static_cast<int>(found - kernels.begin());
-  v.choice({"kernel", "Machine code of the contact loop."}, kernel,
-           {{"auto", "the fastest on this processor"},
-            {"portable", "the same bits on every x86-64 processor"},
-            {"avx2", "256-bit vectors"},
-            {"avx512", "512-bit vectors"}});
-  integration.kernel = kernels[static_cast<std::size_t>(kernel)];
+std::vector<Word> words(peridynamics::Loading) { return {{"tension", "away from it"}, {"compression", "towards it"}, {"shear", "along it, to the right"}}; }
+
+std::vector<Word> words(peridynamics::LowerEdge) { return {{"fixed", "nothing moves"}, {"sliding", "free along the row"}}; }
+
+std::vector<Word> words(peridynamics::Method) {
+  return {{"static_solve", "conjugate gradients with a coarse space divided by grain: seconds"},
+          {"relaxation", "adaptive dynamic relaxation: half a minute"},
+          {"damped", "dynamics with a fixed viscosity, as in the paper: minutes"}};
 }
+
+std::vector<Word> words(Load::Axis) { return {{"y", ""}, {"x", ""}}; }
+
+std::vector<Word> words(grid::Cavity) { return {{"pore", "space between grains, matrix or empty"}, {"void", "empty space"}}; }
 
 namespace {
-
-void declare(Visitor& v, EquilibriumCriterion& criterion) {
-  v.number({"unbalanced", "Unbalanced force ratio below this."}, criterion.unbalanced, "", range::positive);
-  v.number({"kinetic", "Kinetic over elastic energy below this."}, criterion.kinetic, "", range::positive);
-  v.number({"falling", "Fraction of grains that still fall (gravity, fewer than two compressive contacts) not above this."}, criterion.falling, "",
-           range::not_negative);
-  v.number({"loose_kinetic",
-            "Kinetic energy of the grains that carry no load (fewer than two compressive contacts) over elastic energy below this; a hundred thousand times "
-            "`kinetic` unless given, because without gravity only rare collisions slow them."},
-           criterion.loose_kinetic, "", range::positive);
-  v.number({"mobilisation", "Mean |F_t|/F_n below this as well, if given: distinguishes creep from equilibrium where friction is viscous."},
-           criterion.mobilisation, "", range::not_negative);
-  v.integer({"max_steps", "Steps of one increment, after which the run stops with exit status 3."}, criterion.max_steps, {1, 1'000'000'000'000});
-}
-
-void declare(Visitor& v, Cycles& cycles) {
-  v.choice({"side", "The side that cycles."}, cycles.side, {{"left", ""}, {"right", ""}, {"bottom", ""}, {"top", ""}});
-  v.number({"min", "Force at the end of each cycle.", true}, cycles.min, "kN", range::not_negative);
-  v.number({"max", "Force in the middle of each cycle.", true}, cycles.max, "kN", range::positive);
-  v.require(cycles.max > cycles.min, {"max", "min"}, "must be above min");
-  v.integer({"count", "Number of cycles.", true}, cycles.count, {1, 1'000'000});
-  v.integer({"increments", "Increments of each half cycle."}, cycles.increments, {1, 1'000'000});
-  declare_store_every(v, cycles.store_every);
-}
-
-bool presses(const SideDrive& drive) { return drive.kind == SideDrive::Kind::force || drive.kind == SideDrive::Kind::pressure; }
 
 /// A section with a value for each of the four sides.
 void declare_sides(Visitor& v, const Key& key, const std::function<void(Visitor&, std::size_t)>& one) {
@@ -98,37 +44,121 @@ void declare_sides(Visitor& v, const Key& key, const std::function<void(Visitor&
   });
 }
 
-/// A force on an edge of a periodic cell moves that edge and strains the cell; with the opposite edge free as well, the
-/// cell would drift.
-void require_one_pressing_edge(Visitor& v, const Stage& stage, std::size_t first, bool periodic) {
-  const SideDrive &one = stage.side[first], &other = stage.side[first + 1];
-  const char *name = side_names[first], *opposite = side_names[first + 1];
-  const bool both_at_work = (presses(one) && other.kind != SideDrive::Kind::fixed) || (presses(other) && one.kind != SideDrive::Kind::fixed);
-  v.require(!periodic || !both_at_work, {opposite, name},
-            fmt::format("of the two periodic edges {0} and {1} one is under pressure and the other fixed; leave {0} = \"fixed\"", name, opposite));
+void declare(Visitor& v, cement::CementParameters& law) {
+  using Kind = cement::CementParameters::Kind;
+  v.choice({"kind", "Where the matrix is placed."}, law.kind, words(law.kind));
+  v.number({"gap",
+            "Widest surface gap that is bridged, and at which two grains count as neighbours; unless given, 0.075 of the "
+            "mean large radius."},
+           law.gap, "mm", range::not_negative);
+  const bool is_free = law.kind == Kind::bridges || law.kind == Kind::coating || law.kind == Kind::menisci;
+  v.when(is_free, "kind = \"bridges\", \"coating\" or \"menisci\"", [&](Visitor& inner) {
+    inner.number({"saturation", "S_m, the fraction of the space between grains filled by matrix: width, thickness or volume is then found."}, law.saturation,
+                 "", range::above(0, 1));
+  });
+  const bool given = !law.saturation;
+  v.when(law.kind == Kind::bridges, "kind = \"bridges\"", [&](Visitor& inner) {
+    inner.flag({"full_width", "width is the full base of a neck over the radius, not half of it."}, law.full_width);
+  });
+  v.when(law.kind == Kind::bridges && given, "kind = \"bridges\" without saturation", [&](Visitor& inner) {
+    inner.number({"width", "eta: half base of a neck over the radius of its grain."}, law.width, "", range::above(0, 2));
+  });
+  v.when(law.kind == Kind::coating && given, "kind = \"coating\" without saturation", [&](Visitor& inner) {
+    inner.number({"thickness", "Thickness of the layer.", true}, law.thickness, "mm", range::positive);
+  });
+  v.when(law.kind == Kind::menisci && given, "kind = \"menisci\" without saturation", [&](Visitor& inner) {
+    inner.number({"volume", "Volume of one meniscus per unit length.", true}, law.volume, "mm^2", range::positive);
+  });
 }
 
-void require_usable_sides(Visitor& v, const Stage& stage, const ContainerParameters& frame) {
-  using Kind = SideDrive::Kind;
-  require_one_pressing_edge(v, stage, left, frame.periodic[0]);
-  require_one_pressing_edge(v, stage, bottom, frame.periodic[1]);
-  v.require(!stage.gravity || !frame.periodic[1], {"gravity"}, "grains would fall for ever through periodic sides; set container.periodic_y = false");
-  const bool moves = std::ranges::count(stage.side, Kind::velocity, &SideDrive::kind) > 0 || stage.slide != std::array<double, 4>{} || stage.shear_rate != 0 ||
-                     std::ranges::any_of(stage.boundaries, [](const auto& b) { return b.velocity != Vec2{} || b.spin != 0; });
-  v.require(stage.shear_rate == 0 || (frame.periodic[0] && frame.periodic[1]), {"shear_rate"},
-            "only a cell periodic in both directions can be sheared in this way; set container.periodic_x and periodic_y, or let a wall slide");
-  for (std::size_t side = 0; side < 4; ++side)
-    v.require((stage.slide[side] == 0 && !stage.rough[side]) || !frame.is_periodic(side), {"slide", "rough"},
-              fmt::format("there is no wall at the {}: the container is periodic there", side_names[side]));
-  v.require(!moves || stage.duration, {"duration", "left", "right", "bottom", "top", "boundaries"},
-            "a stage with a moving side or boundary never reaches equilibrium; give it a duration, for example duration = \"1 s\"");
-  if (!stage.cycles) return;
-  const auto side = static_cast<std::size_t>(stage.cycles->side);
-  v.require(stage.side[side].kind == Kind::force, {"cycles", side_names[side]},
-            fmt::format("cycles need a side under force; write {} = {{ force = \"...\" }} in this stage", side_names[side]));
+void declare(Visitor& v, GridSection& grid) {
+  v.integer({"nodes", "Nodes along a side of the square."}, grid.nodes, {7, 32'768});
+  v.number({"crop",
+            "Side of the centred square to crop; unless given, 25.6 mean large radii of a sampled packing, otherwise "
+            "the largest square inside the sample."},
+           grid.crop, "mm", range::positive);
+  v.flag({"eight_connected", "Pores and voids are also connected across corners."}, grid.cavities.eight_connected);
+  v.integer({"fewest_nodes", "Pores and voids of fewer nodes are artefacts of the grid and left out."}, grid.cavities.fewest_nodes, {1, 1'000'000});
+  v.flag({"leave_out_border", "Pores and voids that touch the edge are cut, and left out."}, grid.cavities.leave_out_border);
+}
+
+void declare(Visitor& v, StiffnessSection& stiffness) {
+  v.number({"matrix", "Young's modulus of bonds between two nodes of matrix."}, stiffness.matrix, "GPa", range::positive);
+  v.number({"interface", "Young's modulus of bonds between two grains, or grain and matrix; unless given, the matrix's."}, stiffness.interface, "GPa",
+           range::positive);
+  v.number({"particle", "Young's modulus of bonds inside a grain; unless given, four times the matrix's."}, stiffness.particle, "GPa", range::positive);
+  v.flag({"calibrated", "The modulus of the lattice along its axes has the prescribed value; false: the continuum formula, 6 % stiffer."},
+         stiffness.calibrated);
+}
+
+void declare(Visitor& v, ToughnessSection& toughness) {
+  v.number({"matrix", "Fracture toughness of the matrix; it sets the scale of the load."}, toughness.matrix, "MPa m^0.5", range::positive);
+  v.number({"interface", "Fracture toughness of the interfaces; unless given, the matrix's."}, toughness.interface, "MPa m^0.5", range::positive);
+  v.number({"particle", "Fracture toughness of the grains; unless given, 3.5 times the matrix's."}, toughness.particle, "MPa m^0.5", range::positive);
+}
+
+void declare(Visitor& v, stress::StressOptions& statistics) {
+  v.integer({"clamp_rows", "Rows of nodes left out at the lower and the upper edge."}, statistics.clamp_rows, {0, 10'000});
+  v.flag({"leave_out_surface", "Leave out nodes with a neighbour of another phase or grain."}, statistics.leave_out_surface);
+  v.flag({"leave_out_unloaded", "Leave out nodes without any stress: parts not connected to both edges."}, statistics.leave_out_unloaded);
+  v.flag({"mean_over_area", "The sample's mean counts the void as zero stress; otherwise it is that of particles and matrix."}, statistics.mean_over_area);
+}
+
+void require_own_name(Visitor& v, const Load& load, const Recipe& recipe) {
+  v.require(is_plain_name(load.name), {"name"}, "must be made of letters, digits, _ and -");
+  const auto same = std::ranges::count(recipe.loads, load.name, &Load::name) + std::ranges::count(recipe.stages, load.name, &Stage::name);
+  v.require(same <= 1, {"name"}, fmt::format("another stage or load is called \"{}\"; names must differ", load.name));
+}
+
+void declare(Visitor& v, Load& load, const Recipe& recipe) {
+  using peridynamics::Loading;
+  v.text({"name", "Name of the load, used for its file: letters, digits, _ and -.", true}, load.name);
+  require_own_name(v, load, recipe);
+  v.choice({"loading", "Direction in which the top row is moved relative to the bottom row."}, load.loading, words(load.loading));
+  v.choice({"axis", "Axis from the bottom row to the top row; x loads the rotated sample."}, load.axis, words(load.axis));
+  v.choice({"lower", "Support of the bottom row."}, load.lower, words(load.lower));
+  v.require(load.loading != Loading::shear || load.lower == peridynamics::LowerEdge::fixed, {"lower", "loading"},
+            "a sliding lower edge carries no shear; fix it, or choose tension or compression");
+  v.member({"bond_law", "Law of the bonds between nodes."}, load.law);
+  v.flag({"failure",
+          "Load to failure: bonds break at the critical stretch of their type, load by load. In compression a sample splits and keeps carrying load; "
+          "max_strain ends the test."},
+         load.failure);
+  v.when(!load.failure, "failure = false", [&](Visitor& inner) {
+    inner.number({"strain", "Nominal strain: displacement of the top row over the height."}, load.strain, "", range::above(0, 0.5));
+    inner.choice({"method", "Solution method for the equilibrium field."}, load.method, words(load.method));
+    inner.flag({"exact_stretch", "Exact stretch of the rotated bond, as printed in the paper; otherwise linearised."}, load.exact_stretch);
+    inner.flag({"moduli", "Also load along both axes and in shear, for moduli and Poisson's ratios of the sample."}, load.moduli);
+    inner.integer({"max_iterations", "Iterations after which a solve gives up; 0: 50, or a million steps of dynamics."}, load.max_iterations,
+                  {0, 1'000'000'000});
+  });
+  v.number({"tolerance", "Residual, relative to that of uniform strain, at which equilibrium is reached."}, load.tolerance, "", range::between(1e-12, 0.1));
+  v.when(load.failure, "failure = true", [&](Visitor& inner) {
+    inner.number({"max_strain", "Strain at which the test ends."}, load.max_strain, "", range::above(0, 1));
+    inner.number({"end_stress", "The test also ends when the stress has fallen to this fraction of its maximum."}, load.end_stress, "", range::above(0, 1));
+    inner.number({"band", "Bonds within this fraction of the one furthest beyond its critical stretch break in one round: larger is faster and coarser."},
+                 load.band, "", range::between(0, 1));
+    inner.section({"toughness", "Fracture toughness, which sets the critical stretch of the bonds."},
+                  [&](Visitor& section) { declare(section, load.toughness); });
+  });
+  v.section({"stiffness", "Young's moduli of the bonds by type."}, [&](Visitor& inner) { declare(inner, load.stiffness); });
+  v.section({"statistics", "Nodes that the statistics leave out."}, [&](Visitor& inner) { declare(inner, load.statistics); });
 }
 
 }  // namespace
+
+peridynamics::Stiffness StiffnessSection::resolved() const { return {matrix, interface.value_or(matrix), particle.value_or(4 * matrix), calibrated}; }
+
+peridynamics::Toughness ToughnessSection::resolved() const { return {matrix, interface.value_or(matrix), particle.value_or(3.5 * matrix)}; }
+
+void declare_field(Visitor& v, Recipe& recipe) {
+  v.optional_section<cement::CementParameters>({"cement", "Binding matrix between the grains, added after the last stage."}, recipe.cement,
+                                               [](Visitor& inner, cement::CementParameters& law) { declare(inner, law); });
+  v.optional_section<GridSection>({"grid", "Square grid of nodes that discretises the cemented packing.", false, "raster"}, recipe.grid,
+                                  [](Visitor& inner, GridSection& grid) { declare(inner, grid); });
+  v.list<Load>({"loads", "Loads on the cemented sample by peridynamics, each from the unloaded state."}, recipe.loads,
+               [&](Visitor& inner, Load& load) { declare(inner, load, recipe); });
+}
 
 void declare(Visitor& v, Stage& stage, const Recipe& recipe) {
   v.text({"name", "Name of the stage, used for its file: letters, digits, _ and -.", true}, stage.name);
@@ -192,10 +222,10 @@ void declare(Visitor& v, Stage& stage, const Recipe& recipe) {
   v.flag({"bond", "Grains that touch, or nearly (bond_gap), at the start of the stage are bonded; if glued grains are marked, only those."}, stage.bond);
   v.require(!stage.bond || recipe.contact.has_bonds(), {"bond"}, "no bonds are defined; set contact.bonds = \"parallel\"");
   v.optional_section<Cycles>({"cycles", "Force cycles on one side after the ramp."}, stage.cycles,
-                             [](Visitor& inner, Cycles& cycles) { declare(inner, cycles); });
+                             [](Visitor& inner, Cycles& cycles) { cycles.declare(inner); });
   declare_strain_cycles(v, stage, recipe);
   require_boundary_loads(v, stage, recipe);
-  v.section({"equilibrium", "Criteria that end an increment.", false, "rest"}, [&](Visitor& inner) { declare(inner, stage.equilibrium); });
+  v.section({"equilibrium", "Criteria that end an increment.", false, "rest"}, [&](Visitor& inner) { stage.equilibrium.declare(inner); });
   require_usable_sides(v, stage, recipe.container);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -88,29 +89,21 @@ struct ToughnessSection {
 };
 
 /// One loading of the cemented sample by peridynamics.
-struct Load {
+struct Load : peridynamics::LoadCase, peridynamics::FieldChoices, peridynamics::FailureChoices {
   enum class Axis { y, x };
+  Load() { max_strain = 0.1; }
   std::string name;
-  peridynamics::Loading loading = peridynamics::Loading::tension;
   Axis axis = Axis::y;
-  peridynamics::LowerEdge lower = peridynamics::LowerEdge::fixed;
-  peridynamics::Method method = peridynamics::Method::static_solve;
-  peridynamics::BondLawChoice bond_law{};
-  double strain = 1e-4, tolerance = 1e-6;
-  std::int64_t max_iterations = 0;
-  bool exact_stretch = false;
   bool moduli = false;   ///< load it along both axes and in shear, too
   bool failure = false;  ///< pull until it breaks
-  double max_strain = 0.1, end_stress = 0.1;
-  double band = 0.05;  ///< bonds within this share of the one furthest beyond its critical stretch break in one round
   StiffnessSection stiffness;
   ToughnessSection toughness;
   stress::StressOptions statistics;
   bool operator==(const Load&) const = default;
 };
 
-/// What a recipe says, checked and in SI. The declaration of every key (name, unit, range, sentence) is in
-/// recipe/keys*.cpp; reading, checks, the resolved recipe and docs/recipe.md follow from it.
+/// What a recipe says, checked and in SI. The declaration of every key (name, unit, range, sentence) is in recipe/keys*.cpp, or with the struct that it
+/// fills (`declare`); reading, checks, the resolved recipe and docs/recipe.md follow from it.
 struct Recipe {
   std::string title;
   std::uint64_t seed = 1;
@@ -133,6 +126,7 @@ struct Recipe {
   cement::CementParameters cement_or_none() const;
   GridSection grid_or_default() const { return grid.value_or(GridSection{}); }
   bool has_field() const { return cement || grid || !loads.empty(); }  ///< goes on to cement, grid and loads
+  std::filesystem::path beside(const std::string& file) const { return std::filesystem::path(source_file).parent_path() / file; }  ///< that it names
   bool operator==(const Recipe&) const = default;
 };
 
@@ -167,6 +161,21 @@ std::string title_in(const std::string& text);
 
 /// Documentation of every key (Markdown), generated from the declarations.
 std::string key_reference();
+
+/// Every key of a recipe: its name, unit, range and meaning, and what must hold between keys. The structs that come from elsewhere declare their own.
+void declare(ParameterVisitor& visitor, Recipe& recipe);
+// Its parts. Where a part's keys must agree with others, it gets the recipe as far as it is known by then.
+void declare(ParameterVisitor& visitor, Stage& stage, const Recipe& recipe);
+void declare_boundaries(ParameterVisitor& visitor, Recipe& recipe);
+/// Of a stage, tables in time that drive it, which sides are open, how boundaries move, what is counted as having passed, and cycles of strain; and
+/// what boundaries ask of a stage whose keys have all been read.
+void declare_programmes(ParameterVisitor& visitor, Stage& stage, const Recipe& recipe);
+void declare_openings(ParameterVisitor& visitor, Stage& stage, const Recipe& recipe);
+void declare_strain_cycles(ParameterVisitor& visitor, Stage& stage, const Recipe& recipe);
+void require_boundary_loads(ParameterVisitor& visitor, const Stage& stage, const Recipe& recipe);
+void require_usable_sides(ParameterVisitor& visitor, const Stage& stage, const ContainerParameters& frame);
+/// Cement, grid and loads: what comes after loading by discrete elements.
+void declare_field(ParameterVisitor& visitor, Recipe& recipe);
 
 /// The words that a recipe, a command line and Python share for a choice, in the order of its enumeration.
 std::vector<Word> words(cement::CementParameters::Kind);

@@ -9,6 +9,42 @@
 namespace arenite::recipe {
 namespace {
 
+/// Notes the keys that a declaration visits.
+class Recorder : public KeyVisitor {
+ public:
+  explicit Recorder(bool every_key) : every_key_(every_key) {}
+  RecordTable table;
+
+  void section(const Key& key, bool& present, const Visit& inside) override {
+    add({.key = key, .form = "{ ... }", .kind = Record::Kind::section, .present = present, .tables = {record_of(inside, every_key_)}});
+  }
+  void sections(const Key& key, const Elements& elements) override {
+    Record record{.key = key, .form = "...", .kind = Record::Kind::sections, .named = static_cast<bool>(elements.name)};
+    if (every_key_) elements.resize(1);
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+      record.tables.push_back(record_of([&](ParameterVisitor& recorder) { elements.visit(recorder, i); }, every_key_));
+      if (record.named) record.table_names.push_back(every_key_ ? "NAME" : elements.name(i));
+    }
+    add(std::move(record));
+  }
+  void when(bool active, std::string_view condition, const Visit& inside) override {
+    if (!active && !every_key_) return;
+    condition_ = condition;
+    inside(*this);
+    condition_ = {};
+  }
+
+ private:
+  void visit(Record record, const std::function<void(const Written&)>&) override { add(std::move(record)); }
+  void add(Record record) {
+    record.condition = condition_;
+    table.push_back(std::move(record));
+  }
+
+  bool every_key_;
+  std::string condition_;
+};
+
 std::optional<std::string> value_of(const Record& record);
 
 /// a = 1, b = 2: the keys that are set.
@@ -31,53 +67,45 @@ std::string inline_form(const RecordTable& table) {
   return fmt::format("{{ {} }}", list_of(items));
 }
 
-/// [{ a = 1 }, { a = 2 }]
-std::string inline_list(const std::vector<RecordTable>& tables) { return fmt::format("[{}]", list_of(mapped(tables, inline_table))); }
-
-/// On one line; nothing if it is not set.
+/// On one line, [{ a = 1 }, { a = 2 }] of a list; nothing if it is not set.
 std::optional<std::string> value_of(const Record& record) {
   if (record.kind == Record::Kind::value) return record.literal;
   if (!record.present || record.tables.empty()) return std::nullopt;
-  return record.kind == Record::Kind::section ? inline_table(record.tables.front()) : inline_list(record.tables);
+  return record.kind == Record::Kind::section ? inline_table(record.tables.front()) : fmt::format("[{}]", list_of(mapped(record.tables, inline_table)));
 }
 
 void write_table(std::string& text, const RecordTable& table) {
   for (const auto& line : assignments(table)) text += line + "\n";
 }
 
-std::string heading(const Record& record, std::size_t i) {
-  if (record.kind == Record::Kind::section) return fmt::format("[{}]", record.key.name);
-  return record.named ? fmt::format("[{}.{}]", record.key.name, toml_key(record.table_names[i])) : fmt::format("[[{}]]", record.key.name);
+/// Above table `i` of a section or a list that lies at `path`.
+std::string heading(const Record& record, const std::string& path, std::size_t i) {
+  if (record.kind == Record::Kind::section) return fmt::format("[{}]", path);
+  return record.named ? fmt::format("[{}.{}]", path, toml_key(record.table_names[i])) : fmt::format("[[{}]]", path);
 }
 
-RecordTable values_in(const RecordTable& table) {
-  RecordTable values;
-  std::ranges::copy_if(table, std::back_inserter(values), [](const Record& record) { return record.kind == Record::Kind::value; });
-  return values;
+RecordTable values_in(RecordTable table) {
+  std::erase_if(table, [](const Record& record) { return record.kind != Record::Kind::value; });
+  return table;
 }
 
 const Record& record_named(const RecordTable& table, std::string_view name) {
   return *std::ranges::find(table, name, [](const Record& record) { return record.key.name; });
 }
 
-/// Keys of an inline section that are not at their default.
-RecordTable changed(const RecordTable& table, const RecordTable& defaults) {
-  RecordTable result;
-  for (const auto& record : table) {
-    if (record.literal && (record.key.required || record.literal != record_named(defaults, record.key.name).literal)) result.push_back(record);
-  }
-  return result;
+/// Whether a key is to be seen because it is set, and not to its default.
+bool is_changed(const Record& record, const RecordTable& defaults) {
+  return record.literal && (record.key.required || record.literal != record_named(defaults, record.key.name).literal);
+}
+
+RecordTable changed(RecordTable table, const RecordTable& defaults) {
+  std::erase_if(table, [&](const Record& record) { return !is_changed(record, defaults); });
+  return table;
 }
 
 std::string explanation(const Record& record) {
   if (record.choices.empty()) return std::string(record.key.sentence);
   return fmt::format("{} One of: {}", record.key.sentence, list_of(mapped(record.choices, &Record::Choice::literal)));
-}
-
-void write_line(std::string& text, bool active, const std::string& assignment, const std::string& comment) {
-  const std::string start = active ? assignment : "# " + assignment;
-  if (comment.empty()) text += start + "\n";
-  else text += fmt::format("{:<38} # {}\n", start, comment);
 }
 
 /// The lines of one table; keys at their default are comments, and appear only if `explain`.
@@ -92,12 +120,14 @@ void write_commented_table(std::string& text, const RecordTable& table, const Re
       value = set ? inline_table(differences.front()) : inline_form(record.tables.front());
     } else if (record.kind == Record::Kind::sections) {
       set = set && !differences.empty();
-      value = set ? inline_list(differences) : fmt::format("[{}]", inline_form(standard.tables.front()));
+      value = set ? fmt::format("[{}]", list_of(mapped(differences, inline_table))) : fmt::format("[{}]", inline_form(standard.tables.front()));
     } else {
-      set = set && record.literal && (record.key.required || record.literal != standard.literal);
+      set = set && is_changed(record, defaults);
       value = record.literal && !(record.key.required && !active) ? *record.literal : record.form;
     }
-    if (set || explain) write_line(text, set, fmt::format("{} = {}", record.key.name, value), explain ? explanation(record) : "");
+    const std::string line = fmt::format("{}{} = {}", set ? "" : "# ", record.key.name, value);
+    if (explain) text += fmt::format("{:<38} # {}\n", line, explanation(record));
+    else if (set) text += line + "\n";
   }
 }
 
@@ -111,11 +141,8 @@ void add_changes(std::string& text, const std::string& path, const RecordTable& 
       continue;
     }
     const bool is_list = record.kind == Record::Kind::sections;
-    if (is_list ? record.tables.empty() : !record.present) {
-      if (!is_list && standard.present) text += fmt::format("{} = not set\n", key);
-      continue;
-    }
-    for (std::size_t i = 0; i < record.tables.size(); ++i) {
+    if (!record.present && standard.present) text += fmt::format("{} = not set\n", key);
+    for (std::size_t i = 0; record.present && i < record.tables.size(); ++i) {
       const std::string inner = !is_list ? key : fmt::format("{}.{}", key, record.named ? toml_key(record.table_names[i]) : std::to_string(i));
       if (is_list || !standard.present) text += fmt::format("[{}]\n", inner);
       add_changes(text, inner + ".", record.tables[i], standard.tables.front());
@@ -131,11 +158,6 @@ std::string cell(std::string_view text) {
 }
 
 std::string in_code(std::string_view text) { return "`" + cell(text) + "`"; }
-
-std::string default_of(const Record& record) {
-  if (record.key.required) return "*required*";
-  return record.literal ? in_code(*record.literal) : "-";
-}
 
 std::string meaning_of(const Record& record) {
   std::string text = cell(record.key.sentence);
@@ -158,18 +180,17 @@ void write_rows(std::string& text, const RecordTable& table) {
                              : record.literal && !record.key.required ? *record.literal
                              : record.form == "..."                   ? std::string("1")
                                                                       : record.form;
-    text += fmt::format("| `{}` | {} | {} | {} |\n", record.key.name, in_code(form), default_of(record), meaning_of(record));
+    const std::string standard = record.key.required ? "*required*" : record.literal ? in_code(*record.literal) : "-";
+    text += fmt::format("| `{}` | {} | {} | {} |\n", record.key.name, in_code(form), standard, meaning_of(record));
   }
 }
 
 void write_section(std::string& text, const Record& record, const std::string& parent) {
   const std::string path = parent.empty() ? record.name() : parent + "." + record.name();
-  const bool is_list = record.kind == Record::Kind::sections;
-  const std::string heading = !is_list ? fmt::format("[{}]", path) : record.named ? fmt::format("[{}.NAME]", path) : fmt::format("[[{}]]", path);
-  text += fmt::format("\n## `{}`\n\n{}{}\n\n", heading, record.key.sentence,
-                      record.key.required         ? " Required."
-                      : is_list || record.present ? ""
-                                                  : " Optional.");
+  text += fmt::format("\n## `{}`\n\n{}{}\n\n", heading(record, path, 0), record.key.sentence,
+                      record.key.required ? " Required."
+                      : record.present    ? ""
+                                          : " Optional.");
   write_rows(text, record.tables.front());
   for (const auto& inner : record.tables.front()) {
     if (inner.kind != Record::Kind::value) write_section(text, inner, path);
@@ -178,12 +199,18 @@ void write_section(std::string& text, const Record& record, const std::string& p
 
 }  // namespace
 
+RecordTable record_of(const Visit& declare, bool every_key) {
+  Recorder recorder(every_key);
+  declare(recorder);
+  return std::move(recorder.table);
+}
+
 std::string write_toml(const RecordTable& root) {
   std::string text;
   write_table(text, values_in(root));
   for (const auto& record : root) {
     for (std::size_t i = 0; record.present && i < record.tables.size(); ++i) {
-      text += "\n" + heading(record, i) + "\n";
+      text += "\n" + heading(record, record.name(), i) + "\n";
       write_table(text, record.tables[i]);
     }
   }
@@ -204,7 +231,7 @@ std::string write_commented_toml(const RecordTable& root, const RecordTable& all
     text += fmt::format("\n# {}\n", record.key.sentence);
     for (std::size_t i = 0; i < record.tables.size(); ++i) {
       if (i > 0) text += "\n";
-      text += (record.present ? "" : "# ") + heading(record, i) + "\n";
+      text += (record.present ? "" : "# ") + heading(record, record.name(), i) + "\n";
       write_commented_table(text, record.tables[i], record_named(all, record.key.name).tables.front(), i == 0, record.present);
     }
   }

@@ -93,7 +93,7 @@ Numbers run_drawing(const fs::path& run, const Figure& figure) {
     case FigureKind::phases: return phases_drawing(workflow::field_of(run));
     case FigureKind::zoom: return zoom_drawing(workflow::field_of(run, load));
     case FigureKind::cracks: return cracks_drawing(workflow::field_of(run, load));
-    default: return sample_drawing(workflow::final_state(run, false, figure.stage), figure.kind);
+    default: return sample_drawing(workflow::final_state(run, {.stage = figure.stage}), figure.kind);
   }
 }
 
@@ -104,7 +104,7 @@ Numbers RunNumbers::with(const fs::path& run, const std::string& path, const Fig
   if (path.empty() || has_numbers(numbers, path) || io::stage_files(run).empty()) return numbers;
   const auto sectors = static_cast<int>(figure.sectors.value_or(texture::Options{}.sectors));
   const auto [at, is_new] = curves_.try_emplace({run, sectors});
-  if (is_new) at->second = workflow::curves_of(workflow::final_state(run, false, "", sectors));
+  if (is_new) at->second = workflow::numbers(workflow::final_state(run, {.sectors = sectors}), true);
   return at->second;
 }
 

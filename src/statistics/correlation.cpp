@@ -45,6 +45,20 @@ std::vector<double> ranks(const std::vector<double>& values) {
   return rank;
 }
 
+double mean_of_known(const std::vector<double>& values, const std::vector<std::uint8_t>& counts) {
+  double sum = 0, count = 0;
+  for (std::size_t k = 0; k < values.size(); ++k)
+    if (std::isfinite(values[k]) && (counts.empty() || counts[k])) sum += values[k], ++count;
+  return count > 0 ? sum / count : unknown;
+}
+
+std::vector<double> over(std::vector<double> values, double mean) {
+  for (double& value : values) value = mean != 0 ? value / mean : unknown;
+  return values;
+}
+
+std::vector<double> over_mean(const std::vector<double>& values) { return over(values, mean_of_known(values)); }
+
 double rms_difference(const std::vector<double>& x, const std::vector<double>& y) {
   double squares = 0;
   for (std::size_t k = 0; k < x.size(); ++k) squares += (x[k] - y[k]) * (x[k] - y[k]);

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "statistics/estimate.hpp"
@@ -29,6 +30,13 @@ double pearson(const std::vector<double>& x, const std::vector<double>& y);
 
 /// Spearman's: Pearson's of the ranks.
 double spearman(const std::vector<double>& x, const std::vector<double>& y);
+
+/// Mean of the values that are known and, where `counts` is given, stand beside a 1; unknown without any.
+double mean_of_known(const std::vector<double>& values, const std::vector<std::uint8_t>& counts = {});
+/// Each value over a mean; what is not known stays so, and all is unknown over a mean of zero.
+std::vector<double> over(std::vector<double> values, double mean);
+/// Over that of the known ones.
+std::vector<double> over_mean(const std::vector<double>& values);
 
 /// Root mean square of x - y, which are as many.
 double rms_difference(const std::vector<double>& x, const std::vector<double>& y);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <unordered_map>
 #include <utility>
 
 #include "core/error.hpp"
@@ -25,20 +26,8 @@ FieldResult upright(const FieldResult& sample, recipe::Load::Axis axis) {
   FieldResult result = sample;
   if (axis == recipe::Load::Axis::y) return result;
   result.map = transposed(sample.map);
-  result.packing = transposed(sample.packing);
+  result.packing = grid::transposed(sample.packing);
   return result;
-}
-
-/// What loads and tests to failure have in common.
-template <class Options> Options common_options(const recipe::Load& load, const peridynamics::Watch& watch) {
-  Options options;
-  options.stiffness = load.stiffness.resolved();
-  options.loading = load.loading;
-  options.lower = load.lower;
-  options.tolerance = load.tolerance;
-  options.watch = watch;
-  options.law = load.bond_law;
-  return options;
 }
 
 History convergence_of(const std::vector<double>& residuals) {
@@ -72,15 +61,7 @@ StressField as_stored(StressField field) {
   return field;
 }
 
-/// Stresses of the grains of the map from the contact forces of the packing, in the order of the labels; empty without.
-std::vector<Tensor2> contact_stresses(const FieldResult& result) {
-  if (result.packing.contacts.size() == 0 || !(result.packing.domain.thickness > 0)) return {};
-  auto sigma = texture::grain_stresses(result.packing);
-  sigma.resize(std::min(sigma.size(), result.map.grain_class.size()));
-  return sigma;
-}
-
-void measure_stress(const recipe::Load& load, FieldResult& result, std::optional<stress::Statistics>* measured) {
+void measure_stress(const recipe::Load& load, FieldResult& result, std::optional<stress::Statistics>* measured, const std::vector<Tensor2>* known) {
   if (result.field.size() == 0) return;
   stress::StressOptions options = load.statistics;
   if (load.loading == peridynamics::Loading::shear) options.components = {stress::Component::xy};
@@ -89,7 +70,9 @@ void measure_stress(const recipe::Load& load, FieldResult& result, std::optional
   try {
     auto statistics = stress::measure(result.map, result.field, options);
     result.numbers["stress"] = stress::numbers(statistics, false, own);
-    const auto contacts = contact_stresses(result);
+    std::vector<Tensor2> contacts = known ? *known : contact_stresses(result);
+    if (known && load.axis == recipe::Load::Axis::x)
+      for (Tensor2& t : contacts) t = {t.yy, t.yx, t.xy, t.xx};
     if (contacts.size() == result.map.grain_class.size() && load.loading != peridynamics::Loading::shear)
       if (Numbers agreement = stress::compare(result.map, statistics.grains, contacts); !agreement.empty())
         result.numbers["grain_stress_against_contacts"] = std::move(agreement);
@@ -100,11 +83,7 @@ void measure_stress(const recipe::Load& load, FieldResult& result, std::optional
 std::optional<FieldResult> load_until_failure(const recipe::Load& load, FieldResult result, const peridynamics::Watch& watch,
                                               const FailureCheckpoint& checkpoint) {
   using Ending = peridynamics::DamageResult::Ending;
-  auto options = common_options<peridynamics::DamageOptions>(load, watch);
-  options.toughness = load.toughness.resolved();
-  options.max_strain = load.max_strain;
-  options.band = load.band;
-  options.end_stress = load.end_stress;
+  peridynamics::DamageOptions options{load, load, load.stiffness.resolved(), watch, load.toughness.resolved()};
   options.keep = checkpoint.keep;
   if (checkpoint.resume) options.resume = &*checkpoint.resume;
   auto tested = peridynamics::load_to_failure(result.map, options);
@@ -120,20 +99,32 @@ std::optional<FieldResult> load_until_failure(const recipe::Load& load, FieldRes
 
 }  // namespace
 
+std::vector<Tensor2> contact_stresses(const FieldResult& sample, const Packing& cemented, const std::vector<Tensor2>& known) {
+  const Packing& packing = sample.packing;
+  if (packing.contacts.size() == 0 || !(packing.domain.thickness > 0)) return {};
+  std::vector<Tensor2> sigma;
+  if (known.empty() || !cemented.bonds.empty() || !cemented.cohesive.empty()) {
+    sigma = texture::grain_stresses(packing);
+  } else {
+    std::unordered_map<std::int64_t, std::size_t> place;
+    for (std::size_t g = 0; g < known.size(); ++g) place.emplace(cemented.grains.id[g], g);
+    for (const std::int64_t id : packing.grains.id) sigma.push_back(known[place.at(id)]);
+  }
+  sigma.resize(std::min(sigma.size(), sample.map.grain_class.size()));
+  return sigma;
+}
+
 std::optional<FieldResult> apply_load(const recipe::Load& load, const FieldResult& sample, const peridynamics::Watch& watch,
-                                      const FailureCheckpoint& checkpoint, std::optional<stress::Statistics>* measured) {
+                                      const FailureCheckpoint& checkpoint, std::optional<stress::Statistics>* measured,
+                                      const std::vector<Tensor2>* contact_stresses) {
   FieldResult result = upright(sample, load.axis);
   result.name = load.name;
   if (load.failure) {
     auto tested = load_until_failure(load, std::move(result), watch, checkpoint);
-    if (tested) measure_stress(load, *tested, measured);
+    if (tested) measure_stress(load, *tested, measured, contact_stresses);
     return tested;
   }
-  auto options = common_options<peridynamics::LoadOptions>(load, watch);
-  options.method = load.method;
-  options.strain = load.strain;
-  options.max_iterations = static_cast<int>(load.max_iterations);
-  options.exact_stretch = load.exact_stretch;
+  const peridynamics::LoadOptions options{load, load, load.stiffness.resolved(), watch};
   auto loaded = peridynamics::load(result.map, options);
   if (loaded.report.ending == peridynamics::Ending::stopped) return std::nullopt;
   result.converged = loaded.report.ending == peridynamics::Ending::solved;
@@ -149,7 +140,7 @@ std::optional<FieldResult> apply_load(const recipe::Load& load, const FieldResul
   }
   add_load(result.numbers, load, loaded.report, moduli);
   result.field = as_stored(std::move(loaded.field));
-  measure_stress(load, result, measured);
+  measure_stress(load, result, measured, contact_stresses);
   return result;
 }
 
@@ -195,7 +186,7 @@ FieldResult sample_of_map(PhaseMap map, const grid::CavityRules& rules) {
   const double nodes_per_grain = grains > 0 && particle > 0 ? static_cast<double>(particle) / grains : 1;
   FieldResult sample;
   sample.name = "map";
-  sample.numbers = map_numbers(map, rules, map.dx * std::sqrt(nodes_per_grain / std::numbers::pi));
+  sample.numbers = grid::map_numbers(map, rules, map.dx * std::sqrt(nodes_per_grain / std::numbers::pi));
   sample.map = std::move(map);
   return sample;
 }

@@ -14,6 +14,7 @@
 #include "recipe/recipe.hpp"
 #include "solid/cement/cement.hpp"
 #include "solid/grid/cavities.hpp"
+#include "solid/grid/crop.hpp"
 #include "solid/grid/grid.hpp"
 #include "solid/peridynamics/damage.hpp"
 #include "solid/peridynamics/load.hpp"
@@ -25,19 +26,6 @@
 /// The second half of a run: cement, grid, loads (P II.B to IV), and what they give as numbers, each statistic as value and error.
 
 namespace arenite::workflow {
-
-/// The grains that a grid shows, in its coordinates, and what holds them.
-struct CroppedPacking {
-  Packing packing;
-  Cement cement;
-};
-
-/// First the grains of the labels, in their order, then those that touch one of them or share a bridge or meniscus with
-/// one; contacts and necks between these. `corner` becomes the origin.
-CroppedPacking crop(const Packing& packing, const Cement& cement, const std::vector<std::int32_t>& grain_of_label, Vec2 corner);
-
-/// The mirror image about the line x = y, as transposed(PhaseMap) gives it.
-Packing transposed(const Packing& packing);
 
 /// Materials of the large and of the small grains: those of [bidisperse], or of two materials the one with the larger mean
 /// radius; nothing where a packing has no two classes.
@@ -59,10 +47,16 @@ struct FailureCheckpoint {
   std::optional<peridynamics::FailureState> resume{};
 };
 
+/// Stress of every grain that a sample's map labels, from the contact forces of its packing, Pa, in the order of the labels; empty without. `known` are
+/// those of all grains of the packing that was cemented, where a texture has them (with bonds and cohesion, which the sample leaves out).
+std::vector<Tensor2> contact_stresses(const FieldResult& sample, const Packing& cemented = {}, const std::vector<Tensor2>& known = {});
+
 /// Loads a cemented sample. An unfinished field has `converged` false and says why; nothing if the watch stopped it. The numbers have the statistics of
-/// the load's own component of stress; those of all are in `measured`, if that is given.
+/// the load's own component of stress; those of all are in `measured`, if that is given. Stresses of grains are compared with the sample's
+/// `contact_stresses`, which are measured here unless they are given.
 std::optional<FieldResult> apply_load(const recipe::Load& load, const FieldResult& sample, const peridynamics::Watch& watch,
-                                      const FailureCheckpoint& checkpoint = {}, std::optional<stress::Statistics>* measured = nullptr);
+                                      const FailureCheckpoint& checkpoint = {}, std::optional<stress::Statistics>* measured = nullptr,
+                                      const std::vector<Tensor2>* contact_stresses = nullptr);
 
 /// A sample for apply_load from anybody's phase map: its phases, pores and voids as numbers, their volumes over the mean
 /// area of a grain. Throws InputError unless the map is sound.
@@ -94,9 +88,6 @@ struct SampleReports {
   grid::GridReport grid;
   Numbers coordination;  ///< of large and small grains, where there are two classes
 };
-
-/// Size, phases, S_m, grains, pores and voids of any map. Volumes of pores and voids are over pi reference_radius^2.
-Numbers map_numbers(const PhaseMap& map, const grid::CavityRules& rules, double reference_radius);
 
 /// Adds what cement, grid and coordination say.
 void add_reports(Numbers& numbers, const SampleReports& reports);

@@ -17,10 +17,6 @@ using thermography::FrameStatistics;
 
 constexpr std::size_t frames_looked_at = 200;
 
-std::filesystem::path beside(const recipe::FilmRecipe& recipe, const std::string& file) {
-  return std::filesystem::path(recipe.source_file).parent_path() / file;
-}
-
 // Dead and hot pixels are some per mille of a detector; a film that shows something has far more that are neither.
 bool nearly_all(std::size_t some, const FilmInfo& film) { return 100 * some >= 99 * film.pixels(); }
 
@@ -38,7 +34,7 @@ void refuse_constant(const thermography::Doubtful& seen, const FilmInfo& film, s
 
 std::optional<FrameStatistics> reference(const recipe::FilmRecipe& recipe, const std::string& file, const FilmInfo& film) {
   if (file.empty()) return std::nullopt;
-  const auto path = beside(recipe, file);
+  const auto path = recipe.beside(file);
   const auto source = io::open_film(path, recipe.film.value_or(io::FilmChoice{}));
   if (source->info().width != film.width || source->info().height != film.height)
     refuse(path.string(), "has frames of {} x {} pixels, and the film of {} x {}; film the reference with the same camera and window", source->info().width,
@@ -83,7 +79,7 @@ thermography::GrainSurfaces surfaces_of(const recipe::FilmRecipe& recipe, const 
 
 thermography::LevelCurve read_curve(const recipe::FilmRecipe& recipe, const FilmInfo& film, const thermography::GrainSurfaces& surfaces) {
   std::vector<thermography::LevelPoint> points;
-  const auto curve = io::read_calibration_curve(beside(recipe, recipe.temperature.curve).string());
+  const auto curve = io::read_calibration_curve(recipe.beside(recipe.temperature.curve).string());
   for (std::size_t i = 0; i < curve.level.size(); ++i) points.push_back({curve.level[i], curve.temperature[i]});
   return thermography::curve_through(points, surfaces.band, surfaces.assumed, range_of(film));
 }

@@ -112,7 +112,7 @@ void refuse_overlapping(const std::string& file, const Grains& grains) {
 }
 
 PictureGrains read_list(const recipe::FilmRecipe& recipe, const FilmPlace& place) {
-  const auto file = std::filesystem::path(recipe.source_file).parent_path() / recipe.picture.grains;
+  const auto file = recipe.beside(recipe.picture.grains);
   const Grains read = io::read_placed_grains(file, materials_of(recipe), container_at(recipe, 0));
   if (read.size() == 0) refuse(file.string(), "lists no grains; give every grain a row");
   refuse_overlapping(file.string(), read);

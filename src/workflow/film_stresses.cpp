@@ -18,18 +18,10 @@ std::vector<std::uint8_t> known_in_all(const std::vector<GrainStresses>& sources
 
 /// Forgets the stress of grains that are not known, and fills in what follows from the others.
 void normalise(GrainStresses& source, const std::vector<std::uint8_t>& known, const std::vector<std::uint8_t>& considered) {
-  double sum = 0, count = 0;
-  for (std::size_t g = 0; g < known.size(); ++g) {
+  for (std::size_t g = 0; g < known.size(); ++g)
     if (!known[g]) source.sigma_hyd[g] = statistics::unknown;
-    if (considered[g]) sum += source.sigma_hyd[g], ++count;
-  }
-  source.mean = count > 0 ? sum / count : statistics::unknown;
-  for (const double stress : source.sigma_hyd) source.sigma_norm.push_back(stress / source.mean);
-}
-
-std::vector<double> over(std::vector<double> values, double mean) {
-  for (double& value : values) value /= mean;
-  return values;
+  source.mean = statistics::mean_of_known(source.sigma_hyd, considered);
+  source.sigma_norm = statistics::over(source.sigma_hyd, source.mean);
 }
 
 }  // namespace
@@ -54,15 +46,23 @@ FilmStresses film_stresses(const FilmResult& result, const std::vector<std::uint
 
 Agreement agreement(const std::vector<double>& film, const std::vector<double>& simulation, const std::vector<std::uint8_t>& counts) {
   std::vector<double> a, b;
-  double sum_a = 0, sum_b = 0;
   for (std::size_t g = 0; g < film.size(); ++g) {
     if (!counts[g] || !std::isfinite(film[g]) || !std::isfinite(simulation[g])) continue;
-    a.push_back(film[g]), sum_a += film[g];
-    b.push_back(simulation[g]), sum_b += simulation[g];
+    a.push_back(film[g]);
+    b.push_back(simulation[g]);
   }
   if (a.size() < 2) return {};
-  const auto n = static_cast<double>(a.size());
-  return {statistics::relate(b, a), statistics::rms_difference(a, b), statistics::rms_difference(over(a, sum_a / n), over(b, sum_b / n))};
+  return {statistics::relate(b, a), statistics::rms_difference(a, b), statistics::rms_difference(statistics::over_mean(a), statistics::over_mean(b))};
+}
+
+Numbers numbers(const Agreement& a) {
+  Numbers j = Numbers::tree();
+  put(j, "count", a.relation.count, "", "Grains that are compared");
+  put(j, "correlation", a.relation.pearson, "", "Pearson's correlation of the grains' stresses, film and simulation");
+  put(j, "slope", statistics::Estimate{a.relation.line.slope, a.relation.line.slope_error}, "", "Slope of the film's stresses on the simulation's");
+  put(j, "rms_Pa", a.rms, "Pa", "Root mean square difference of the stresses");
+  put(j, "rms_sigma_norm", a.rms_sigma_norm, "", "Root mean square difference of the stresses, each over its mean");
+  return j;
 }
 
 Numbers agreement_of(const Packing& packing, const FilmStresses& stresses, const GrainStresses& simulation) {
@@ -71,13 +71,7 @@ Numbers agreement_of(const Packing& packing, const FilmStresses& stresses, const
     auto counts = stresses.considered;
     for (std::size_t g = 0; g < counts.size(); ++g) counts[g] = counts[g] && (material < 0 || packing.grains.material[g] == material);
     const Agreement a = agreement(stresses.sources[0].sigma_hyd, simulation.sigma_hyd, counts);
-    if (a.relation.count < 3) return;
-    Numbers& to = all[set];
-    put(to, "count", a.relation.count, "", "Grains that are compared");
-    put(to, "correlation", a.relation.pearson, "", "Pearson's correlation of the grains' stresses, film and simulation");
-    put(to, "slope", statistics::Estimate{a.relation.line.slope, a.relation.line.slope_error}, "", "Slope of the film's stresses on the simulation's");
-    put(to, "rms_Pa", a.rms, "Pa", "Root mean square difference of the stresses");
-    put(to, "rms_sigma_norm", a.rms_sigma_norm, "", "Root mean square difference of the stresses, each over its mean");
+    if (a.relation.count >= 3) all[set] = numbers(a);
   };
   add("all", -1);
   if (packing.materials.size() > 1)

@@ -126,7 +126,7 @@ void take_materials(const recipe::FilmRecipe& recipe, const std::string& where, 
 }
 
 PictureGrains optical_grains(const recipe::FilmRecipe& recipe, const FilmInfo& film, const std::vector<float>& frame, std::vector<std::string>& notes) {
-  const auto file = (std::filesystem::path(recipe.source_file).parent_path() / recipe.picture.optical).string();
+  const auto file = recipe.beside(recipe.picture.optical).string();
   const double fine = recipe.picture.optical_pixel > 0 ? recipe.picture.optical_pixel : recipe.picture.pixel;
   const int times = std::max(1, static_cast<int>(recipe.picture.pixel / (enough * fine) + 1e-6));
   const Image whole = io::read_image(file);

@@ -70,9 +70,6 @@ struct RecordGroup {
   std::string name;
   std::vector<identify::Curve> tests;
 };
-/// Force against the first of these quantities that the table has, by group; nothing where it holds no records.
-std::optional<std::vector<RecordGroup>> records_of(io::LaboratoryTable& table, std::initializer_list<io::Quantity> against);
-
 /// The tests of a group by name, each with what it measured.
 struct TestGroup {
   std::string name;
@@ -80,8 +77,16 @@ struct TestGroup {
 };
 /// What is said of a value that is not above 0.
 using Refusal = std::function<std::string(const std::string& group, const std::string& test, double value)>;
-/// Values that a table holds, by group: one a row, or a column a group. A table of neither kind is refused by what it `needs`.
-std::vector<TestGroup> tabulated_tests(io::LaboratoryTable& table, const io::Quantity& quantity, const std::string& needs, const Refusal& refusal);
+/// How the tests of a file are found: in `records` of force against the first of these quantities that it has, each group of them by `cut`; or as values
+/// that it holds, one a row, or a column a group. A file of neither kind is refused by what it `needs`.
+struct TestsWanted {
+  std::vector<io::Quantity> against;
+  std::function<decltype(TestGroup::tests)(const RecordGroup&)> cut;
+  io::Quantity tabulated;
+  const char* needs;
+  Refusal refusal;
+};
+std::vector<TestGroup> tests_in(io::LaboratoryTable& table, const TestsWanted& wanted);
 
 /// Adds the table's notes to what was found, and puts what the file `stated` (or none) says beside the findings of the same name: its first column
 /// names a group, or "all".

@@ -77,16 +77,12 @@ void add_all(Identification& found, const std::vector<TestGroup>& groups, const 
 Identification identify_stiffness(const std::string& file, const StiffnessRequest& request) {
   io::LaboratoryTable table(file);
   Identification found{"stiffness", file, {}};
-  std::vector<TestGroup> groups;
-  if (const auto records = records_of(table, {quantity::displacement})) {
-    double worst_r2 = 1;
-    for (const auto& group : *records) groups.push_back({group.name, slopes_of(group, request.curve, worst_r2)});
-    if (worst_r2 < 0.99)
-      found.notes.push_back(fmt::format("the records are not straight (least R^2 {:.3f}): k is the mean slope between preload and peak", worst_r2));
-  } else {
-    groups = tabulated_tests(table, stiffness_quantity, needs_of_stiffness,
-                             [](const auto&, const auto&, double value) { return fmt::format("the stiffness is {:.4g} N/m; it must be above 0", value); });
-  }
+  double worst_r2 = 1;
+  const auto slopes = [&](const RecordGroup& group) { return slopes_of(group, request.curve, worst_r2); };
+  const auto refusal = [](const auto&, const auto&, double value) { return fmt::format("the stiffness is {:.4g} N/m; it must be above 0", value); };
+  const auto groups = tests_in(table, {{quantity::displacement}, slopes, stiffness_quantity, needs_of_stiffness, refusal});
+  if (worst_r2 < 0.99)
+    found.notes.push_back(fmt::format("the records are not straight (least R^2 {:.3f}): k is the mean slope between preload and peak", worst_r2));
   for (const auto& [name, tests] : groups) found.groups.push_back(group_of(name, tests, [&](const Measured& k) { return findings_of(k, request); }));
   add_all(found, groups, request);
   return finished(std::move(found), table, request.stated);
@@ -144,14 +140,12 @@ Tests peaks_of(const RecordGroup& group, std::vector<std::string>& notes) {
 Identification identify_adhesion(const std::string& file, const AdhesionRequest& request) {
   io::LaboratoryTable table(file);
   Identification found{"adhesion", file, {}};
-  if (const auto records = records_of(table, {quantity::displacement, quantity::time})) {
-    for (const auto& group : *records) add_group(found, group.name, peaks_of(group, found.notes), request);
-  } else {
-    const auto refusal = [](const std::string& group, const std::string& test, double value) {
-      return fmt::format("{}{}{}: the separation force is {:.4g} N; write tension as a positive force", group, test.empty() ? "" : ", ", test, value);
-    };
-    for (const auto& group : tabulated_tests(table, separation_quantity, needs_of_adhesion, refusal)) add_group(found, group.name, group.tests, request);
-  }
+  const auto peaks = [&](const RecordGroup& group) { return peaks_of(group, found.notes); };
+  const auto refusal = [](const std::string& group, const std::string& test, double value) {
+    return fmt::format("{}{}{}: the separation force is {:.4g} N; write tension as a positive force", group, test.empty() ? "" : ", ", test, value);
+  };
+  const auto groups = tests_in(table, {{quantity::displacement, quantity::time}, peaks, separation_quantity, needs_of_adhesion, refusal});
+  for (const auto& group : groups) add_group(found, group.name, group.tests, request);
   if (!request.stiffness || !request.radii)
     found.notes.push_back("the surface energy needs the stiffness of the pair and the radii: --k \"27.35 kN/mm\" --radius \"6.2 mm\"");
   return finished(std::move(found), table, request.stated);

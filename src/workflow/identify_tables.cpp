@@ -74,7 +74,10 @@ std::vector<RowGroup> groups_of(const io::LaboratoryTable& table) {
   return rows_by(table, rows, label_columns(table, group_labels, {}), false);
 }
 
-std::optional<std::vector<RecordGroup>> records_of(io::LaboratoryTable& table, std::initializer_list<io::Quantity> against) {
+namespace {
+
+/// Nothing where the table holds no records.
+std::optional<std::vector<RecordGroup>> records_of(io::LaboratoryTable& table, const std::vector<io::Quantity>& against) {
   const auto force_column = table.find(quantity::force);
   const auto at = std::ranges::find_if(against, [&](const io::Quantity& quantity) { return table.find(quantity).has_value(); });
   if (!force_column || at == against.end()) return std::nullopt;
@@ -89,7 +92,7 @@ std::optional<std::vector<RecordGroup>> records_of(io::LaboratoryTable& table, s
   });
 }
 
-std::vector<TestGroup> tabulated_tests(io::LaboratoryTable& table, const io::Quantity& quantity, const std::string& needs, const Refusal& refusal) {
+std::vector<TestGroup> tabulated_tests(io::LaboratoryTable& table, const io::Quantity& quantity, const char* needs, const Refusal& refusal) {
   std::vector<TestGroup> groups;
   const auto add = [&](TestGroup& group, const std::string& test, std::size_t row, double value) {
     if (!(value > 0)) throw InputError(table.file(), table.line(row), refusal(group.name, test, value));
@@ -116,6 +119,14 @@ std::vector<TestGroup> tabulated_tests(io::LaboratoryTable& table, const io::Qua
     if (group.tests.empty()) throw refusal_at(table.file(), table.header_line(), "column {} holds no value; fill or remove it", table.title(c));
   }
   return groups;
+}
+
+}  // namespace
+
+std::vector<TestGroup> tests_in(io::LaboratoryTable& table, const TestsWanted& wanted) {
+  if (const auto records = records_of(table, wanted.against))
+    return mapped(*records, [&](const RecordGroup& group) { return TestGroup{group.name, wanted.cut(group)}; });
+  return tabulated_tests(table, wanted.tabulated, wanted.needs, wanted.refusal);
 }
 
 identify::Identification finished(identify::Identification found, const io::LaboratoryTable& source, const std::string& file) {

@@ -94,7 +94,7 @@ std::string fill(const recipe::Recipe& recipe, Packing& packing) {
 }
 
 std::string read(const recipe::Recipe& recipe, Packing& packing) {
-  const auto path = std::filesystem::path(recipe.source_file).parent_path() / recipe.packing.file;
+  const auto path = recipe.beside(recipe.packing.file);
   packing.grains = io::read_placed_grains(path, recipe.materials, packing.domain);
   const auto report = packing::relax(packing.grains, packing.domain, 1e-3);
   return fmt::format("read from file with overlaps up to {:.2g} %, {}", 100 * report.overlap_before, describe(report));

@@ -94,19 +94,6 @@ std::optional<StageResult> stage_named(const fs::path& result, const std::string
   return std::nullopt;
 }
 
-/// The last state of a stage, measured as its recipe asks where `choose` does not ask otherwise.
-template <class Choose> FinalState measured(const fs::path& run, const std::string& stage, Choose choose) {
-  auto result = stage_named(run, stage);
-  if (!result && stage.empty()) refuse(run.string(), "there are no stage files of this run; remove its folder and run the study again");
-  if (!result) refuse(run.string(), "there is no stage \"{}\" of this run; name one of its recipe, or run the study again", stage);
-  if (result->frames.empty()) refuse(run.string(), "stage {} holds no state; remove its file and run the study again", result->name);
-  texture::Options options = texture_options(result->provenance);
-  choose(options);
-  Packing& packing = result->frames.back().packing;
-  texture::Texture texture = texture::measure(packing, options);
-  return {std::move(packing), std::move(texture)};
-}
-
 const recipe::Load& load_of(const recipe::Recipe& recipe, const fs::path& run, const std::string& name) {
   const auto at = std::find_if(recipe.loads.begin(), recipe.loads.end(), [&](const recipe::Load& load) { return name == "*" || load.name == name; });
   if (at == recipe.loads.end()) refuse(run.string(), "there is no load \"{}\" of this run; name one of its recipe", name);
@@ -153,22 +140,23 @@ texture::Options texture_options(const Provenance& provenance) {
   return texture_options(recipe, at == recipe.stages.end() ? 0 : static_cast<std::size_t>(at - recipe.stages.begin()) + 1);
 }
 
-FinalState final_state(const fs::path& run, bool rev, const std::string& stage, int sectors) {
-  return measured(run, stage, [&](texture::Options& options) {
-    if (!rev) options.rev_sizes = 0;
-    options.sectors = sectors;
-  });
+FinalState final_state(const fs::path& run, const StateOptions& wanted) {
+  auto result = stage_named(run, wanted.stage);
+  if (!result && wanted.stage.empty()) refuse(run.string(), "there are no stage files of this run; remove its folder and run the study again");
+  if (!result) refuse(run.string(), "there is no stage \"{}\" of this run; name one of its recipe, or run the study again", wanted.stage);
+  if (result->frames.empty()) refuse(run.string(), "stage {} holds no state; remove its file and run the study again", result->name);
+  texture::Options options = texture_options(result->provenance);
+  if (!wanted.rev) options.rev_sizes = 0;
+  options.sectors = wanted.sectors;
+  options.border = wanted.border.value_or(options.border);
+  Packing& packing = result->frames.back().packing;
+  texture::Texture texture = texture::measure(packing, options);
+  return {std::move(packing), std::move(texture)};
 }
 
-Numbers texture_with_border(const fs::path& run, double border) {
-  FinalState state = measured(run, "", [&](texture::Options& options) { options.rev_sizes = 0, options.border = border; });
+Numbers numbers(FinalState state, bool curves) {
   state.texture.per_grain = {};
-  return texture::numbers(state.texture, false);
-}
-
-Numbers curves_of(FinalState state) {
-  state.texture.per_grain = {};
-  return texture::numbers(state.texture, true);
+  return texture::numbers(state.texture, curves);
 }
 
 FieldResult field_of(const fs::path& run, const std::string& load) {

@@ -50,15 +50,18 @@ struct FinalState {
   Packing packing;
   texture::Texture texture;
 };
-/// From the file of the run's last stage, or of the `stage` of that name; `rev` says whether the REV study is wanted, which takes longest, and
-/// `sectors` into how many contact orientations are counted. Throws InputError if the run's files are not there, or none is of that stage.
-FinalState final_state(const std::filesystem::path& run, bool rev = false, const std::string& stage = "", int sectors = 18);
+/// Which state, and how it is measured where its recipe does not say.
+struct StateOptions {
+  std::string stage = {};             ///< at whose end it is; empty: the last
+  bool rev = false;                   ///< the REV study is wanted, which takes longest
+  int sectors = 18;                   ///< into which contact orientations are counted
+  std::optional<double> border = {};  ///< another strip left out along the walls, in mean diameters
+};
+/// From the file of a stage of the run. Throws InputError if the run's files are not there, or none is of that stage.
+FinalState final_state(const std::filesystem::path& run, const StateOptions& options = {});
 
-/// Texture of that state with another strip left out along the walls, in mean diameters; without the REV study.
-Numbers texture_with_border(const std::filesystem::path& run, double border);
-
-/// Its texture with histograms and distributions, without values by grain.
-Numbers curves_of(FinalState state);
+/// Its texture without values by grain; `curves` adds histograms and distributions.
+Numbers numbers(FinalState state, bool curves);
 
 /// The cemented sample of a run, or with `load` the load of that name ("*": its first). Where its file was dropped it is made
 /// again from the packing that was kept: the same recipe gives the same bytes, after as long as the load took. Throws InputError

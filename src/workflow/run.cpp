@@ -61,19 +61,13 @@ class Run {
   }
 
   template <class Make> bool add_stage(std::size_t s, Make make) {
-    std::optional<texture::Texture> texture;
     const bool has_before = s > 0 && !outcome_.stages.back().frames.empty();
     const Packing* const before = has_before ? &outcome_.stages.back().frames.back().packing : nullptr;
-    const auto result_of = [&](const fs::path& checkpoint) -> std::optional<StageResult> {
-      auto made = make(GrainStage{recipe_, s, plan_[s].hash, before}, checkpoint);
-      if (!made) return std::nullopt;
-      texture = std::move(made->texture);
-      return std::move(made->result);
-    };
-    auto result = carry_out_stage<StageResult>({plan_[s], folder_ / plan_[s].file, result_of, io::write_stage, io::read_stage});
+    const GrainStage stage{recipe_, s, plan_[s].hash, before, &outcome_.measured.stages.emplace_back()};
+    const auto made = [&](const fs::path& checkpoint) { return make(stage, checkpoint); };
+    auto result = carry_out_stage<StageResult>({plan_[s], folder_ / plan_[s].file, made, io::write_stage, io::read_stage});
     if (!result) return false;
     outcome_.stages.push_back(std::move(*result));
-    outcome_.measured.stages.push_back(std::move(texture));
     return true;
   }
 
@@ -142,13 +136,15 @@ class Run {
     const std::size_t first = recipe_.stages.size() + 1;
     const Packing& packing = outcome_.stages.back().frames.back().packing;
     if (!add_field(first, [&](const fs::path&) { return std::optional(make_cemented_sample(recipe_, packing)); })) return;
+    const auto& texture = outcome_.measured.stages.back();
+    const auto contacts = contact_stresses(outcome_.fields.front(), packing, texture ? texture->per_grain.sigma : std::vector<Tensor2>{});
     const auto watch = watch_of(progress_, options_);
     std::size_t s = first;
     for (const recipe::Load& load : recipe_.loads) {
       ++s;
       const auto make = [&](const fs::path& kept) {
         const auto checkpoint = load.failure ? failure_checkpoint(kept, plan_[s].hash, options_) : FailureCheckpoint{};
-        return apply_load(load, outcome_.fields.front(), watch, checkpoint, options_.page_follows ? &outcome_.measured.fields.back() : nullptr);
+        return apply_load(load, outcome_.fields.front(), watch, checkpoint, options_.page_follows ? &outcome_.measured.fields.back() : nullptr, &contacts);
       };
       if (!add_field(s, make)) return;
     }
@@ -164,17 +160,17 @@ class Run {
 
 }  // namespace
 
-MeasuredStage measure_stage(const GrainStage& stage, StageResult made, const std::string& kernel) {
-  const auto& [recipe, place, hash, before] = stage;
+StageResult measure_stage(const GrainStage& stage, StageResult made, const std::string& kernel) {
+  const auto& [recipe, place, hash, before, known] = stage;
   made.provenance = {version, made.name, hash, to_toml(part_of(recipe, place)), recipe.seed, kernel, {}};
-  if (made.frames.empty()) return {std::move(made), {}};
+  if (made.frames.empty()) return made;
   texture::Texture texture = texture::measure(made.frames.back().packing, texture_options(recipe, place));
   made.texture = fields::stage_numbers({made, place > 0 ? recipe.stages[place - 1] : dem::Stage{}, place > 1 ? before : nullptr, texture});
-  return {std::move(made), std::move(texture)};
+  if (known) *known = std::move(texture);
+  return made;
 }
 
-std::optional<MeasuredStage> load_stage(const GrainStage& stage, dem::Engine& engine, const fs::path& checkpoint, const RunOptions& options,
-                                        Progress progress) {
+std::optional<StageResult> load_stage(const GrainStage& stage, dem::Engine& engine, const fs::path& checkpoint, const RunOptions& options, Progress progress) {
   const dem::Stage& asked = stage.recipe.stages[stage.place - 1];
   dem::StageRun run = begun_or_kept(engine, asked, stage.hash, checkpoint, options);
   progress.increments = asked.duration ? 0 : dem::increment_count(asked);

@@ -77,23 +77,19 @@ texture::Options texture_options(const Provenance& provenance);
 /// A stage of grains on its own, as a run and Python take it.
 struct GrainStage {
   const recipe::Recipe& recipe;
-  std::size_t place = 0;            ///< 0 is the packing
-  std::string hash;                 ///< names its result
-  const Packing* before = nullptr;  ///< the state that it begins with; null for the packing
-};
-
-struct MeasuredStage {
-  StageResult result;
-  std::optional<texture::Texture> texture;  ///< of the last state, whose numbers the result has; nothing without states
+  std::size_t place = 0;                               ///< 0 is the packing
+  std::string hash;                                    ///< names its result
+  const Packing* before = nullptr;                     ///< the state that it begins with; null for the packing
+  std::optional<texture::Texture>* texture = nullptr;  ///< gets that of the last state, whose numbers the result has; nothing without states
 };
 
 /// Measures what was made of a stage by all that fields::stage_numbers knows, and says where it comes from.
-MeasuredStage measure_stage(const GrainStage& stage, StageResult made, const std::string& kernel = {});
+StageResult measure_stage(const GrainStage& stage, StageResult made, const std::string& kernel = {});
 
 /// Takes the grains of an engine through a stage of loading and measures it. It is kept in the file `checkpoint` on its way, unless that is empty, and
 /// goes on from there; nothing if it was asked to stop.
-std::optional<MeasuredStage> load_stage(const GrainStage& stage, dem::Engine& engine, const std::filesystem::path& checkpoint, const RunOptions& options,
-                                        Progress progress);
+std::optional<StageResult> load_stage(const GrainStage& stage, dem::Engine& engine, const std::filesystem::path& checkpoint, const RunOptions& options,
+                                      Progress progress);
 
 /// The grains in their box before any loading: drawn, placed and relaxed, or read from a file (recipe's [packing]).
 StageResult make_packing(const recipe::Recipe& recipe);

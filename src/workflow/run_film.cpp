@@ -35,7 +35,7 @@ std::string table_of(const FilmResult& film) {
 }
 
 recipe::Recipe read_companion_recipe(const recipe::FilmRecipe& recipe) {
-  const auto file = (std::filesystem::path(recipe.source_file).parent_path() / recipe.simulation->recipe).string();
+  const auto file = recipe.beside(recipe.simulation->recipe).string();
   recipe::Recipe companion = recipe::read_recipe(file);
   companion.source_file = file;
   for (const auto& name : {recipe.simulation->low, recipe.simulation->high}) {

@@ -70,6 +70,8 @@ struct Agreement {
 };
 /// Over grains that are known in both and where `counts` is 1; unknown for fewer than two.
 Agreement agreement(const std::vector<double>& film, const std::vector<double>& simulation, const std::vector<std::uint8_t>& counts);
+/// As all results call them: count, correlation, slope, rms_Pa, rms_sigma_norm.
+Numbers numbers(const Agreement& agreement);
 /// How the film agrees with one source of the simulation: "all" first, then by material where there are several; sets of fewer than three grains are
 /// left out.
 Numbers agreement_of(const Packing& packing, const FilmStresses& stresses, const GrainStresses& simulation);

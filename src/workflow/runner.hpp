@@ -71,7 +71,7 @@ template <class Result> std::optional<Result> carry_out(const StageRecord<Result
   while ((turn = wait_for_turn(stage.key, stage.file, options)).fetched) {
     if (auto fetched = look()) {
       keep_in_store();
-      store->note_reused(stage.key);
+      store->note(Store::Event::reused, stage.key);
       return fetched;
     }
     store->drop(stage.key.hash);
@@ -82,14 +82,14 @@ template <class Result> std::optional<Result> carry_out(const StageRecord<Result
   const auto seconds = [&] { return static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC; };
   const auto made = stage.make(store ? store->checkpoint(stage.key.hash) : stage.file.parent_path() / "run.checkpoint");
   if (!made) {
-    if (store) store->note_begun(stage.key, seconds());
+    if (store) store->note(Store::Event::begun, stage.key, seconds());
     return std::nullopt;
   }
   make_folder(stage.file.parent_path());
   stage.write(stage.file, *made);
   if (store) {
     store->put(stage.key.hash, stage.file);
-    store->note_computed(stage.key, seconds());
+    store->note(Store::Event::computed, stage.key, seconds());
   }
   return stage.read(stage.file);
 }

@@ -96,8 +96,7 @@ recipe::Recipe packing_part(const recipe::Recipe& recipe) {
 std::string packing_key(const recipe::Recipe& recipe, const std::string& part) {
   HashBuilder hash;
   hash.add("packing version", packing_version).add("recipe", part);
-  if (recipe.packing.method == recipe::PackingParameters::Method::file)
-    hash.add("file", content_hash(io::read_file(fs::path(recipe.source_file).parent_path() / recipe.packing.file)));
+  if (recipe.packing.method == recipe::PackingParameters::Method::file) hash.add("file", content_hash(io::read_file(recipe.beside(recipe.packing.file))));
   return hash.hex();
 }
 
@@ -186,12 +185,11 @@ std::string film_key(const fs::path& film, FilmSource& source, const recipe::Fil
   HashBuilder hash;
   hash.add("film version", film_version).add("recipe", changed_keys(recipe));
   add_film(hash, "film", film, source);
-  const auto beside = [&](const std::string& file) { return fs::path(recipe.source_file).parent_path() / file; };
   const auto add_reference = [&](const char* name, const std::string& file) {
-    if (!file.empty()) add_film(hash, name, beside(file), *io::open_film(beside(file), recipe.film.value_or(io::FilmChoice{})));
+    if (!file.empty()) add_film(hash, name, recipe.beside(file), *io::open_film(recipe.beside(file), recipe.film.value_or(io::FilmChoice{})));
   };
   const auto add = [&](const char* name, const std::string& file) {
-    if (!file.empty()) hash.add(name, content_hash(io::read_file(beside(file))));
+    if (!file.empty()) hash.add(name, content_hash(io::read_file(recipe.beside(file))));
   };
   add_reference("cold", recipe.correction.cold);
   add_reference("warm", recipe.correction.warm);

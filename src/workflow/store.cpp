@@ -15,6 +15,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr const char* events[] = {"computed", "begun", "reused"};
+
 /// The same bytes under another name, whole or not at all; what was there before is replaced.
 void place(const fs::path& from, const fs::path& to) {
   ::unlink(to.c_str());
@@ -55,11 +57,9 @@ void Store::put(const std::string& hash, const fs::path& from) const {
 
 void Store::drop(const std::string& hash) const { ::unlink(file(hash).c_str()); }
 
-void Store::note_computed(const PlannedStage& stage, double seconds) const {
-  account_.add(fmt::format("computed\t{}\t{}\t{:.6g}", stage.hash, stage.name, seconds));
+void Store::note(Event event, const PlannedStage& stage, double seconds) const {
+  account_.add(fmt::format("{}\t{}\t{}\t{:.6g}", events[static_cast<std::size_t>(event)], stage.hash, stage.name, seconds));
 }
-void Store::note_begun(const PlannedStage& stage, double seconds) const { account_.add(fmt::format("begun\t{}\t{}\t{:.6g}", stage.hash, stage.name, seconds)); }
-void Store::note_reused(const PlannedStage& stage) const { account_.add(fmt::format("reused\t{}\t{}\t0", stage.hash, stage.name)); }
 
 StoreAccount read_account(const fs::path& store) {
   StoreAccount account;
@@ -71,10 +71,7 @@ StoreAccount read_account(const fs::path& store) {
     const std::string_view event = line.substr(0, a);
     const std::string hash(line.substr(a + 1, b - a - 1));
     const double seconds = parse_number<double>(line.substr(c + 1)).value_or(0);
-    if (event == "reused") {
-      reused.push_back(hash);
-      return;
-    }
+    if (event == "reused") return reused.push_back(hash);
     account.cost[hash] += seconds;
     account.seconds_computed += seconds;
     if (event != "computed") return;

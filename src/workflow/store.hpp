@@ -34,10 +34,9 @@ class Store {
   void put(const std::string& hash, const std::filesystem::path& from) const;
   void drop(const std::string& hash) const;
 
-  // For the account; CPU seconds.
-  void note_computed(const PlannedStage& stage, double seconds) const;
-  void note_begun(const PlannedStage& stage, double seconds) const;  ///< stopped before its end, and to be gone on with
-  void note_reused(const PlannedStage& stage) const;
+  /// For the account; CPU seconds. What is begun was stopped before its end, and is to be gone on with.
+  enum class Event { computed, begun, reused };
+  void note(Event event, const PlannedStage& stage, double seconds = 0) const;
 
  private:
   std::filesystem::path folder_;

@@ -24,6 +24,14 @@ TEST(CriticalStretch, FollowsFromToughness) {
 /// Toughness that breaks bonds at strains where the linearised stretch holds.
 constexpr Toughness weak{1e-5, 1e-5, 3.5e-5};
 
+DamageOptions of_weak_bonds(Loading loading = Loading::tension, int max_events = 10'000) {
+  DamageOptions options;
+  options.toughness = weak;
+  options.loading = loading;
+  options.max_events = max_events;
+  return options;
+}
+
 /// A wide strip cracked halfway from the left at mid-height, clamped along both long edges: far from the tip on the
 /// right it is strained uniformly without lateral contraction, so a crack that runs frees C_1111 strain^2/2 times the
 /// height.
@@ -70,7 +78,7 @@ TEST(Damage, PlateBreaksAlongItsNotch) {
 
 TEST(Damage, CementedPackingBreaksInMatrixAndInterfaceNotInGrains) {
   const PhaseMap map = test::cemented_sample({.nodes = 64, .size_ratio = 2, .bridge = 0.4});
-  const auto result = load_to_failure(map, {.toughness = weak});
+  const auto result = load_to_failure(map, of_weak_bonds());
   EXPECT_TRUE(result.ending == DamageResult::Ending::severed || result.ending == DamageResult::Ending::dropped) << result.sentence;
   std::size_t in_grains = 0;
   for (const auto& bond : result.broken) in_grains += bond.type == particle_bond;
@@ -95,10 +103,9 @@ TEST(Damage, FirstBondBreaksWhereTheElasticFieldReachesItsStretch) {
   const PhaseMap map = test::homogeneous_sample(48, 24);
   const double critical = ElasticBrittle{}.critical_stretch(weak.matrix, 1, map.dx);
   for (const Loading loading : {Loading::tension, Loading::compression, Loading::shear}) {
-    DamageOptions options{.toughness = weak, .loading = loading};
-    options.max_events = 1;
+    const DamageOptions options = of_weak_bonds(loading, 1);
     const auto result = load_to_failure(map, options);
-    const auto elastic = load(map, {.loading = loading, .strain = 1e-4, .tolerance = 1e-9});
+    const auto elastic = load(map, {{.loading = loading, .tolerance = 1e-9}, {.strain = 1e-4}});
     EXPECT_NEAR(result.curve.front().strain * largest_stretch(elastic.field) / 1e-4 / critical, 1, 1e-5);
     EXPECT_NEAR(result.curve.front().stress / (elastic.report.modulus * result.curve.front().strain), 1, 1e-5);
   }
@@ -108,7 +115,8 @@ TEST(Damage, BondsBreakAcrossTheLargestStretchUnderEveryLoading) {
   const PhaseMap map = test::cemented_sample({.nodes = 64, .size_ratio = 2, .bridge = 0.4});
   double strength[3];
   for (const Loading loading : {Loading::tension, Loading::compression, Loading::shear}) {
-    const auto result = load_to_failure(map, {.toughness = weak, .loading = loading, .max_events = 150});
+    const DamageOptions options = of_weak_bonds(loading, 150);
+    const auto result = load_to_failure(map, options);
     EXPECT_LT(result.energy_defect, 1e-4);
     EXPECT_GE(result.curve.back().released, result.curve.back().bond_energy * (1 - 1e-6));
     double along = 0, across = 0, rising = 0;  // means of the broken bonds' directions
@@ -132,7 +140,8 @@ TEST(Damage, BondsBreakAcrossTheLargestStretchUnderEveryLoading) {
 TEST(Damage, HandsBackTheFieldOfTheLargestStress) {
   const PhaseMap map = test::cemented_sample({.nodes = 64, .size_ratio = 2, .bridge = 0.4});
   for (const Loading loading : {Loading::tension, Loading::compression}) {
-    const auto result = load_to_failure(map, {.toughness = weak, .loading = loading, .max_events = 60});
+    const DamageOptions options = of_weak_bonds(loading, 60);
+    const auto result = load_to_failure(map, options);
     double mean = 0;
     for (const double s : result.at_strength.yy) mean += s / static_cast<double>(map.size());
     // The identity: sum sigma_yy V = F (y_top - y_bottom).
@@ -145,7 +154,7 @@ TEST(Damage, WatchSeesTheShareGrowAndMayStop) {
   const PhaseMap map = test::cemented_sample({.nodes = 64, .size_ratio = 2, .bridge = 0.4});
   double share = 0;
   std::size_t broken = 0;
-  DamageOptions options{.toughness = weak};
+  DamageOptions options = of_weak_bonds();
   options.watch = [&](const Progress& p) {
     EXPECT_GE(p.share, share);
     share = p.share;
@@ -162,11 +171,13 @@ TEST(Damage, WatchSeesTheShareGrowAndMayStop) {
 
 TEST(Damage, NonsenseIsRefused) {
   const PhaseMap map = test::homogeneous_sample(20, 20);
-  EXPECT_THROW(load_to_failure(map, {.toughness = {0, 1, 1}}), InputError);
-  EXPECT_THROW(load_to_failure(map, {.loading = Loading::shear, .lower = LowerEdge::sliding}), InputError);
-  EXPECT_THROW(load_to_failure(map, {.max_strain = 0}), InputError);
-  EXPECT_THROW(load_to_failure(map, {.end_stress = 1}), InputError);
-  EXPECT_THROW(load_to_failure(map, {.band = -0.1}), InputError);
+  DamageOptions without_toughness;
+  without_toughness.toughness = {0, 1, 1};
+  EXPECT_THROW(load_to_failure(map, without_toughness), InputError);
+  EXPECT_THROW(load_to_failure(map, {{.loading = Loading::shear, .lower = LowerEdge::sliding}, {}}), InputError);
+  EXPECT_THROW(load_to_failure(map, {{}, {.max_strain = 0}}), InputError);
+  EXPECT_THROW(load_to_failure(map, {{}, {.end_stress = 1}}), InputError);
+  EXPECT_THROW(load_to_failure(map, {{}, {.band = -0.1}}), InputError);
 }
 
 TEST(Damage, SampleWithoutAPathIsNamed) { EXPECT_EQ(load_to_failure(make_phase_map(20, 20, 1), {}).ending, DamageResult::Ending::no_path); }

@@ -21,7 +21,7 @@ Judgement judge_t17(const Results& results) {
   judgement.checks.push_back(
       reported("slope of recovered against true stresses", mean_over_seeds(runs, [](const Run& run) { return campaign::film_number(run.folder(), "slope"); })));
   judgement.checks.push_back(
-      reported("grains with a stress from the films", mean_over_seeds(runs, [](const Run& run) { return campaign::film_number(run.folder(), "grains"); })));
+      reported("grains with a stress from the films", mean_over_seeds(runs, [](const Run& run) { return campaign::film_number(run.folder(), "count"); })));
   judgement.decides =
       "The virtual camera films the stress field of the simulation; friction and damping determine that field, but not the accuracy with which it is "
       "recovered.";

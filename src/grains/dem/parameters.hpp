@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/parameters.hpp"
 #include "core/vec.hpp"
 #include "grains/dem/laws/laws.hpp"
 #include "model/elasticity/disk_field.hpp"
@@ -57,6 +58,7 @@ struct ContactParameters {
   /// Pairs (indices) glued one by one; if empty, every two grains whose zone is > 0 are.
   std::vector<std::pair<std::int32_t, std::int32_t>> glued_pairs;
   bool operator==(const ContactParameters&) const = default;
+  void declare(ParameterVisitor& visitor);
 
   bool adheres() const { return !adhesion.is_none(); }
   bool is_cohesive() const { return !cohesion.is_none(); }
@@ -78,6 +80,7 @@ struct IntegrationParameters {
   std::string kernel = "auto";      ///< "auto", "portable", "avx2", "avx512"
   int threads = 1;
   bool operator==(const IntegrationParameters&) const = default;
+  void declare(ParameterVisitor& visitor);
 };
 
 /// What drives one wall (or, for periodic sides, one edge of the cell) during an increment.
@@ -100,6 +103,7 @@ struct BoundaryMotion {
   std::optional<double> mass = {};  ///< kg; with it the boundary moves under its weight, the grains and the force, from the velocity on that it has
   Vec2 force = {};                  ///< N
   bool operator==(const BoundaryMotion&) const = default;
+  void declare(ParameterVisitor& visitor);
 };
 
 }  // namespace arenite::dem

@@ -22,6 +22,7 @@ struct Programme {
   bool repeat = false;      ///< from the last row on it begins anew
   std::string name = {};    ///< of the boundary that it drives
   bool operator==(const Programme&) const = default;
+  void declare(ParameterVisitor& visitor);
 
   /// At a time since the stage began, s.
   double at(double time) const;
@@ -68,6 +69,7 @@ struct EquilibriumCriterion {
   std::optional<double> mobilisation;   ///< mean |F_t|/F_n below this as well; unset: not asked
   std::int64_t max_steps = 20'000'000;  ///< of one increment; then the stage ends with exit status 3
   bool operator==(const EquilibriumCriterion&) const = default;
+  void declare(ParameterVisitor& visitor);
 };
 
 /// What one side does in a stage. A force is reached from its present value in `increments` equal steps; a pressure acts in full at once.
@@ -86,6 +88,7 @@ struct Cycles {
   std::int64_t increments = 5;              ///< a half cycle
   std::optional<std::int64_t> store_every;  ///< states are stored in the first cycle and every so many; unset: in all
   bool operator==(const Cycles&) const = default;
+  void declare(ParameterVisitor& visitor);
 };
 
 /// Cycles of strain at a given rate: one side goes in and out, or a periodic cell is sheared to and fro, between two strains of the sample as the
@@ -98,6 +101,7 @@ struct StrainCycles {
   std::int64_t count = 0;
   std::optional<std::int64_t> store_every;  ///< as of Cycles
   bool operator==(const StrainCycles&) const = default;
+  void declare(ParameterVisitor& visitor);
 };
 
 /// One stage of loading.

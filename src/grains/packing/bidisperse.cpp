@@ -61,6 +61,22 @@ void hand_over(const TwoClasses& classes, Grains& grains) {
 
 }  // namespace
 
+void BidisperseParameters::declare(ParameterVisitor& v) {
+  v.number({"large_radius", "Mean radius of the large disks.", true}, large_radius, "mm", range::positive);
+  v.number({"size_ratio", "gamma: ratio of the mean radii of large and small disks."}, size_ratio, "", range::between(1, 20));
+  v.number({"volume_ratio", "theta: ratio of the areas of large and small disks."}, volume_ratio, "", range::above(0, 100));
+  v.number({"deviation", "Standard deviation of each class over its mean radius."}, deviation, "", range::between(0, 0.5));
+  v.number({"truncation", "Radii are truncated at this many standard deviations.", false, "cut"}, cut, "", range::above(0, 1.9));
+  v.flag({"truncate_each_class", "Each class is truncated separately; otherwise both to their common range.", false, "cut_each_class"}, cut_each_class);
+  v.flag({"hold_radius", "A radius is kept until it is placed; otherwise it is redrawn at each trial, which favours small ones."}, hold_radius);
+  v.number({"box_area", "Area of the square box over pi large_radius^2."}, box_area, "", range::between(20, 1e6));
+  v.integer({"trials", "Positions tried around a disk before it is given up."}, trials, {1, 10'000});
+  v.flag({"maximal", "After the trials every remaining place where a disk of the class fits is filled; the paper stops after the trials."}, maximal);
+  v.number({"tolerance", "Relative error of the volume ratio at which the search for the gap between large disks ends."}, tolerance, "",
+           range::between(1e-4, 0.5));
+  v.require(deviation * cut < 0.95, {"truncation", "deviation"}, "radii would be truncated at less than 5 % of their mean; lower truncation or deviation");
+}
+
 void check(const BidisperseParameters& p) {
   constexpr double smallest_box = 25;  // a few disks along a side: below it classes have no meaning
   constexpr double most_disks = 2e6;

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 
+#include "core/parameters.hpp"
 #include "model/packing.hpp"
 
 namespace arenite::packing {
@@ -24,6 +25,7 @@ struct BidisperseParameters {
                                 ///< radii); otherwise the sampling ends with the trials (P)
   double tolerance = 0.01;      ///< relative error of theta at which the search for the gap ends
   bool operator==(const BidisperseParameters&) const = default;
+  void declare(ParameterVisitor& visitor);
 };
 
 struct BidisperseReport {

@@ -10,6 +10,23 @@
 
 namespace arenite::packing {
 
+void Region::declare(ParameterVisitor& v) {
+  v.number({"x", "Centre, from the left side.", true}, centre.x, "mm", range::not_negative);
+  v.number({"y", "Centre, from the bottom.", true}, centre.y, "mm", range::not_negative);
+  v.integer({"count", "Number of grains nearest to the centre, instead of a shape."}, count, {1, 100'000'000});
+  v.when(!count, "no count", [&](ParameterVisitor& inner) {
+    inner.choice({"shape", "Outline of the region; grains whose centre lies inside are glued."}, shape,
+                 {{"circle", "of a radius"}, {"rectangle", "of width and height"}});
+  });
+  v.when(!count && shape == Region::Shape::circle, "shape = \"circle\"", [&](ParameterVisitor& inner) {
+    inner.number({"radius", "Radius of the circle.", true}, radius, "mm", range::positive);
+  });
+  v.when(!count && shape == Region::Shape::rectangle, "shape = \"rectangle\"", [&](ParameterVisitor& inner) {
+    inner.number({"width", "Width of the rectangle.", true}, width, "mm", range::positive);
+    inner.number({"height", "Height of the rectangle.", true}, height, "mm", range::positive);
+  });
+}
+
 void refuse_truncation(const UniformSizes& law, const char* name, const char* centre) {
   throw refusal("from {:g} to {:g} m the {} size law has almost none of its grains; move min and max apart, around its {}", law.min, law.max, name, centre);
 }

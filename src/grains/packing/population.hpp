@@ -37,6 +37,7 @@ struct Region {
   double width = 0, height = 0;       ///< rectangle
   std::optional<std::int64_t> count;  ///< the grains nearest to the centre, that many, instead of a shape
   bool operator==(const Region&) const = default;
+  void declare(ParameterVisitor& visitor);
 };
 
 /// Puts the grains of the region into zone 1, all others into zone 0; returns how many are in it.

@@ -5,6 +5,7 @@
 
 #include "model/phase_map.hpp"
 #include "statistics/estimate.hpp"
+#include "statistics/numbers.hpp"
 
 namespace arenite::grid {
 
@@ -74,5 +75,8 @@ PhaseFractions phase_fractions(const PhaseMap& map);
 /// Where the probability density of positive volumes is highest, in their unit: the density of their logarithms under a
 /// Gaussian kernel of Silverman's width, over the volume. NaN for fewer than two different volumes.
 double density_peak(const std::vector<double>& volumes);
+
+/// Size, phases, S_m, grains, pores and voids of any map. Volumes of pores and voids are over pi reference_radius^2.
+Numbers map_numbers(const PhaseMap& map, const CavityRules& rules, double reference_radius);
 
 }  // namespace arenite::grid

@@ -53,20 +53,39 @@ enum class Method {
   damped         ///< P II.C: explicit dynamics under a fixed viscosity below the critical one
 };
 
-struct LoadOptions {
-  Stiffness stiffness{};
+/// How a sample is held and loaded, whatever is looked for; what a recipe's load says in the same words.
+struct LoadCase {
   Loading loading = Loading::tension;
   LowerEdge lower = LowerEdge::fixed;
+  double tolerance = 1e-6;  ///< of the residual of each static solve, relative to that of uniform strain
+  BondLawChoice law{};
+  bool operator==(const LoadCase&) const = default;
+};
+
+/// How the field at a strain is found.
+struct FieldChoices {
   Method method = Method::static_solve;
-  double strain = 1e-4;     ///< displacement of the top row over the distance of the two rows
-  double tolerance = 1e-6;  ///< of the residual, relative to that of uniform strain
-  int max_iterations = 0;   ///< 0: a million steps; for the static solve 50, more for tolerances below 1e-6
+  double strain = 1e-4;    ///< displacement of the top row over the distance of the two rows
+  int max_iterations = 0;  ///< 0: a million steps; for the static solve 50, more for tolerances below 1e-6
   /// P's stretch (|xi + eta| - |xi|)/|xi| along the turned bond; otherwise the linearised one.
   bool exact_stretch = false;
+  bool operator==(const FieldChoices&) const = default;
+};
+
+/// How bonds break, and when a test to failure ends.
+struct FailureChoices {
+  double max_strain = 1;    ///< the test ends here,
+  double end_stress = 0.1;  ///< or when the stress has fallen to this share of the largest
+  /// Bonds within this share of the one furthest beyond its critical stretch break in the same round.
+  double band = 0.05;
+  bool operator==(const FailureChoices&) const = default;
+};
+
+struct LoadOptions : LoadCase, FieldChoices {
+  Stiffness stiffness{};
+  Watch watch{};
   /// Look for hinges in any case; otherwise only where the solve hints at one (a loose node, or many iterations).
   bool look_for_hinges = false;
-  Watch watch{};
-  BondLawChoice law{};
 };
 
 struct FailureState;
@@ -74,24 +93,16 @@ struct FailureState;
 /// Is handed a way to the state; a caller that wants it asks for it (copying it takes time).
 using KeepFailure = std::function<void(const std::function<FailureState()>& state)>;
 
-struct DamageOptions {
+struct DamageOptions : LoadCase, FailureChoices {
   Stiffness stiffness{};
-  Toughness toughness{};
-  Loading loading = Loading::tension;
-  LowerEdge lower = LowerEdge::fixed;
-  std::vector<Cut> cuts{};
-  double tolerance = 1e-6;  ///< of each static solve
-  double max_strain = 1;    ///< the test ends here,
-  double end_stress = 0.1;  ///< or when the stress has fallen to this share of the largest,
-  int max_events = 10'000;  ///< or after so many rounds of breaking
-  /// Bonds within this share of the one furthest beyond its critical stretch break in the same round.
-  double band = 0.05;
   Watch watch{};
+  Toughness toughness{};
+  std::vector<Cut> cuts{};
+  int max_events = 10'000;  ///< rounds of breaking after which the test ends
   /// Called before each round of breaking and, with that round's state, where the watch stopped the work.
   KeepFailure keep{};
   /// Goes on from here, a state of a test of the same map with the same options: the result has the same bits as that of a test in one piece.
   const FailureState* resume = nullptr;
-  BondLawChoice law{};
 };
 
 }  // namespace arenite::peridynamics

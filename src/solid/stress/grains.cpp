@@ -45,20 +45,15 @@ TensorEstimate mean_tensor(const Items& items, const std::vector<int>& block_of,
   return {tensor(e, &Estimate::value), tensor(e, &Estimate::error)};
 }
 
-/// Both over their means; nothing where one of them is zero.
-Numbers agreement(std::vector<double> field, std::vector<double> contacts) {
+/// Of both over their means.
+Numbers agreement(const std::vector<double>& field, const std::vector<double>& contacts) {
   Numbers j{{"grains", statistics::described(field.size(), "", "Grains that are compared")}};
-  const auto over_mean = [](std::vector<double>& v) {
-    double mean = 0;
-    for (const double x : v) mean += x / static_cast<double>(v.size());
-    for (double& x : v) x /= mean;
-    return mean != 0;
-  };
-  if (field.size() < 3 || !over_mean(field) || !over_mean(contacts)) return j;
-  const statistics::Relation relation = statistics::relate(contacts, field);
+  if (field.size() < 3) return j;
+  const auto a = statistics::over_mean(field), b = statistics::over_mean(contacts);
+  const statistics::Relation relation = statistics::relate(b, a);
   put(j, "correlation", relation.pearson, "", "Pearson's correlation of both stresses");
   put(j, "slope", Estimate{relation.line.slope, relation.line.slope_error}, "", "Slope of the field's stress over its mean on that of the contacts");
-  put(j, "rms", statistics::rms_difference(field, contacts), "", "Root mean square of their difference");
+  put(j, "rms", statistics::rms_difference(a, b), "", "Root mean square of their difference");
   return j;
 }
 

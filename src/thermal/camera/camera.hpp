@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/parameters.hpp"
 #include "core/vec.hpp"
 #include "model/film.hpp"
 #include "model/image.hpp"
@@ -90,6 +91,7 @@ struct Parameters {
   radiometry::Band band;
   bool motion = true;      ///< grains move between their places in the two states
   double contact_arc = 0;  ///< half angle over which a contact presses, rad; 0: a point
+  void declare(ParameterVisitor& visitor);
 };
 
 /// The peak-to-peak change of sigma_kk inside one grain, on a square grid round its centre, x fast, from the lower left.

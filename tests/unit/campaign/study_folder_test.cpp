@@ -114,11 +114,11 @@ TEST(Store, CountsWhatWasComputedAndWhatThatSavedOthers) {
   const workflow::PlannedStage packing{"packing", "abcdef", "01-packing-abcdef.h5", false}, load{"load", "ab0000", "02-load-ab0000.h5", true};
   std::ofstream(folder / "made") << "bytes";
   EXPECT_FALSE(store.fetch(packing.hash, folder / "taken"));
-  store.note_begun(packing, 1.5);
+  store.note(workflow::Store::Event::begun, packing, 1.5);
   store.put(packing.hash, folder / "made");
-  store.note_computed(packing, 2);
-  store.note_computed(load, 10);
-  for (int k = 0; k < 3; ++k) store.note_reused(packing);
+  store.note(workflow::Store::Event::computed, packing, 2);
+  store.note(workflow::Store::Event::computed, load, 10);
+  for (int k = 0; k < 3; ++k) store.note(workflow::Store::Event::reused, packing);
   ASSERT_TRUE(store.fetch(packing.hash, folder / "taken"));
   std::stringstream text;
   text << std::ifstream(folder / "taken").rdbuf();

@@ -1,4 +1,4 @@
-#include "recipe/reader.hpp"
+#include "recipe/document.hpp"
 
 #include <gtest/gtest.h>
 

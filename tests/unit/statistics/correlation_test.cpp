@@ -65,5 +65,15 @@ TEST(Correlation, UnknownRowsAreLeftOutAndNothingIsFeigned) {
 
 TEST(Correlation, RootMeanSquareDifferenceByHand) { EXPECT_NEAR(rms_difference({1, 2, 3}, {1, 4, 7}), std::sqrt(20.0 / 3), 1e-15); }
 
+TEST(OverMean, LeavesUnknownValuesOutOfTheMeanAndUnknown) {
+  const auto norm = over_mean({2, unknown, 6});
+  EXPECT_EQ(norm[0], 0.5);
+  EXPECT_TRUE(std::isnan(norm[1]));
+  EXPECT_EQ(norm[2], 1.5);
+  EXPECT_EQ(mean_of_known({2, unknown, 6}, {0, 1, 1}), 6);
+  EXPECT_TRUE(std::isnan(mean_of_known({unknown})));
+  EXPECT_TRUE(std::isnan(over_mean({1, -1})[0]));
+}
+
 }  // namespace
 }  // namespace arenite::statistics

@@ -26,7 +26,12 @@ struct Recorded {
     o.keep = [this](const auto& state) { states.push_back(state()); };
     result = load_to_failure(map, o);
   }
-  DamageOptions options() const { return {.toughness = {1e-5, 1e-5, 3.5e-5}, .tolerance = tolerance, .end_stress = 0.02, .max_events = 70, .band = band}; }
+  DamageOptions options() const {
+    DamageOptions o{{.tolerance = tolerance}, {.end_stress = 0.02, .band = band}};
+    o.toughness = {1e-5, 1e-5, 3.5e-5};
+    o.max_events = 70;
+    return o;
+  }
 };
 
 /// A plate that breaks so far through that the solver is set up anew on the way.

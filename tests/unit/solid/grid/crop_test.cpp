@@ -1,4 +1,4 @@
-#include "workflow/field_stages.hpp"
+#include "solid/grid/crop.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include "support/numbers_of.hpp"
 #include "support/page_sample.hpp"
 
-namespace arenite::workflow {
+namespace arenite::grid {
 namespace {
 
 /// Disks pressed together, with contact forces in equilibrium.
@@ -72,4 +72,4 @@ TEST(CroppedPacking, LabelsComeFirstAndAllTheirContactsStay) {
 }
 
 }  // namespace
-}  // namespace arenite::workflow
+}  // namespace arenite::grid
