@@ -78,35 +78,32 @@ template <class Machine, BondLaw Law> struct Passes {
     return {Stencil<V, Law>::all(prescribed & x_prescribed ? 0 : 1), Stencil<V, Law>::all(prescribed & y_prescribed ? 0 : 1)};
   }
 
-  /// Hands `then(i, own, force, sum)` the force of the bonds where a node is free to move, and returns the sum that it adds to.
-  template <class V, class Then>
-  [[gnu::always_inline]] static double each_free_force(const Bonds& bonds, const std::uint8_t* prescribed, Plane<const typename V::Scalar> u,
-                                                       const Then& then) {
+  template <class V, class T = typename V::Scalar> static double force(const Bonds& bonds, const std::uint8_t* prescribed, Plane<const T> u, Plane<T> f) {
     Sum<Machine> sum;
     Force<V> open{};
     Stencil<V, Law>(bonds, u).sweep([&](int y) { open = freedom<V>(prescribed[y]); },
                                     [&](std::ptrdiff_t i, Force<V> own, Force<V> g) {
-                                      then(i, own, Force<V>{open.x * g.x, open.y * g.y}, sum);
+                                      g = {open.x * g.x, open.y * g.y};
+                                      __builtin_prefetch(f.x + i + bonds.grid.stride, 1);
+                                      __builtin_prefetch(f.y + i + bonds.grid.stride, 1);
+                                      g.x.store(f.x + i);
+                                      g.y.store(f.y + i);
+                                      sum.add(own.x, g.x, own.y, g.y);
                                     });
     return sum.value();
   }
 
-  template <class V, class T = typename V::Scalar> static double force(const Bonds& bonds, const std::uint8_t* prescribed, Plane<const T> u, Plane<T> f) {
-    return each_free_force<V>(bonds, prescribed, u, [&](std::ptrdiff_t i, Force<V> own, Force<V> g, Sum<Machine>& sum) {
-      __builtin_prefetch(f.x + i + bonds.grid.stride, 1);
-      __builtin_prefetch(f.y + i + bonds.grid.stride, 1);
-      g.x.store(f.x + i);
-      g.y.store(f.y + i);
-      sum.add(own.x, g.x, own.y, g.y);
-    });
-  }
-
   static double imbalance(const Bonds& bonds, const std::uint8_t* prescribed, Plane<const double> u, Plane<float> r) {
-    return each_free_force<Doubles>(bonds, prescribed, u, [&](std::ptrdiff_t i, Force<Doubles>, Force<Doubles> g, Sum<Machine>& sum) {
-      store_rough(g.x, r.x + i);
-      store_rough(g.y, r.y + i);
-      sum.add(g.x, g.x, g.y, g.y);
-    });
+    Sum<Machine> sum;
+    Force<Doubles> open{};
+    Stencil<Doubles, Law>(bonds, u).sweep([&](int y) { open = freedom<Doubles>(prescribed[y]); },
+                                          [&](std::ptrdiff_t i, Force<Doubles>, Force<Doubles> g) {
+                                            g = {open.x * g.x, open.y * g.y};
+                                            store_rough(g.x, r.x + i);
+                                            store_rough(g.y, r.y + i);
+                                            sum.add(g.x, g.x, g.y, g.y);
+                                          });
+    return sum.value();
   }
 
   static void chebyshev(const Bonds& bonds, Plane<const float> z, Plane<float> older, Plane<const float> r, BlockPlane inverse, float a, float b) {
@@ -133,13 +130,18 @@ template <class Machine, BondLaw Law> struct Passes {
   static double stormer(const Bonds& bonds, const std::uint8_t* prescribed, Plane<const double> u, Plane<double> older, double a, double b) {
     using V = Doubles;
     const V va = V::all(a), vb = V::all(b);
-    return each_free_force<V>(bonds, prescribed, u, [&](std::ptrdiff_t i, Force<V> own, Force<V> g, Sum<Machine>& sum) {
-      __builtin_prefetch(older.x + i + bonds.grid.stride, 1);
-      __builtin_prefetch(older.y + i + bonds.grid.stride, 1);
-      sum.add(g.x, g.x, g.y, g.y);
-      fma(vb, g.x, fma(va, own.x - V::load(older.x + i), own.x)).store(older.x + i);
-      fma(vb, g.y, fma(va, own.y - V::load(older.y + i), own.y)).store(older.y + i);
-    });
+    Sum<Machine> sum;
+    Force<V> open{};
+    Stencil<V, Law>(bonds, u).sweep([&](int y) { open = freedom<V>(prescribed[y]); },
+                                    [&](std::ptrdiff_t i, Force<V> own, Force<V> g) {
+                                      g = {open.x * g.x, open.y * g.y};
+                                      __builtin_prefetch(older.x + i + bonds.grid.stride, 1);
+                                      __builtin_prefetch(older.y + i + bonds.grid.stride, 1);
+                                      sum.add(g.x, g.x, g.y, g.y);
+                                      fma(vb, g.x, fma(va, own.x - V::load(older.x + i), own.x)).store(older.x + i);
+                                      fma(vb, g.y, fma(va, own.y - V::load(older.y + i), own.y)).store(older.y + i);
+                                    });
+    return sum.value();
   }
 
   static double relax(const Bonds& bonds, Plane<const double> u, Plane<double> older, BlockPlane inverse, double a, double b) {
