@@ -89,19 +89,14 @@ template <int D> using Along = std::conditional_t<D == 2, double, Vec<D>>;
 
 /// Of a vector along the normal of a side, and along the side itself.
 template <int D> constexpr double across(int side, Vec<D> v) { return v[axis_of(side)]; }
-template <int D> constexpr Along<D> along(int side, Vec<D> v) {
-  if constexpr (D == 2) return v[1 - axis_of(side)];
-  else {
-    v[axis_of(side)] = 0;
-    return v;
-  }
-}
+constexpr double along(int side, Vec2 v) { return v[1 - axis_of(side)]; }
 /// The vector of which these are the two.
 constexpr Vec2 of_side(int side, double across, double along) { return axis_of(side) == 0 ? Vec2{across, along} : Vec2{along, across}; }
 constexpr Vec3 of_side(int side, double across, Vec3 along) {
   along[axis_of(side)] = across;
   return along;
 }
+constexpr Vec3 along(int side, Vec3 v) { return of_side(side, 0, v); }
 
 /// One rigid plane. `position` is its coordinate along the axis that is normal to it.
 template <int D> struct WallIn {

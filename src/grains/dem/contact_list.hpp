@@ -95,15 +95,11 @@ struct BondSlot : BondRow<double> {
 /// The slots' numbers side by side, for the loop over them.
 struct BondNumbers {
   std::vector<std::int32_t> i, j;
-  std::array<std::vector<double>, bond_columns> column;  ///< in the order of BondRow
+  Components<bond_columns> column;  ///< in the order of BondRow
   std::vector<std::uint8_t> look;
   std::vector<std::int32_t> across;  ///< slots that mean another image of j than j itself
   bool damped = false;
-  BondRow<double*> columns() {
-    std::array<double*, bond_columns> begin{};
-    std::ranges::transform(column, begin.begin(), [](auto& numbers) { return numbers.data(); });
-    return std::bit_cast<BondRow<double*>>(begin);
-  }
+  BondRow<double*> columns() { return std::bit_cast<BondRow<double*>>(column.data()); }
 };
 
 /// Where the force of bond slot b stands in the list.

@@ -60,7 +60,7 @@ template <int D> bool make_step(SampleIn<D>& s, const ThreadPool& pool) {
   s.lag = lag;
   const CellFrame<D> before = cell_frame(s.domain), listed = cell_frame(s.listed_domain);
   SweepTask<D> task = sweep_task(s, kick, ahead);
-  scheme.template own<D>().move_walls(s, kick, ahead);
+  std::get<OwnSteps<D>>(scheme.own).move_walls(s, kick, ahead);
   const CellFrame<D> after = cell_frame(s.domain);
   for (std::size_t axis = 0; axis < after.size(); ++axis) {
     task.moved[axis] = after[axis].since(before[axis]);

@@ -91,10 +91,6 @@ template <int D> void carry_over(SampleIn<D>& s, ContactListIn<D>& before, const
   });
 }
 
-template <int D> bool bonds_break(const SampleIn<D>& s) {
-  return s.contact.adhesion.visit([](const auto& law) { return law.breaks; });
-}
-
 /// Grains that go with rough walls have slid with them since the list was built.
 void renew_held(Sample& s) {
   number_held(s);
@@ -104,28 +100,7 @@ void renew_held(Sample& s) {
   }
 }
 
-/// Whether grains a and b (caller's indices) attract each other.
-template <int D> bool is_glued(const SampleIn<D>& s, std::int32_t a, std::int32_t b) {
-  if (!s.glue || !s.contact.adheres()) return false;
-  return bonds_break(s) ? std::binary_search(s.live_bonds.begin(), s.live_bonds.end(), pair_key(a, b)) : is_marked_as_glued(s, a, b);
-}
-
 }  // namespace
-
-template <int D> void wrap_over_sides(SampleIn<D>& s, double mass, Vec<D>& place, double& own_x, Vec<D>& seen) {
-  const CellMotion<D> cell = cell_motion(s.domain);
-  const std::int32_t rows = s.domain.cell_of(place).y;
-  const Vec<D> wrapped = s.domain.wrapped(place);
-  if (const double faster = -rows * s.shear_rate * s.domain.extent(1); faster != 0) {
-    if (s.integration.track_energy) s.tally.work_walls += 0.5 * mass * faster * (2 * own_x + faster);
-    own_x += faster;
-    seen.x += faster;
-  }
-  place.x -= rows * s.domain.tilt;
-  for (int axis = 0; axis < D; ++axis)
-    if (s.domain.periodic[axis]) seen[axis] += cell.along[axis].at(wrapped[axis]) - cell.along[axis].at(place[axis]);
-  place = wrapped;
-}
 
 template <int D> void rebuild_list(SampleIn<D>& s, const ThreadPool& pool) {
   check_places(s);
@@ -145,17 +120,6 @@ template <int D> void rebuild_list(SampleIn<D>& s, const ThreadPool& pool) {
   std::swap(s.list, s.former);
   list_contacts(s, pool);
   carry_over(s, s.former, was, pool);
-}
-
-template <int D> geometry::Box<D> room_of(const SampleIn<D>& s) {
-  Vec<D> edge[] = {s.domain.corner(0), s.domain.corner(1)};
-  for (int side = 0; side < sides_in<D>; ++side) {
-    if (!s.wall[side].open) continue;
-    double beyond = 0;
-    for (std::size_t k = 0; k < s.count; ++k) beyond = std::max(beyond, -s.domain.depth(side, s.record[k].place));
-    edge[side % 2][axis_of(side)] -= inward_sign(side) * std::min(beyond, s.domain.extent(axis_of(side)));
-  }
-  return {edge[0], edge[1] - edge[0]};
 }
 
 void number_held(Sample& s) {
@@ -189,41 +153,7 @@ void hold_grains(Sample& s) {
   }
 }
 
-template <int D> bool is_marked_as_glued(const SampleIn<D>& s, std::int32_t a, std::int32_t b) {
-  const auto& zone = s.start.grains.zone;
-  const auto& glued = s.contact.glued_pairs;  // sorted, low index first
-  if (glued.empty()) return zone[a] > 0 && zone[b] > 0;
-  a = grain_of(s, a), b = grain_of(s, b);
-  return std::binary_search(glued.begin(), glued.end(), std::pair{std::min(a, b), std::max(a, b)});
-}
-
-template <int D> Coefficients pair_coefficients(const SampleIn<D>& s, const GrainRecord<D>& a, const GrainRecord<D>& b) {
-  return s.coefficients.pair(a, b, is_glued(s, a.grain, b.grain));
-}
-
-template <int D> void bond_touching_pairs(SampleIn<D>& s) {
-  s.live_bonds.clear();
-  if (s.glue && bonds_break(s)) {
-    for (std::size_t p = 0; p < s.list.pairs; ++p) {
-      const auto &a = s.record[s.list.i[p]], &b = s.record[s.list.j[p]];
-      const double reach = (1 + 1e-6) * (a.radius + b.radius);
-      const auto d = a.place - b.place;
-      if (dot(d, d) < reach * reach && is_marked_as_glued(s, a.grain, b.grain)) s.live_bonds.push_back(slot_key(s, p));
-    }
-    std::sort(s.live_bonds.begin(), s.live_bonds.end());
-  }
-  for (std::size_t p = 0; p < s.list.pairs; ++p) s.list.strength[p] = pair_coefficients(s, s.record[s.list.i[p]], s.record[s.list.j[p]]).strength;
-}
-
-template void wrap_over_sides(SampleIn<2>&, double, Vec2&, double&, Vec2&);
 template void rebuild_list(SampleIn<2>&, const ThreadPool&);
 template void rebuild_list(SampleIn<3>&, const ThreadPool&);
-template geometry::Box<2> room_of(const SampleIn<2>&);
-template geometry::Box<3> room_of(const SampleIn<3>&);
-template bool is_marked_as_glued(const SampleIn<2>&, std::int32_t, std::int32_t);
-template Coefficients pair_coefficients(const SampleIn<2>&, const GrainRecord<2>&, const GrainRecord<2>&);
-template Coefficients pair_coefficients(const SampleIn<3>&, const GrainRecord<3>&, const GrainRecord<3>&);
-template void bond_touching_pairs(SampleIn<2>&);
-template void bond_touching_pairs(SampleIn<3>&);
 
 }  // namespace arenite::dem

@@ -158,20 +158,6 @@ void recall_contacts(Sample& s) {
   });
 }
 
-/// Bonds of the packing go on where the law has any.
-void recall_bonds(Sample& s) {
-  if (s.contact.has_bonds()) s.bonds = s.start.bonds;
-  s.start.bonds.clear();
-}
-
-/// The periodic sides have no walls; their `wall` entries are the edges of the cell.
-template <int D> void clear_periodic_walls(Container<D>& domain) {
-  for (int side = 0; side < sides_in<D>; ++side) {
-    WallIn<D>& wall = domain.wall[side];
-    wall = {wall.present && !domain.is_periodic(side), wall.position};
-  }
-}
-
 }  // namespace
 
 ContactLaws choose_laws(const ContactParameters& contact, double lead, double lag) {
@@ -185,13 +171,6 @@ ContactLaws choose_laws(const ContactParameters& contact, double lead, double la
           contact.normal_damping.has_value(),
           contact.normal_damping.has_value() || contact.sliding_viscosity.has_value()};
 }
-
-template <int D> ContactLaws laws_between_steps(const SampleIn<D>& s) {
-  const double lead = integrator_of(s).lead;
-  return choose_laws(s.contact, lead * s.dt, (1.0 - lead) * s.dt);
-}
-
-template <int D> double time_of(const SampleIn<D>& s) { return s.time_before + static_cast<double>(s.step - s.steps_before) * s.dt; }
 
 void change_step(Sample& s, double dt) {
   s.time_before = time_of(s);
@@ -207,11 +186,6 @@ void allow_step(Sample& s, const char* what) {
     throw InputError(
         fmt::format("integration.time_step of {:.4g} s is beyond what this sample allows with {}; {:.4g} s would do", s.dt, what, 0.999 * largest));
   change_step(s, 0.999 * largest);
-}
-
-template <int D> void apply_friction(SampleIn<D>& s, std::optional<double> override_mu) {
-  s.friction = override_mu.value_or(s.contact.friction);
-  s.wall_friction = override_mu.value_or(s.contact.wall_friction.value_or(s.contact.friction));
 }
 
 template <int D>
@@ -235,7 +209,8 @@ SampleIn<D> make_sample(const PackingIn<D>& start, const ContactParameters& cont
   apply_friction(s, std::nullopt);
   s.drag = integration.drag;
   s.domain = start.domain;
-  clear_periodic_walls(s.domain);
+  for (int side = 0; side < sides_in<D>; ++side)  // periodic sides have no walls; their `wall` entries are the edges of the cell
+    s.domain.wall[side] = {s.domain.wall[side].present && !s.domain.is_periodic(side), s.domain.wall[side].position};
   if constexpr (D == 2) {
     s.element = elements_of(s.domain);
     s.boundary.resize(s.domain.boundaries.size());
@@ -243,12 +218,13 @@ SampleIn<D> make_sample(const PackingIn<D>& start, const ContactParameters& cont
   }
   place_disks(s);
   if constexpr (D == 2) {
-    recall_bonds(s);
+    if (contact.has_bonds()) s.bonds = s.start.bonds;
+    s.start.bonds.clear();
     set_up_cohesion(s);
+    tune_servo(s);
   }
   check_cell(s);
   s.laws = choose_laws(contact, 0.0, 0.0);
-  if constexpr (D == 2) tune_servo(s);
   rebuild_list(s);
   choose_step(s);
   bond_touching_pairs(s);
@@ -265,8 +241,5 @@ SampleIn<D> make_sample(const PackingIn<D>& start, const ContactParameters& cont
 
 template Sample make_sample(const Packing&, const ContactParameters&, const IntegrationParameters&, const Kernel&);
 template SampleIn<3> make_sample(const PackingIn<3>&, const ContactParameters&, const IntegrationParameters&, const KernelIn<3>&);
-template ContactLaws laws_between_steps(const Sample&);
-template double time_of(const Sample&);
-template void apply_friction(Sample&, std::optional<double>);
 
 }  // namespace arenite::dem

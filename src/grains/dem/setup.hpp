@@ -6,7 +6,7 @@
 
 #include "core/threads.hpp"
 #include "grains/dem/engine.hpp"
-#include "grains/dem/sample.hpp"
+#include "grains/dem/movers.hpp"
 
 namespace arenite::dem {
 
@@ -22,7 +22,10 @@ template <int D> void advance(SampleIn<D>& sample, const ThreadPool& pool, std::
 ContactLaws choose_laws(const ContactParameters& contact, double lead, double lag);
 
 /// The laws as the integrator evaluates them from step to step: memories of friction know the step.
-template <int D> ContactLaws laws_between_steps(const SampleIn<D>& sample);
+template <int D> ContactLaws laws_between_steps(const SampleIn<D>& s) {
+  const double lead = integrator_of(s).lead;
+  return choose_laws(s.contact, lead * s.dt, (1.0 - lead) * s.dt);
+}
 
 /// Lists the contacts anew after something came or went; springs stay as they are. What springs hold of a body that is gone, or that came into the
 /// grains, is work of the sides.
@@ -37,10 +40,14 @@ void change_step(Sample& sample, double dt);
 /// Brings the integrated velocities (and Gear's places) to the present, so that a change of load acts from now on.
 void synchronise(Sample& sample);
 
-template <int D> double time_of(const SampleIn<D>& sample);  ///< since the start, s
+/// Since the start, s.
+template <int D> double time_of(const SampleIn<D>& s) { return s.time_before + static_cast<double>(s.step - s.steps_before) * s.dt; }
 
 /// Friction coefficients from the parameters, or `override_mu` at grains and walls alike; none where the law is none.
-template <int D> void apply_friction(SampleIn<D>& sample, std::optional<double> override_mu);
+template <int D> void apply_friction(SampleIn<D>& s, std::optional<double> override_mu) {
+  s.friction = override_mu.value_or(s.contact.friction);
+  s.wall_friction = override_mu.value_or(s.contact.wall_friction.value_or(s.contact.friction));
+}
 
 /// Every bit that decides the future of a sample, beside its start and parameters. The list is not among them: it follows from where the disks were
 /// when it was built, so that restoring lists the same slots in the same order.

@@ -1,4 +1,6 @@
 #pragma once
+#include <tuple>
+
 #include "core/parameters.hpp"
 #include "grains/dem/kernels/sweep.hpp"
 
@@ -27,8 +29,7 @@ struct Integrator {
   /// The stable step: p (omega dt)^2 + q lambda dt = 1 with damping lambda, and omega dt = undamped without.
   double p, q, undamped;
 
-  OwnSteps<2> in_plane = {};
-  OwnSteps<3> in_space = {};
+  std::tuple<OwnSteps<2>, OwnSteps<3>> own = {};
   /// Between steps a predictor and corrector holds a predicted state, whose rates lack this share of the change of acceleration times dt/2, and its
   /// places this share of that times dt^2/2; 0 and 0 of other schemes.
   double velocity_share = 0, position_share = 0;
@@ -36,10 +37,6 @@ struct Integrator {
   bool moves_bodies = true;
 
   bool corrects() const { return velocity_share > 0; }
-  template <int D> const OwnSteps<D>& own() const {
-    if constexpr (D == 2) return in_plane;
-    else return in_space;
-  }
 };
 
 }  // namespace arenite::dem
