@@ -114,6 +114,32 @@ TEST(ThirdDimension, SpheresFallAndTurnByEveryStep) {
   }
 }
 
+/// A gas of elastic spheres in a periodic cell: momentum and energy stay, lists are built anew, and threads give the same bits.
+TEST(ThirdDimension, AGasOfSpheresKeepsMomentumAndEnergy) {
+  Spheres box(1e5);
+  box.start.domain.periodic = {true, true, true};
+  box.contact.restitution = 1;
+  const auto share = [](int k, double by) { return std::fmod(k * by, 1.0) - 0.5; };
+  for (int k = 0; k < 125; ++k)
+    box.add(0.008, 0.02 * Vec3{k % 5 + 0.5, k / 5 % 5 + 0.5, k / 25 + 0.5}, Vec3{share(k, 0.7548), share(k, 0.5698), share(k, 0.4302)});
+  SampleIn<3> s = box.sample(), other = s;
+  const auto momentum = [](const SampleIn<3>& of) {
+    Vec3 sum;
+    for (std::size_t k = 0; k < of.count; ++k) sum += of.record[k].mass * of.velocity[k];
+    return sum;
+  };
+  const Vec3 momentum_before = momentum(s);
+  const double before = energies_of(s).kinetic;
+  advance(s, ThreadPool(1), 4000);
+  advance(other, ThreadPool(2), 4000);
+  const Energies after = energies_of(s);
+  EXPECT_GT(s.builds, 5);
+  EXPECT_GT(after.elastic, 0);
+  EXPECT_NEAR(after.kinetic + after.elastic, before, 1e-3 * before);
+  expect_near(momentum(s), momentum_before, 1e-12);
+  for (std::size_t k = 0; k < s.count; ++k) EXPECT_EQ(s.record[k].place, other.record[k].place);
+}
+
 TEST(ThirdDimension, WhatIsOfThePlaneIsRefused) {
   Spheres box;
   box.add(0.01, {0.05, 0.05, 0.05});
