@@ -55,9 +55,11 @@ template <int D> std::vector<std::vector<NearPair>> find_pairs(const SampleIn<D>
     const GrainRecord<D>& a = s.record[disk];
     const auto before = static_cast<std::ptrdiff_t>(near.size());
     const auto look_at = [&](std::int32_t j) {
-      if (j > k && are_near(s, a, s.record[j])) near.push_back({k, j});
+      if (are_near(s, a, s.record[j])) near.push_back({k, j});
     };
-    inner.for_near(grid, a.place, look_at);
+    inner.for_later(grid, a.place, [&](std::int32_t begin, std::int32_t end) {
+      for (std::int32_t j = std::max(begin, k + 1); j < end; ++j) look_at(j);
+    });
     bool at_edge = false;  // ghosts lie beyond the right and the upper edge
     for (int axis = 0; axis < D; ++axis) at_edge = at_edge || a.place[axis] > upper[axis] - reach;
     if (!s.ghost.empty() && at_edge) {

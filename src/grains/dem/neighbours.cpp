@@ -16,7 +16,7 @@ template <int D> void check_places(const SampleIn<D>& s) {
   for (std::size_t k = 0; k < s.count; ++k) {
     const auto& d = s.record[k];
     const char* fault = nullptr;
-    if (!is_finite(d.place) || !is_finite(d.velocity) || !is_finite(d.omega)) fault = " has a coordinate or velocity that is not finite";
+    if (!is_finite(d.place + d.velocity) || !is_finite(d.omega)) fault = " has a coordinate or velocity that is not finite";
     for (int side = 0; side < sides_in<D> && !fault; ++side)
       if (s.domain.wall[side].present && s.domain.depth(side, d.place) < 0) fault = " has left the container through a wall";
     if (fault) {
