@@ -57,6 +57,7 @@ template <int D, class V> constexpr V dot(Vec<D, V> a, Vec<D, V> b) {
   if constexpr (D == 2) return a.x * b.x + a.y * b.y;
   else return a.x * b.x + a.y * b.y + a.z * b.z;
 }
+inline bool is_finite(double a) { return std::isfinite(a); }
 template <int D> bool is_finite(Vec<D> a) {
   if constexpr (D == 2) return std::isfinite(a.x) && std::isfinite(a.y);
   else return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);

@@ -55,16 +55,24 @@ struct SortedCells {
   }
 
   /// Calls `see` for the items of the cell of a place and those around it, row by row.
-  template <int D, class See> void for_near(const CellGrid<D>& grid, Vec<D> place, See&& see) const { near<D - 1>(grid, place, 0, see); }
+  template <int D, class See> void for_near(const CellGrid<D>& grid, Vec<D> place, See&& see) const {
+    const auto row = [&](std::int32_t begin, std::int32_t end) {
+      for (std::int32_t k = begin; k < end; ++k) see(item[k]);
+    };
+    near<D - 1, false>(grid, place, 0, row);
+  }
+  /// The same without the cells around it that come before it, where items are sorted by cell: `see(begin, end)` of those of each row.
+  template <int D, class See> void for_later(const CellGrid<D>& grid, Vec<D> place, See&& see) const { near<D - 1, true>(grid, place, 0, see); }
 
  private:
-  template <int Axis, int D, class See> void near(const CellGrid<D>& grid, const Vec<D>& place, std::int32_t row, See& see) const {
-    const std::int32_t middle = grid.along(Axis, place[Axis]), from = std::max(middle - 1, 0), to = std::min(middle + 1, grid.count[Axis] - 1);
+  template <int Axis, bool later, int D, class See> void near(const CellGrid<D>& grid, const Vec<D>& place, std::int32_t row, See& see) const {
+    const std::int32_t middle = grid.along(Axis, place[Axis]), before = std::max(middle - 1, 0), to = std::min(middle + 1, grid.count[Axis] - 1);
     row *= grid.count[Axis];
     if constexpr (Axis == 0) {
-      for (std::int32_t k = first[row + from]; k < first[row + to + 1]; ++k) see(item[k]);
+      see(first[row + (later ? middle : before)], first[row + to + 1]);
     } else {
-      for (std::int32_t c = from; c <= to; ++c) near<Axis - 1>(grid, place, row + c, see);
+      if constexpr (later) near<Axis - 1, true>(grid, place, row + middle, see);
+      for (std::int32_t c = later ? middle + 1 : before; c <= to; ++c) near<Axis - 1, false>(grid, place, row + c, see);
     }
   }
 };

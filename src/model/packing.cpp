@@ -8,25 +8,28 @@
 
 namespace arenite {
 
-double Grains::area() const {
+template <int D> double GrainsIn<D>::area() const requires(D == 2) {
   double sum = 0;
   for (const double r : radius) sum += std::numbers::pi * r * r;
   return sum;
 }
 
-double Grains::mean_diameter() const {
+template <int D> double GrainsIn<D>::mean_diameter() const {
   return radius.empty() ? 0 : 2 * std::accumulate(radius.begin(), radius.end(), 0.0) / static_cast<double>(radius.size());
 }
 
-void Grains::resize(std::size_t n) {
+template <int D> void GrainsIn<D>::resize(std::size_t n) {
   const std::size_t old = size();
   id.resize(n);
   for (std::size_t i = old; i < n; ++i) id[i] = static_cast<std::int64_t>(i);
   for (auto* a : {&position, &velocity}) a->resize(n);
-  for (auto* a : {&radius, &angle, &omega}) a->resize(n, 0.0);
+  radius.resize(n, 0.0);
+  for (auto* a : {&angle, &omega}) a->resize(n);
   material.resize(n, 0);
   zone.resize(n, 0);
 }
+template struct GrainsIn<2>;
+template struct GrainsIn<3>;
 
 Grains picked(const Grains& from, const std::vector<std::int32_t>& which, Vec2 origin) {
   Grains grains;
@@ -65,7 +68,8 @@ int Domain::boundary_of(int element) const {
   return -1;
 }
 
-void Contacts::add(std::int32_t a, std::int32_t b, Vec2 n, double normal_force, double tangential_force, double arm_a, double arm_b) {
+template <int D>
+void ContactsIn<D>::add(std::int32_t a, std::int32_t b, Vec<D> n, double normal_force, Turning<D> tangential_force, double arm_a, double arm_b) {
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   i.push_back(a);
   j.push_back(b);
@@ -75,9 +79,11 @@ void Contacts::add(std::int32_t a, std::int32_t b, Vec2 n, double normal_force, 
   arm_i.push_back(arm_a);
   arm_j.push_back(arm_b);
   overlap.push_back(unknown);
-  sliding_velocity.push_back(unknown);
+  sliding_velocity.push_back(Turning<D>{unknown});
   glued.push_back(0);
 }
+template struct ContactsIn<2>;
+template struct ContactsIn<3>;
 
 Vec2 force_on_i(const Packing& packing, const Bond& bond) {
   const Vec2 branch = branch_of(packing, bond), n = branch / norm(branch);

@@ -45,25 +45,26 @@ struct Shapes {
   bool operator==(const Shapes&) const = default;
 };
 
-/// Grains as a structure of arrays: cylinders of equal length seen end on, so disks unless `shapes` says otherwise. All arrays have one length.
+/// Grains as a structure of arrays: cylinders of equal length seen end on, so disks unless `shapes` says otherwise; in space spheres. All arrays have one length.
 /// Index = position in these arrays = what Contacts refer to; `id` is the user's name for a grain.
-struct Grains {
+template <int D> struct GrainsIn {
   std::vector<std::int64_t> id;
-  std::vector<Vec2> position;          ///< of the centre of mass, m
+  std::vector<Vec<D>> position;        ///< of the centre of mass, m
   std::vector<double> radius;          ///< m; of a grain that is no disk that of the disk of its area
   std::vector<std::int32_t> material;  ///< index into Materials
-  std::vector<double> angle;           ///< rotation since the start, rad, counter-clockwise
-  std::vector<Vec2> velocity;          ///< m/s
-  std::vector<double> omega;           ///< rad/s
+  std::vector<Turning<D>> angle;       ///< rotation since the start, rad, counter-clockwise; of spheres the integral of omega
+  std::vector<Vec<D>> velocity;        ///< m/s
+  std::vector<Turning<D>> omega;       ///< rad/s
   std::vector<std::uint8_t> zone;      ///< 0: none; > 0: number of a region (1: glued agglomerate)
-  Shapes shapes;
+  Shapes shapes;                       ///< in the plane alone
 
   std::size_t size() const { return position.size(); }
-  double area() const;           ///< of all, m^2
-  double mean_diameter() const;  ///< m; 0 without grains
+  double area() const requires(D == 2);  ///< of all disks, m^2
+  double mean_diameter() const;          ///< m; 0 without grains
   /// Resizes every array; new grains are at rest at the origin, radius 0, id = index.
   void resize(std::size_t n);
 };
+using Grains = GrainsIn<2>;
 
 /// Those of the grains, at rest, with centres counted from `origin`.
 Grains picked(const Grains& from, const std::vector<std::int32_t>& grains, Vec2 origin = {});
@@ -85,20 +86,29 @@ template <int D = 2> constexpr Vec<D> inward_normal(int side) {
   return normal;
 }
 
-/// Of a vector along the normal of a side, and, in the plane, along the side itself: x and y of left and right.
+/// What lies along a side: in the plane a number, y of left and right and x of bottom and top, in space a vector without the component along the normal.
+template <int D> using Along = std::conditional_t<D == 2, double, Vec<D>>;
+
+/// Of a vector along the normal of a side, and along the side itself.
 template <int D> constexpr double across(int side, Vec<D> v) { return v[axis_of(side)]; }
 constexpr double along(int side, Vec2 v) { return v[1 - axis_of(side)]; }
-/// The vector of the plane of which these are the two.
+/// The vector of which these are the two.
 constexpr Vec2 of_side(int side, double across, double along) { return axis_of(side) == 0 ? Vec2{across, along} : Vec2{along, across}; }
+constexpr Vec3 of_side(int side, double across, Vec3 along) {
+  along[axis_of(side)] = across;
+  return along;
+}
+constexpr Vec3 along(int side, Vec3 v) { return of_side(side, 0, v); }
 
-/// One rigid plane. `position` is its x (left, right) or y (bottom, top).
-struct Wall {
+/// One rigid plane. `position` is its coordinate along the axis that is normal to it.
+template <int D> struct WallIn {
   bool present = true;
-  double position = 0;     ///< m
-  double velocity = 0;     ///< m/s, along +x or +y
-  double force = 0;        ///< normal force that the grains exert on it, N, compression positive
-  double shear_force = 0;  ///< tangential force that the grains exert on it, N, along +y (left, right) or +x (bottom, top)
+  double position = 0;        ///< m
+  double velocity = 0;        ///< m/s, along the axis
+  double force = 0;           ///< normal force that the grains exert on it, N, compression positive
+  Along<D> shear_force = {};  ///< tangential force that the grains exert on it, N
 };
+using Wall = WallIn<2>;
 
 /// A rigid boundary of straight segments within the container: a hopper, a gate, a drum, an intruder. It is thin, with grains on either side, and moves as
 /// it is told, whatever the grains do. Like a wall it may be absent.
@@ -124,7 +134,7 @@ template <int D> using Cells = Vec<D, std::int32_t>;
 /// What holds a sample along its axes: a wall at either end, or periodic sides (then the walls of that direction are absent, and their positions are the
 /// edges of the cell).
 template <int D> struct Container {
-  std::array<Wall, sides_in<D>> wall;
+  std::array<WallIn<D>, sides_in<D>> wall;
   std::array<bool, D> periodic{};  ///< by axis
   double tilt = 0;                 ///< x-shift of the upper image of a sheared periodic cell (Lees-Edwards), m
 
@@ -209,6 +219,9 @@ struct Domain : Container<2> {
   int boundary_of(int element) const;
 };
 
+/// Boundaries are of the plane.
+template <int D> using DomainIn = std::conditional_t<D == 2, Domain, Container<D>>;
+
 /// What Contacts::j says of a partner that is no grain: below 0 stand the four sides, and behind them the elements of boundaries.
 constexpr std::int32_t wall_partner(int side) { return -1 - side; }
 constexpr std::int32_t boundary_partner(int element) { return wall_partner(top) - 1 - element; }
@@ -218,50 +231,54 @@ constexpr int wall_side(std::int32_t partner) { return -1 - partner; }  ///< 4 a
 constexpr int element_of(std::int32_t partner) { return wall_partner(top) - 1 - partner; }
 
 /// Contacts as a structure of arrays, each physical contact once. A contact joins grain i with grain j, or with a wall: then j = wall_partner(side) <
-/// 0, which goes on behind the four sides with the elements of boundaries, boundary_partner(element). n points from j to i, t is n turned by +90 degrees, and the force on i is fn n + ft t (fn > 0 pushes apart); the force on j is the opposite.
+/// 0, which goes on behind the four sides with the elements of boundaries, boundary_partner(element). n points from j to i, t is n turned by +90 degrees,
+/// and the force on i is fn n + ft t (fn > 0 pushes apart), in space fn n + ft x n; the force on j is the opposite.
 /// The contact point lies at x_i - arm_i n and, for two disks, at x_j + arm_j n, so the branch vector from j to i is (arm_i + arm_j) n. The arms of
 /// grains that are no disks begin off their centres, and two of them may meet in more than one contact.
-struct Contacts {
+template <int D> struct ContactsIn {
   std::vector<std::int32_t> i, j;
-  std::vector<Vec2> normal;
-  std::vector<double> fn, ft;            ///< N
-  std::vector<double> arm_i, arm_j;      ///< m; arm_j = 0 for a wall
-  std::vector<double> overlap;           ///< h, m; NaN where the source of the data does not say
-  std::vector<double> sliding_velocity;  ///< v_s, m/s; NaN where unknown
-  std::vector<std::uint8_t> glued;       ///< 1 where adhesion acts
-  std::vector<Vec2> off_i, off_j;        ///< from the centre to where the arm begins, m; empty where all grains are disks
+  std::vector<Vec<D>> normal;
+  std::vector<double> fn;                    ///< N
+  std::vector<Turning<D>> ft;                ///< N
+  std::vector<double> arm_i, arm_j;          ///< m; arm_j = 0 for a wall
+  std::vector<double> overlap;               ///< h, m; NaN where the source of the data does not say
+  std::vector<Turning<D>> sliding_velocity;  ///< v_s, m/s, counted as ft; NaN where unknown
+  std::vector<std::uint8_t> glued;           ///< 1 where adhesion acts
+  std::vector<Vec<D>> off_i, off_j;          ///< from the centre to where the arm begins, m; empty where all grains are disks or spheres
 
   std::size_t size() const { return i.size(); }
   bool is_wall(std::size_t c) const { return arenite::is_wall(j[c]); }
   int wall_side(std::size_t c) const { return arenite::wall_side(j[c]); }  ///< 4 and more: of a boundary
   bool is_boundary(std::size_t c) const { return arenite::is_boundary(j[c]); }
   int element(std::size_t c) const { return element_of(j[c]); }  ///< of the boundary that the contact joins
-  Vec2 force_on_i(std::size_t c) const { return fn[c] * normal[c] + ft[c] * perpendicular(normal[c]); }
+  Vec<D> force_on_i(std::size_t c) const { return fn[c] * normal[c] + cross(ft[c], normal[c]); }
   /// From the centre of grain i to the contact point; the same of grain j (0 for a wall), m.
-  Vec2 lever_i(std::size_t c) const {
-    const Vec2 arm = -arm_i[c] * normal[c];
+  Vec<D> lever_i(std::size_t c) const {
+    const Vec<D> arm = -arm_i[c] * normal[c];
     return off_i.empty() ? arm : off_i[c] + arm;
   }
-  Vec2 lever_j(std::size_t c) const {
-    const Vec2 arm = arm_j[c] * normal[c];
+  Vec<D> lever_j(std::size_t c) const {
+    const Vec<D> arm = arm_j[c] * normal[c];
     return off_j.empty() ? arm : off_j[c] + arm;
   }
   /// From the centre of grain i to that of grain j, or to the wall, m.
-  Vec2 branch(std::size_t c) const { return off_i.empty() ? -(arm_i[c] + arm_j[c]) * normal[c] : lever_i(c) - lever_j(c); }
+  Vec<D> branch(std::size_t c) const { return off_i.empty() ? -(arm_i[c] + arm_j[c]) * normal[c] : lever_i(c) - lever_j(c); }
   /// Adds one contact; overlap and sliding velocity unknown, not glued.
-  void add(std::int32_t i, std::int32_t j, Vec2 normal, double fn, double ft, double arm_i, double arm_j);
+  void add(std::int32_t i, std::int32_t j, Vec<D> normal, double fn, Turning<D> ft, double arm_i, double arm_j);
 };
+using Contacts = ContactsIn<2>;
 
 /// Grains in their container, with the contacts between them where these are known. This is what one stage hands to the next, and what texture, exports
 /// and figures read, whether it was simulated or measured.
-struct Packing {
+template <int D> struct PackingIn {
   Materials materials;
-  Domain domain;
-  Grains grains;
-  Contacts contacts;
+  DomainIn<D> domain;
+  GrainsIn<D> grains;
+  ContactsIn<D> contacts;
   std::vector<Bond> bonds;             ///< sorted by (i, j), broken ones as well
   std::vector<CohesivePair> cohesive;  ///< sorted by (i, j)
 };
+using Packing = PackingIn<2>;
 
 /// Mean normal force of the contacts between grains that push; a contact above it is strong. 0 without such contacts.
 double mean_compressive_force(const Contacts& contacts);

@@ -149,7 +149,7 @@ Numbers numbers_of(const StagePrediction& s) {
 }  // namespace
 
 ShortestCollision shortest_collision(const Packing& packing, const dem::ContactParameters& contact) {
-  const dem::CoefficientTable table(packing.materials, packing.grains, contact);
+  const dem::CoefficientTable table(packing.materials, packing.grains.material, contact);
   ShortestCollision shortest;
   for (std::size_t k = 0; k < packing.grains.size(); ++k) {
     const std::int32_t material = packing.grains.material[k];

@@ -95,7 +95,7 @@ Bulk bulk_of(const Packing& packing, const dem::ContactParameters& contact) {
   }
   bulk.density = mass / (area * bulk.thickness);
   bulk.solid_fraction = area / packing.domain.area();
-  const dem::CoefficientTable table(packing.materials, g, contact);
+  const dem::CoefficientTable table(packing.materials, g.material, contact);
   const auto there = [&](std::size_t m) { return std::find(g.material.begin(), g.material.end(), static_cast<int>(m)) != g.material.end(); };
   for (std::size_t a = 0; a < packing.materials.size(); ++a)
     for (std::size_t b = 0; b <= a; ++b)

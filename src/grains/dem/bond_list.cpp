@@ -81,7 +81,7 @@ void line_up(Sample& s) {
     if (b.shift.x != 0 || b.shift.y != 0) numbers.across.push_back(static_cast<std::int32_t>(n));
     numbers.damped |= b.dashpots.normal > 0;
     const auto values = std::bit_cast<std::array<double, bond_columns>>(static_cast<const BondRow<double>&>(b));
-    for (std::size_t q = 0; q < bond_columns; ++q) numbers.column[q].push_back(values[q]);
+    for (std::size_t q = 0; q < bond_columns; ++q) numbers.column.along[q].push_back(values[q]);
   }
 }
 

@@ -73,7 +73,7 @@ template <class Law> bool look_at(Sample& s, const Law& law, std::size_t n) {
 BondTask bond_task(Sample& s) {
   BondNumbers& numbers = s.bond_numbers;
   const auto column = std::bit_cast<BondRow<const double*>>(numbers.columns());
-  return {s.record.data(),     s.angle.data(), numbers.i.data(), numbers.j.data(), column, &s.list.force[bond_force_place(s.list, 0)],
+  return {s.record.data(),     s.angle.along[0].data(), numbers.i.data(), numbers.j.data(), column, &s.list.force[bond_force_place(s.list, 0)],
           numbers.look.data(), numbers.damped};
 }
 

@@ -55,13 +55,13 @@ double damping_ratio(double restitution, bool may_pull) {
   return -2.0 * l / std::sqrt(std::numbers::pi * std::numbers::pi + l * l);
 }
 
-CoefficientTable::CoefficientTable(const Materials& materials, const Grains& grains, const ContactParameters& contact)
+CoefficientTable::CoefficientTable(const Materials& materials, const std::vector<std::int32_t>& used, const ContactParameters& contact)
     : damping_ratio_(damping_ratio(contact.restitution, contact.attractive_dashpot)),
       of_moduli_(contact.takes_moduli()),
       contact_(contact) {
   const auto spring_of = [](Yielding y) { return Spring{4.0 / 3.0 / y.normal, 4.0 * y.normal / y.shear}; };
   double stiffest = 0;
-  for (const int m : grains.material) stiffest = std::max(stiffest, materials[m].stiffness);
+  for (const int m : used) stiffest = std::max(stiffest, materials[m].stiffness);
   for (const Material& a : materials) {
     for (const Material& b : materials)
       pair_.push_back(of_moduli_ ? spring_of(yielding_of(a) + yielding_of(b))
@@ -78,13 +78,5 @@ Coefficients CoefficientTable::with_dashpots(double stiffness, double shear, dou
   const double damping = contact_.normal_damping.value_or(damping_ratio_ * std::sqrt(reduced_mass * stiffness));
   return {stiffness, damping, contact_.sliding_viscosity.value_or(damping), 0, shear};
 }
-
-Coefficients CoefficientTable::pair(const DiskRecord& a, const DiskRecord& b, bool glued) const {
-  Coefficients c = with_dashpots(pair_stiffness(a, b), of_pair(a, b).shear, a.mass * b.mass / (a.mass + b.mass));
-  if (glued) c.strength = contact_.surface_energy * std::sqrt(elasticity::effective_radius(contact_.effective_radius, a.radius, b.radius));
-  return c;
-}
-
-Coefficients CoefficientTable::wall(const DiskRecord& d) const { return with_dashpots(wall_stiffness(d), wall_[d.material].shear, d.mass); }
 
 }  // namespace arenite::dem

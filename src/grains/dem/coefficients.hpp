@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <vector>
 
 #include "grains/dem/kernels/kernel.hpp"
@@ -20,16 +21,22 @@ struct Coefficients {
 class CoefficientTable {
  public:
   CoefficientTable() = default;
-  CoefficientTable(const Materials& materials, const Grains& grains, const ContactParameters& contact);
+  /// `used`: the materials of grains.
+  CoefficientTable(const Materials& materials, const std::vector<std::int32_t>& used, const ContactParameters& contact);
 
-  Coefficients pair(const DiskRecord& a, const DiskRecord& b, bool glued) const;
-  Coefficients wall(const DiskRecord& d) const;  ///< m_eff = m
+  template <int D> Coefficients pair(const GrainRecord<D>& a, const GrainRecord<D>& b, bool glued) const {
+    Coefficients c = with_dashpots(pair_stiffness(a, b), of_pair(a, b).shear, a.mass * b.mass / (a.mass + b.mass));
+    if (glued) c.strength = contact_.surface_energy * std::sqrt(elasticity::effective_radius(contact_.effective_radius, a.radius, b.radius));
+    return c;
+  }
+  /// m_eff = m.
+  template <int D> Coefficients wall(const GrainRecord<D>& d) const { return with_dashpots(wall_stiffness(d), wall_[d.material].shear, d.mass); }
 
   /// k; (4/3) E* R* where the law is one of E and nu, N/m.
-  double pair_stiffness(const DiskRecord& a, const DiskRecord& b) const {
+  template <int D> double pair_stiffness(const GrainRecord<D>& a, const GrainRecord<D>& b) const {
     return of_pair(a, b).stiffness * (of_moduli_ ? a.radius * b.radius / (a.radius + b.radius) : 1.0);
   }
-  double wall_stiffness(const DiskRecord& d) const { return wall_[d.material].stiffness * (of_moduli_ ? d.radius : 1.0); }
+  template <int D> double wall_stiffness(const GrainRecord<D>& d) const { return wall_[d.material].stiffness * (of_moduli_ ? d.radius : 1.0); }
   /// The largest 4 G*/E* there is.
   double largest_shear() const;
 
@@ -37,7 +44,9 @@ class CoefficientTable {
   struct Spring {
     double stiffness = 0, shear = 0;  ///< k, N/m, of moduli (4/3) E*, Pa; shear as in Coefficients
   };
-  const Spring& of_pair(const DiskRecord& a, const DiskRecord& b) const { return pair_[static_cast<std::size_t>(a.material) * wall_.size() + b.material]; }
+  template <int D> const Spring& of_pair(const GrainRecord<D>& a, const GrainRecord<D>& b) const {
+    return pair_[static_cast<std::size_t>(a.material) * wall_.size() + b.material];
+  }
   Coefficients with_dashpots(double stiffness, double shear, double reduced_mass) const;
 
   std::vector<Spring> pair_, wall_;  ///< by material

@@ -67,7 +67,7 @@ void add_contacts(const Sample& s, Snapshot& shot) {
       Snapshot::Disk& own = shot.disk[mover_of(s, s.record[list.i[p]].grain)];
       Snapshot::Disk* const partner = list.j[p] >= 0 ? &shot.disk[mover_of(s, s.record[list.owner[p]].grain)] : nullptr;
       if (has_levers) {
-        const Levers levers = levers_of(s, p);
+        const Levers<2> levers = levers_of(s, p);
         const Torques torques = own_torques(s, p);
         push(own, dash, slip, torques.i, levers.i);
         if (partner) push(*partner, -dash, -slip, torques.j, levers.j);

@@ -7,7 +7,8 @@
 
 namespace arenite::dem {
 
-struct Sample;
+template <int D> struct SampleIn;
+using Sample = SampleIn<2>;
 
 /// Work done on the sample in a step (J), or the power (W), by class of force.
 struct WorkTerms {

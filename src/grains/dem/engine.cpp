@@ -43,7 +43,8 @@ double servo_energy(const Sample& s) {
 }  // namespace
 
 Engine::Engine(const Packing& start, const ContactParameters& contact, const IntegrationParameters& integration)
-    : machine_(new Machine{make_sample(start, contact, integration), ThreadPool(useful_threads(integration.threads, start.grains.size()))}) {}
+    : machine_(new Machine{make_sample(start, contact, integration, find_kernel(integration.kernel)),
+                           ThreadPool(useful_threads(integration.threads, start.grains.size()))}) {}
 Engine::~Engine() = default;
 Engine::Engine(Engine&&) noexcept = default;
 Engine& Engine::operator=(Engine&&) noexcept = default;
@@ -121,7 +122,7 @@ void Engine::set_friction(std::optional<double> mu) {
 void Engine::set_glue(bool on) {
   Sample& s = machine_->sample;
   if (on == s.glue) return;
-  book_change(s, &Energies::dissipated_breakage, adhesive_energy, [&] {
+  book_change(s, &Energies::dissipated_breakage, adhesive_energy<2>, [&] {
     s.glue = on;
     bond_touching_pairs(s);
   });

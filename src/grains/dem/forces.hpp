@@ -48,7 +48,7 @@ template <int D> inline Kinematics<D> pair_kinematics(const GrainRecord<D>& a, c
 }
 
 /// A disk or sphere and a wall, which moves at `velocity`; the contact point lies on the plane.
-template <int D> inline Kinematics<D> wall_kinematics(const GrainRecord<D>& a, const Wall& wall, Vec<D> velocity, int side, Arms arms) {
+template <int D> inline Kinematics<D> wall_kinematics(const GrainRecord<D>& a, const WallIn<D>& wall, Vec<D> velocity, int side, Arms arms) {
   Kinematics<D> c;
   c.normal = inward_normal<D>(side);
   const double distance = inward_sign(side) * (across(side, a.place) - wall.position);
@@ -65,34 +65,41 @@ template <int D> inline Kinematics<D> wall_kinematics(const GrainRecord<D>& a, c
 Kinematics<2> element_kinematics(const Sample& sample, const DiskRecord& disk, std::int32_t element, bool as_point);
 
 /// What touches in a slot: disk i, or the foot of a polygon on a boundary's point.
-inline const DiskRecord& touching_disk(const Sample& s, std::size_t slot) {
+template <int D> inline const GrainRecord<D>& touching_disk(const SampleIn<D>& s, std::size_t slot) {
   if (slot < s.list.polygons) return s.record[s.list.i[slot]];
   return s.record[s.count + s.ghost.size() + slot - s.list.polygons];
 }
 
-inline Kinematics<2> slot_kinematics(const Sample& s, std::size_t slot) {
-  const DiskRecord& a = touching_disk(s, slot);
+template <int D> inline Kinematics<D> slot_kinematics(const SampleIn<D>& s, std::size_t slot) {
+  const GrainRecord<D>& a = touching_disk(s, slot);
   const std::int32_t j = s.list.j[slot];
   if (j >= 0) return pair_kinematics(a, s.record[j], s.contact.arms);
-  if (is_boundary(j)) return element_kinematics(s, a, element_of(j), slot >= s.list.polygons);
-  const auto side = static_cast<std::size_t>(wall_side(j));
-  const Wall& wall = s.domain.wall[side];
-  return wall_kinematics(a, wall, of_side(static_cast<int>(side), wall.velocity, s.wall[side].drive.slide), static_cast<int>(side), s.contact.arms);
+  if constexpr (D == 2)
+    if (is_boundary(j)) return element_kinematics(s, a, element_of(j), slot >= s.list.polygons);
+  const int side = wall_side(j);
+  const WallIn<D>& wall = s.domain.wall[side];
+  return wall_kinematics(a, wall, of_side(side, wall.velocity, s.wall[side].drive.slide), side, s.contact.arms);
+}
+
+/// How the grains that touch in a slot turn together, rad/s.
+template <int D> Turning<D> spin_of(const SampleIn<D>& s, std::size_t slot) {
+  const Turning<D> spin = touching_disk(s, slot).omega;
+  return s.list.j[slot] < 0 ? spin : spin + s.record[s.list.j[slot]].omega;
 }
 
 /// k_t of a slot that is met so, N/m.
-template <class N> double sliding_stiffness(const Sample& s, const N& normal, std::size_t slot, const Kinematics<2>& c) {
+template <class N, int D> double sliding_stiffness(const SampleIn<D>& s, const N& normal, std::size_t slot, const Kinematics<D>& c) {
   return sliding_stiffness(s.laws, normal, std::max(c.overlap, 0.0), s.list.stiffness[slot], c.curvature, s.list.shear[slot]);
 }
 
 /// Forces of all listed contacts from the records (whose ghosts are fresh), into the list's slots; then the forces of the walls. Springs of the
 /// friction law move on by one step.
-void compute_forces(Sample& sample, const ThreadPool& pool = ThreadPool());
+template <int D> void compute_forces(SampleIn<D>& sample, const ThreadPool& pool = ThreadPool());
 
 /// Adds the moments of rolling resistance to the slots' torques.
-void add_rolling_moments(Sample& sample, const ThreadPool& pool);
+template <int D> void add_rolling_moments(SampleIn<D>& sample, const ThreadPool& pool);
 /// What the rolling springs hold, J.
-double rolling_energy(const Sample& sample);
+template <int D> double rolling_energy(const SampleIn<D>& sample);
 
 /// How far the cohesion of this sample reaches, and how steep it is. InputError where the law makes no sense for its grains.
 void set_up_cohesion(Sample& sample);
@@ -116,8 +123,8 @@ double cohesive_energy(const Sample& sample);
 /// All joined pairs, by the caller's grains.
 std::vector<CohesivePair> cohesive_pairs(const Sample& sample);
 
-/// Forces of the edges of a periodic cell, the means over all its cuts: (1/W) sum f_x l_x. Not part of compute_forces, because only driven edges and
+/// Forces of the edges of a periodic cell, the means over all its cuts: of those across x (1/W) sum f l_x. Not part of compute_forces, because only driven edges and
 /// readers need them.
-void sum_edge_forces(Sample& sample, const ThreadPool& pool = ThreadPool());
+template <int D> void sum_edge_forces(SampleIn<D>& sample, const ThreadPool& pool = ThreadPool());
 
 }  // namespace arenite::dem

@@ -13,7 +13,7 @@
 namespace arenite::dem {
 namespace {
 
-void add_contacts(const Sample& s, Packing& out) {
+template <int D> void add_contacts(const SampleIn<D>& s, PackingIn<D>& out) {
   const auto grain = [&](std::int32_t disk) { return disk < 0 ? disk : grain_of(s, disk); };
   std::vector<std::tuple<std::int32_t, std::int32_t, std::int32_t, std::int32_t, std::size_t>> rows;  // grains, disks, slot
   for (std::size_t p = 0; p < s.list.size(); ++p) {
@@ -24,18 +24,20 @@ void add_contacts(const Sample& s, Packing& out) {
   }
   std::ranges::sort(rows);
   for (const auto& [i, j, disk_i, disk_j, slot] : rows) {
-    const Kinematics<2> c = slot_kinematics(s, slot);
+    const Kinematics<D> c = slot_kinematics(s, slot);
     const bool swapped = s.record[s.list.i[slot]].grain != disk_i;
-    const Vec2 f = s.list.force[slot].on_i;
-    const double fn = dot(f, c.normal), ft = dot(f, perpendicular(c.normal));
+    const Vec<D> f = s.list.force[slot].on_i;
+    const double fn = dot(f, c.normal);
+    const Turning<D> ft = cross(c.normal, f);
     if (swapped) out.contacts.add(i, j, -c.normal, fn, ft, c.arm_j, c.arm_i);
     else out.contacts.add(i, j, c.normal, fn, ft, c.arm_i, c.arm_j);
-    if (!s.part.empty()) {
-      Levers levers = levers_of(s, slot);
-      if (swapped) std::swap(levers.i, levers.j);
-      out.contacts.off_i.push_back(levers.i);
-      out.contacts.off_j.push_back(levers.j);
-    }
+    if constexpr (D == 2)
+      if (!s.part.empty()) {
+        Levers<2> levers = levers_of(s, slot);
+        if (swapped) std::swap(levers.i, levers.j);
+        out.contacts.off_i.push_back(levers.i);
+        out.contacts.off_j.push_back(levers.j);
+      }
     out.contacts.overlap.back() = c.overlap;
     out.contacts.sliding_velocity.back() = c.sliding;
     out.contacts.glued.back() = s.list.strength[slot] > 0 ? 1 : 0;
@@ -43,11 +45,12 @@ void add_contacts(const Sample& s, Packing& out) {
 }
 
 /// Of a mover, J; 0 of one that goes with a wall.
-double kinetic_energy(const Sample& s, std::size_t k) {
+template <int D> double kinetic_energy(const SampleIn<D>& s, std::size_t k) {
   if (k < s.count && find_held(s, s.record[k].grain)) return 0;
-  const Motion<2> v = motion_of(s, k);
-  const Mover m = mover_at(s, k);
-  return 0.5 * m.mass * dot(v.velocity, v.velocity) + 0.5 * m.inertia * v.omega * v.omega;
+  using lane::dot;
+  const Motion<D> v = motion_of(s, k);
+  const Mover<D> m = mover_at(s, k);
+  return 0.5 * m.mass * dot(v.velocity, v.velocity) + dot(0.5 * m.inertia * v.omega, v.omega);
 }
 
 /// Force on a mover, its weight included, N; 0 on one that goes with a wall.
@@ -83,49 +86,56 @@ double over_elastic(double kinetic, double elastic) {
 
 }  // namespace
 
-double adhesive_energy(const Sample& s) {
+template <int D> double adhesive_energy(const SampleIn<D>& s) {
   double sum = 0;
   s.laws.adhesion.visit([&](const auto& adhesion) {
     for (std::size_t p = 0; p < s.list.pairs; ++p)
-      if (const Kinematics<2> c = slot_kinematics(s, p); c.overlap > 0) sum += adhesion.energy(c.overlap, s.list.strength[p]);
+      if (const Kinematics<D> c = slot_kinematics(s, p); c.overlap > 0) sum += adhesion.energy(c.overlap, s.list.strength[p]);
   });
   return sum;
 }
 
-Packing packing_of(const Sample& s) {
-  Packing out;
+template <int D> PackingIn<D> packing_of(const SampleIn<D>& s) {
+  PackingIn<D> out;
   out.materials = s.start.materials;
   out.domain = domain_now(s);
-  out.grains = s.part.empty() ? s.start.grains : s.given;
-  const CellMotion<2> cell = cell_motion(out.domain);
+  out.grains = s.start.grains;
+  if constexpr (D == 2)
+    if (!s.part.empty()) out.grains = s.given;
+  const CellMotion<D> cell = cell_motion(out.domain);
   each_mover(s, [&](std::size_t k) {
-    const Mover m = mover_at(s, k);
-    const Motion<2> own = motion_of(s, k);
+    const Mover<D> m = mover_at(s, k);
+    const Motion<D> own = motion_of(s, k);
     put_grain(out.grains, m.grain, place_of(s, k), m.angle, {own.velocity + cell.at(m.place), own.omega});
   });
-  out.contacts = {};
   add_contacts(s, out);
-  out.bonds = bonds_of(s);
-  out.cohesive = cohesive_pairs(s);
+  if constexpr (D == 2) {
+    out.bonds = bonds_of(s);
+    out.cohesive = cohesive_pairs(s);
+  }
   return out;
 }
 
-Energies energies_of(const Sample& s) {
+template <int D> Energies energies_of(const SampleIn<D>& s) {
   Energies e = s.tally;
   each_mover(s, [&](std::size_t k) { e.kinetic += kinetic_energy(s, k); });
-  for (int side = 0; side < sides; ++side)
-    if (s.wall[side].drive.kind == WallDrive::Kind::force) {
+  for (int side = 0; side < sides_in<D>; ++side)
+    if (s.wall[side].drive.kind == DriveKind::force) {
       const double v = wall_rate(s, side);
       e.kinetic += 0.5 * s.wall[side].mass * v * v;
     }
-  for (std::size_t b = 0; b < s.boundary.size(); ++b)
-    if (const Vec2 v = velocity_of(s, b); s.boundary[b].mass > 0) e.kinetic += 0.5 * s.boundary[b].mass * dot(v, v);
-  e.adhesive = adhesive_energy(s) + cohesive_energy(s);
-  e.elastic += rolling_energy(s) + bond_energy(s);
+  e.adhesive = adhesive_energy(s);
+  e.elastic += rolling_energy(s);
+  if constexpr (D == 2) {
+    for (std::size_t b = 0; b < s.boundary.size(); ++b)
+      if (const Vec2 v = velocity_of(s, b); s.boundary[b].mass > 0) e.kinetic += 0.5 * s.boundary[b].mass * dot(v, v);
+    e.adhesive += cohesive_energy(s);
+    e.elastic += bond_energy(s);
+  }
   s.laws.visit([&]<class N, class A, class F>(const N& normal, const A&, const F& friction) {
-    const ContactList& list = s.list;
+    const ContactListIn<D>& list = s.list;
     for (std::size_t p = 0; p < list.size(); ++p) {
-      const Kinematics<2> c = slot_kinematics(s, p);
+      const Kinematics<D> c = slot_kinematics(s, p);
       if (!(c.overlap > 0)) continue;
       const double remembered = N::remembers ? list.normal_memory[p] : 0.0;
       e.elastic += normal.energy(c.overlap, list.stiffness[p], c.curvature, remembered) +
@@ -134,6 +144,12 @@ Energies energies_of(const Sample& s) {
   });
   return e;
 }
+
+template double adhesive_energy(const SampleIn<2>&);
+template Packing packing_of(const SampleIn<2>&);
+template PackingIn<3> packing_of(const SampleIn<3>&);
+template Energies energies_of(const SampleIn<2>&);
+template Energies energies_of(const SampleIn<3>&);
 
 Equilibrium equilibrium_of(const Sample& s) {
   Equilibrium q;

@@ -10,20 +10,13 @@
 namespace arenite::dem {
 namespace {
 
-SweepTask<2> sweep_task(Sample& s, double kick, double ahead) {
-  SweepTask<2> task{};
+template <int D> SweepTask<D> sweep_task(SampleIn<D>& s, double kick, double ahead) {
+  SweepTask<D> task{};
   task.record = s.record.data();
   task.slots = slot_forces(s.list);
-  const auto point = [](auto& to, auto& from) {
-    for (std::size_t n = 0; n < to.size(); ++n) to[n] = from.along[n].data();
-  };
-  point(task.velocity, s.velocity);
-  point(task.acceleration, s.acceleration);
-  point(task.listed, s.listed);
-  for (std::size_t n = 0; n < s.higher.size(); ++n) point(task.higher[n], s.higher[n]);
-  task.omega = {s.omega.data()};
-  task.angle = {s.angle.data()};
-  task.alpha = {s.alpha.data()};
+  task.velocity = s.velocity.data(), task.acceleration = s.acceleration.data(), task.listed = s.listed.data();
+  task.omega = s.omega.data(), task.angle = s.angle.data(), task.alpha = s.alpha.data();
+  std::ranges::transform(s.higher, task.higher.begin(), [](auto& derivatives) { return derivatives.data(); });
   task.gravity = s.gravity;
   task.before = cell_motion(s.domain);
   task.dt = s.dt;
@@ -34,112 +27,69 @@ SweepTask<2> sweep_task(Sample& s, double kick, double ahead) {
   return task;
 }
 
+/// How far a disk may be from its place in the list, less the affine motion of the cell, before the list may miss a contact, m; 0 or less if the
+/// walls or the cell have moved too far for that.
+template <int D> double list_leeway(const SampleIn<D>& s) {
+  for (int side = 0; side < sides_in<D>; ++side)
+    if (!s.domain.is_periodic(side) && std::abs(s.domain.wall[side].position - s.listed_domain.wall[side].position) > 0.5 * s.skin) return 0;
+  if constexpr (D == 2)
+    if (farthest_moved(s.listed_domain, s.domain) > 0.5 * s.skin) return 0;
+  const CellFrame<D> then = cell_frame(s.listed_domain), now = cell_frame(s.domain);
+  double growth = 0;
+  for (std::size_t axis = 0; axis < now.size(); ++axis) growth += std::abs(now[axis].since(then[axis]).growth());
+  return 0.5 * (s.skin - reach_of(s) * (growth + std::abs(s.sheared - s.listed_sheared)));
+}
+
 }  // namespace
 
-void kick_walls(Sample& s, double kick, double ahead) {
-  for (int side = 0; side < sides; ++side) {
-    WallBody& body = s.wall[side];
-    Wall& wall = s.domain.wall[side];
+template <int D> void kick_walls(SampleIn<D>& s, double kick, double ahead) {
+  for (int side = 0; side < sides_in<D>; ++side) {
+    WallBodyIn<D>& body = s.wall[side];
+    WallIn<D>& wall = s.domain.wall[side];
     body.acceleration = wall_acceleration(s, side, wall.velocity);
     body.rate += kick * body.acceleration;
     wall.position += s.dt * body.rate;
     wall.velocity = body.rate + ahead * body.acceleration;
   }
-  push_boundaries(s, kick, ahead);
+  if constexpr (D == 2) push_boundaries(s, kick, ahead);
 }
 
-bool make_step(Sample& s, const ThreadPool& pool) {
+template <int D> bool make_step(SampleIn<D>& s, const ThreadPool& pool) {
   const Integrator& scheme = integrator_of(s);
   const double lag = scheme.lag * s.dt, kick = s.dt - lag + s.lag, ahead = scheme.ahead * s.dt;
   s.lag = lag;
-  const CellFrame<2> before = cell_frame(s.domain), listed = cell_frame(s.listed_domain);
-  SweepTask<2> task = sweep_task(s, kick, ahead);
-  scheme.move_walls(s, kick, ahead);
-  const CellFrame<2> after = cell_frame(s.domain);
+  const CellFrame<D> before = cell_frame(s.domain), listed = cell_frame(s.listed_domain);
+  SweepTask<D> task = sweep_task(s, kick, ahead);
+  std::get<OwnSteps<D>>(scheme.own).move_walls(s, kick, ahead);
+  const CellFrame<D> after = cell_frame(s.domain);
   for (std::size_t axis = 0; axis < after.size(); ++axis) {
     task.moved[axis] = after[axis].since(before[axis]);
     task.listed_moved[axis] = after[axis].since(listed[axis]);
   }
   task.after = cell_motion(s.domain);
-  move_boundaries(s, s.dt);
+  if constexpr (D == 2) move_boundaries(s, s.dt);
   s.sheared += s.dt * s.shear_rate;
   task.listed_shear = s.sheared - s.listed_sheared;
   task.middle = 0.5 * (s.domain.wall[bottom].position + s.domain.wall[top].position);
   const double leeway = list_leeway(s);
   task.limit = leeway > 0 ? leeway * leeway : -1.0;
-  const Kernel::Sweep loop = s.kernel->sweeps[static_cast<std::size_t>(s.integration.integrator)];
+  const auto loop = s.kernel->sweeps[static_cast<std::size_t>(s.integration.integrator)];
   std::atomic<bool> near = true;
-  if (has_single_disks(s))
+  bool has_single = true;
+  if constexpr (D == 2) has_single = has_single_disks(s);
+  if (has_single)
     pool.for_ranges(s.count, [&](std::size_t begin, std::size_t end) {
       if (!loop(task, begin, end)) near = false;
     });
   if (s.domain.periodic[0]) s.domain.tilt *= after[0].length / before[0].length;
-  s.domain.tilt += s.dt * s.shear_rate * s.domain.height();
-  for (WallBody& body : s.wall) body.slid += s.dt * body.drive.slide;
-  hold_grains(s);
-  const bool bodies_near = move_bodies(s, task, pool);
-  ++s.step;
-  return near && bodies_near;
-}
-
-Acceleration acceleration_of(const Sample& s, std::size_t k) {
-  if (k < s.count && find_held(s, s.record[k].grain)) return {};
-  const Load<2> load = load_on(s, k);
-  const Mover m = mover_at(s, k);
-  return {load.force / m.mass + s.gravity - s.drag * (m.seen.velocity - cell_motion(s.domain).at(m.place)),
-          s.integration.rotations ? load.torque / m.inertia : 0.0};
-}
-
-namespace {
-
-/// What integrated rates and places lack, as so many times the acceleration that a scheme has not foreseen: s and s^2.
-struct Behind {
-  double rate = 0, place = 0;
-};
-Behind behind(const Sample& s) {
-  const Integrator& scheme = integrator_of(s);
-  if (!scheme.corrects()) return {s.lag, 0};
-  if (!s.settled) return {};
-  return {0.5 * scheme.velocity_share * s.dt, 0.5 * scheme.position_share * s.dt * s.dt};
-}
-
-Acceleration unforeseen(const Sample& s, std::size_t k) {
-  const Acceleration a = acceleration_of(s, k);
-  if (!integrator_of(s).corrects()) return a;
-  return {a.linear - s.acceleration[k], a.alpha - s.alpha[k]};
-}
-
-double unforeseen_of_wall(const Sample& s, std::size_t side) {
-  const double a = wall_acceleration(s, side, s.domain.wall[side].velocity);
-  return integrator_of(s).corrects() ? a - s.wall[side].acceleration : a;
-}
-
-}  // namespace
-
-Motion<2> motion_of(const Sample& s, std::size_t k) {
-  const Motion<2> own = mover_at(s, k).own;
-  const double lag = behind(s).rate;
-  if (lag == 0) return own;
-  const Acceleration a = unforeseen(s, k);
-  return {own.velocity + lag * a.linear, own.omega + lag * a.alpha};
-}
-
-Vec2 place_of(const Sample& s, std::size_t k) {
-  const Vec2 place = mover_at(s, k).place;
-  const double lag = behind(s).place;
-  return lag == 0 ? place : place + lag * unforeseen(s, k).linear;
-}
-
-double wall_rate(const Sample& s, std::size_t side) { return s.wall[side].rate + behind(s).rate * unforeseen_of_wall(s, side); }
-
-Domain domain_now(const Sample& s) {
-  Domain domain = s.domain;
-  for (int side = 0; side < sides; ++side) {
-    domain.wall[side].velocity = wall_rate(s, side);
-    domain.wall[side].position += behind(s).place * unforeseen_of_wall(s, side);
+  s.domain.tilt += s.dt * s.shear_rate * s.domain.extent(1);
+  for (WallBodyIn<D>& body : s.wall) body.slid += s.dt * body.drive.slide;
+  if constexpr (D == 2) {
+    hold_grains(s);
+    if (!move_bodies(s, task, pool)) near = false;
   }
-  for (std::size_t b = 0; b < s.boundary.size(); ++b) domain.boundaries[b].velocity = velocity_of(s, b);
-  return domain;
+  ++s.step;
+  return near;
 }
 
 double time_behind(const Sample& s) {
@@ -151,5 +101,10 @@ Vec2 velocity_beside(const Sample& s, std::size_t i, std::size_t j, Vec2 image) 
   const CellMotion<2> cell = cell_motion(s.domain);
   return s.velocity[i] + cell.at(s.record[i].place) - s.velocity[j] - cell.at(s.record[j].place) - image;
 }
+
+template void kick_walls(SampleIn<2>&, double, double);
+template void kick_walls(SampleIn<3>&, double, double);
+template bool make_step(SampleIn<2>&, const ThreadPool&);
+template bool make_step(SampleIn<3>&, const ThreadPool&);
 
 }  // namespace arenite::dem

@@ -83,14 +83,16 @@ struct IntegrationParameters {
   void declare(ParameterVisitor& visitor);
 };
 
+enum class DriveKind { fixed, velocity, force };
 /// What drives one wall (or, for periodic sides, one edge of the cell) during an increment.
-struct WallDrive {
-  enum class Kind { fixed, velocity, force };
+template <int D> struct WallDriveIn {
+  using Kind = DriveKind;
   Kind kind = Kind::fixed;
-  double value = 0;  ///< m/s along +x or +y, or N pressing into the sample (compression positive)
-  double slide = 0;  ///< m/s of a wall along itself, along +y (left, right) or +x (bottom, top)
-  bool operator==(const WallDrive&) const = default;
+  double value = 0;     ///< m/s along the wall's axis, or N pressing into the sample (compression positive)
+  Along<D> slide = {};  ///< m/s of a wall along itself
+  bool operator==(const WallDriveIn&) const = default;
 };
+using WallDrive = WallDriveIn<2>;
 using WallDrives = BySide<WallDrive>;
 
 /// How a boundary moves in a stage; one that is not named is there, at rest.

@@ -12,25 +12,26 @@
 
 namespace arenite::dem {
 
-/// The periodic image of a disk, kept as a record behind the disks'.
-struct Ghost {
+/// The periodic image of a disk or sphere, kept as a record behind the disks'.
+template <int D> struct Ghost {
   std::int32_t source = 0;
-  Cells<2> shift;
+  Cells<D> shift;
 };
 
 /// One wall, or one edge of a periodic cell, as a body that moves along its axis.
-struct WallBody {
-  WallDrive drive;
+template <int D> struct WallBodyIn {
+  WallDriveIn<D> drive;
   double sample_mass = 0;          ///< kg
   double mass = 0, impedance = 0;  ///< of a force-controlled wall, kg and N s/m (see walls.cpp)
-  double drift = 0;                ///< slow mean of the velocity of a force-controlled wall, m/s along +x or +y
-  double rate = 0;                 ///< integrated velocity (half a step behind under Verlet), m/s along +x or +y
+  double drift = 0;                ///< slow mean of the velocity of a force-controlled wall, m/s along its axis
+  double rate = 0;                 ///< integrated velocity (half a step behind under Verlet), m/s along its axis
   double acceleration = 0;
   std::array<double, 4> higher{};  ///< Gear's further derivatives
-  double slid = 0;                 ///< way along itself so far, m
+  Along<D> slid = {};              ///< way along itself so far, m
   bool rough = false;              ///< grains near it when it becomes rough go with it
   bool open = false;               ///< taken away
 };
+using WallBody = WallBodyIn<2>;
 
 /// A boundary that has a mass moves under forces.
 struct BoundaryBody {
@@ -80,80 +81,75 @@ struct Foot {
   Vec2 lever;                          ///< from the body's centre, m
 };
 
-/// A vector of each disk, one array a component, as the sweeps read them.
-template <int D> struct Components {
-  std::array<std::vector<double>, D> along;
-  Vec<D> operator[](std::size_t k) const {
-    return by_axis<D>([&](int axis) { return along[axis][k]; });
-  }
-  void put(std::size_t k, Vec<D> v) {
-    for (int axis = 0; axis < D; ++axis) along[axis][k] = v[axis];
-  }
+/// What is of the plane: what a sample can have beside single disks and walls, and the account of its energy.
+template <int D> struct PlaneParts {};
+template <> struct PlaneParts<2> {
+  Programmes programmes;         ///< of the stage under way; not saved, since every stage sets them
+  std::vector<Element> element;  ///< of the domain's boundaries
+  std::vector<BoundaryBody> boundary;
+  std::vector<Foot> foot, point_foot;  ///< of disks and of boundaries' points; the records of the latter are the last ones
+  Grains given;                        ///< the caller's, where some are no disks: `start` then has their disks, and "grain" within means a disk
+  std::vector<Body> body;
+  std::vector<BodyDisk> part;           ///< by disk of `start`; empty where all grains are disks
+  std::vector<std::int32_t> part_disk;  ///< the disks' inner numbers; renewed with the list
+  std::vector<Vec2> lever;              ///< by inner number: from the centre of a disk's body to its own; empty like `part`
+
+  std::vector<HeldGrain> held;          ///< sorted by grain
+  std::vector<std::int32_t> held_disk;  ///< their inner numbers; renewed with the list
+  std::vector<double> held_angle;       ///< and their angles, which do not change
+  std::vector<Bond> bonds;              ///< sorted by their grains; without the forces of now
+  std::vector<BondSlot> bond_slots;     ///< of the bonds that held when the list was built
+  BondNumbers bond_numbers;
+  EnergyBalance balance;  ///< only if track_energy
 };
 
-/// Everything that decides the future, and the set-up that follows from it. Disks are kept in an inner order that follows the cells;
+/// Everything that decides the future, and the set-up that follows from it. Disks (in space spheres) are kept in an inner order that follows the cells;
 /// `record[k].grain` leads back to the caller's.
-struct Sample {
-  Packing start;  ///< as given: materials, ids, zones; its contacts are dropped after the start
+template <int D> struct SampleIn : PlaneParts<D> {
+  PackingIn<D> start;  ///< as given: materials, ids, zones; its contacts are dropped after the start
   ContactParameters contact;
   IntegrationParameters integration;
   CoefficientTable coefficients;
   ContactLaws laws;
-  const Kernel* kernel = nullptr;  ///< the inner loops in use
-  double dt = 0, dt_at_start = 0;  ///< the step, which other masses may shorten where the program chose it
+  const KernelIn<D>* kernel = nullptr;  ///< the inner loops in use
+  double dt = 0, dt_at_start = 0;       ///< the step, which other masses may shorten where the program chose it
   double friction = 0, wall_friction = 0, drag = 0;
   MassScaling mass_scaling = MassScaling::none;
   double inertial_number = default_inertial_number;  ///< of the servo, see walls.hpp
-  Vec2 gravity;
+  Vec<D> gravity;
   double shear_rate = 0;  ///< of a cell that is periodic both ways, du_x/dy, 1/s (Lees and Edwards 1972)
   bool glue = true;
-  Programmes programmes;  ///< of the stage under way; not saved, since every stage sets them
 
-  Domain domain;
-  BySide<WallBody> wall;
-  std::vector<Element> element;  ///< of the domain's boundaries
-  std::vector<BoundaryBody> boundary;
+  DomainIn<D> domain;
+  std::array<WallBodyIn<D>, sides_in<D>> wall;
   std::int64_t step = 0;
   std::int64_t steps_before = 0;  ///< made before the step was last shortened,
   double time_before = 0;         ///< and the time then, s
   double lag = 0;                 ///< how far the integrated velocities are behind the positions, s: 0 or dt/2
 
   std::size_t count = 0;  ///< disks; the records behind them are ghosts
-  std::vector<DiskRecord> record;
-  Components<2> velocity, acceleration;     ///< integrated velocities, less the affine motion of a periodic cell; last accelerations
-  std::vector<double> omega, angle, alpha;  ///< the same of the turning
-  std::array<Components<3>, 3> higher;      ///< Gear: of x, y and angle the third to fifth derivatives
-  std::vector<Ghost> ghost;                 ///< and behind them one for each foot of a disk
-  std::vector<Foot> foot, point_foot;       ///< of disks and of boundaries' points; the records of the latter are the last ones
-  ContactList list, former;                 ///< `former`: the list before the last rebuild, kept for its memory
+  std::vector<GrainRecord<D>> record;
+  Components<D> velocity, acceleration;               ///< integrated velocities, less the affine motion of a periodic cell; last accelerations
+  Turnings<D> omega, angle, alpha;                    ///< the same of the turning
+  std::array<Components<3>, D + turnings<D>> higher;  ///< Gear: of each coordinate and angle the third to fifth derivatives
+  std::vector<Ghost<D>> ghost;                        ///< and behind them one for each foot of a disk
+  ContactListIn<D> list, former;                      ///< `former`: the list before the last rebuild, kept for its memory
   double skin = 0, largest_radius = 0;
-  Components<2> listed;  ///< where the disks were when the list was built
-  Domain listed_domain;
+  Components<D> listed;  ///< where the disks were when the list was built
+  DomainIn<D> listed_domain;
   double sheared = 0, listed_sheared = 0;  ///< shear strain by shear_rate so far, and when the list was built
   std::int64_t builds = 0;
-  Grains given;  ///< the caller's, where some are no disks: `start` then has their disks, and "grain" within means a disk
-  std::vector<Body> body;
-  std::vector<BodyDisk> part;           ///< by disk of `start`; empty where all grains are disks
-  std::vector<std::int32_t> part_disk;  ///< the disks' inner numbers; renewed with the list
-  std::vector<Vec2> lever;              ///< by inner number: from the centre of a disk's body to its own; empty like `part`
-
-  std::vector<HeldGrain> held;            ///< sorted by grain
-  std::vector<std::int32_t> held_disk;    ///< their inner numbers; renewed with the list
-  std::vector<double> held_angle;         ///< and their angles, which do not change
   std::vector<std::uint64_t> live_bonds;  ///< sorted keys of glued pairs, where these part for good
-  std::vector<Bond> bonds;                ///< sorted by their grains; without the forces of now
-  std::vector<BondSlot> bond_slots;       ///< of the bonds that held when the list was built
-  BondNumbers bond_numbers;
   CohesionTable cohesion;
 
-  Energies tally;         ///< dissipation and work so far
-  EnergyBalance balance;  ///< only if track_energy
-  bool settled = false;   ///< the integrator has its starting values
+  Energies tally;        ///< dissipation and work so far
+  bool settled = false;  ///< the integrator has its starting values
 };
 
-/// What moves the disks, array by array.
-inline auto motion_arrays(Sample& s) {
-  return std::array{&s.velocity.along[0], &s.velocity.along[1], &s.acceleration.along[0], &s.acceleration.along[1], &s.omega, &s.angle, &s.alpha};
+/// Calls `see` with what moves the disks, array by array.
+template <int D, class See> void each_motion_array(SampleIn<D>& s, const See& see) {
+  for (auto* vectors : {&s.velocity, &s.acceleration}) std::ranges::for_each(vectors->along, see);
+  for (auto* turnings : {&s.omega, &s.angle, &s.alpha}) std::ranges::for_each(turnings->along, see);
 }
 
 /// Key of an unordered pair of grains (caller's indices).
@@ -162,14 +158,16 @@ inline std::uint64_t pair_key(std::int32_t a, std::int32_t b) {
   return (std::uint64_t{low} << 32) | high;
 }
 
-inline std::uint64_t slot_key(const Sample& s, std::size_t slot) {
+template <int D> inline std::uint64_t slot_key(const SampleIn<D>& s, std::size_t slot) {
   const std::int32_t a = s.record[s.list.i[slot]].grain;
   const std::int32_t j = s.list.j[slot];
   return pair_key(a, j < 0 ? j : s.record[s.list.owner[slot]].grain);
 }
 
 /// Affine motion of a periodic cell: homogeneous between two edges.
-inline AffineMotion affine_between(const Wall& a, const Wall& b) { return {a.position, a.velocity, (b.velocity - a.velocity) / (b.position - a.position)}; }
+template <int D> inline AffineMotion affine_between(const WallIn<D>& a, const WallIn<D>& b) {
+  return {a.position, a.velocity, (b.velocity - a.velocity) / (b.position - a.position)};
+}
 template <int D> inline CellMotion<D> cell_motion(const Container<D>& d) {
   CellMotion<D> motion;
   for (std::size_t axis = 0; axis < motion.along.size(); ++axis)
@@ -192,12 +190,12 @@ template <int D> inline CellFrame<D> cell_frame(const Container<D>& d) {
 }
 
 /// How fast the image of a place some cells on moves past it, m/s.
-inline Vec2 image_velocity(const Sample& s, Cells<2> shift) {
-  if ((shift.x | shift.y) == 0) return {};
-  const auto& w = s.domain.wall;
-  const double stretch_x = s.domain.periodic[0] ? w[right].velocity - w[left].velocity : 0;
-  const double stretch_y = s.domain.periodic[1] ? w[top].velocity - w[bottom].velocity : 0;
-  return {shift.x * stretch_x + shift.y * (s.domain.tilt * stretch_x / s.domain.width() + s.shear_rate * s.domain.height()), shift.y * stretch_y};
+template <int D> inline Vec<D> image_velocity(const SampleIn<D>& s, Cells<D> shift) {
+  if (shift == Cells<D>{}) return {};
+  const auto stretch = [&](int axis) { return s.domain.periodic[axis] ? s.domain.wall[2 * axis + 1].velocity - s.domain.wall[2 * axis].velocity : 0; };
+  Vec<D> velocity = by_axis<D>([&](int axis) { return shift[axis] * stretch(axis); });
+  velocity.x += shift.y * (s.domain.tilt * stretch(0) / s.domain.extent(0) + s.shear_rate * s.domain.extent(1));
+  return velocity;
 }
 
 /// Of a grain (caller's index) that goes with a rough wall; nullptr of any other.
@@ -205,11 +203,23 @@ inline const HeldGrain* find_held(const Sample& s, std::int32_t grain) {
   const auto at = std::lower_bound(s.held.begin(), s.held.end(), grain, [](const HeldGrain& h, std::int32_t g) { return h.grain < g; });
   return at != s.held.end() && at->grain == grain ? &*at : nullptr;
 }
+constexpr const HeldGrain* find_held(const SampleIn<3>& /*s*/, std::int32_t /*grain*/) { return nullptr; }
 
 /// The body that a disk of `start` belongs to; -1 for none. The caller's index of its grain.
-inline std::int32_t body_of(const Sample& s, std::int32_t disk) { return s.part.empty() ? -1 : s.part[disk].body; }
-inline std::int32_t grain_of(const Sample& s, std::int32_t disk) { return s.part.empty() ? disk : s.part[disk].grain; }
-inline bool is_part(const Sample& s, std::size_t k) { return body_of(s, s.record[k].grain) >= 0; }
+template <int D> inline std::int32_t body_of(const SampleIn<D>& s, std::int32_t disk) {
+  if constexpr (D == 2) return s.part.empty() ? -1 : s.part[disk].body;
+  else return -1;
+}
+template <int D> inline std::int32_t grain_of(const SampleIn<D>& s, std::int32_t disk) {
+  if constexpr (D == 2) return s.part.empty() ? disk : s.part[disk].grain;
+  else return disk;
+}
+template <int D> inline bool is_part(const SampleIn<D>& s, std::size_t k) { return body_of(s, s.record[k].grain) >= 0; }
+/// How many bodies there are.
+template <int D> inline std::size_t body_count(const SampleIn<D>& s) {
+  if constexpr (D == 2) return s.body.size();
+  else return 0;
+}
 /// Where a disk that is a grain, or the body of one that is not, stands in arrays over the disks of `start` and the bodies behind them.
 inline std::size_t mover_of(const Sample& s, std::int32_t disk) {
   const std::int32_t body = body_of(s, disk);
@@ -218,6 +228,6 @@ inline std::size_t mover_of(const Sample& s, std::int32_t disk) {
 inline std::size_t grain_count(const Sample& s) { return s.part.empty() ? s.count : s.given.size(); }
 
 /// Centres of touching disks, or of disks in the list, are never farther apart, m.
-inline double reach_of(const Sample& s) { return 2.0 * s.largest_radius + s.skin + s.cohesion.reach; }
+template <int D> inline double reach_of(const SampleIn<D>& s) { return 2.0 * s.largest_radius + s.skin + s.cohesion.reach; }
 
 }  // namespace arenite::dem

@@ -85,9 +85,9 @@ template <class Archive> class Members {
 
   /// The slots' contents; their number follows from the list.
   void take(ContactList& list) {
-    take(list.strength);
-    for (auto* memory : list.memories())
-      if (memory == &list.memory || !memory->empty()) take(*memory);
+    (*this)(list.strength, list.memory);
+    for (auto* memory : {&list.normal_memory, &list.rolling_memory, &list.pull})
+      if (!memory->empty()) take(*memory);
     (*this)(list.force, list.bond);
   }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include "core/error.hpp"
@@ -20,7 +21,8 @@ namespace {
 bool positive(double v) { return std::isfinite(v) && v > 0; }
 bool not_negative(double v) { return std::isfinite(v) && v >= 0; }
 
-void check_parameters(Problems& problems, const Packing& start, const ContactParameters& contact, const IntegrationParameters& integration) {
+template <int D>
+void check_parameters(Problems& problems, const PackingIn<D>& start, const ContactParameters& contact, const IntegrationParameters& integration) {
   problems.unless(contact.restitution > 0 && contact.restitution <= 1, "restitution {} must be above 0 and at most 1", contact.restitution);
   problems.unless(not_negative(contact.friction), "friction {} must be a number >= 0", contact.friction);
   problems.unless(not_negative(contact.wall_friction.value_or(0)), "wall friction {} must be a number >= 0", contact.wall_friction.value_or(0));
@@ -49,60 +51,76 @@ void check_moduli(Problems& problems, const Material& m, const NormalLaw& law) {
   problems.unless(nu >= 0 && nu <= 0.5, "poisson {} of material \"{}\" must lie between 0 and 0.5", nu, m.name);
 }
 
-void check_packing(Problems& problems, const Packing& start, const ContactParameters& contact) {
-  const Domain& domain = start.domain;
+/// What only the plane has.
+void check_plane(Problems& problems, const Packing& start, const ContactParameters& contact, const IntegrationParameters& integration) {
+  problems.unless(positive(start.domain.thickness), "thickness {} m must be above 0", start.domain.thickness);
+  check_boundaries(problems, start.domain);
+  check_shapes(problems, start, contact, integration);
+}
+void check_plane(Problems& problems, const PackingIn<3>& /*start*/, const ContactParameters& contact, const IntegrationParameters& integration) {
+  problems.unless(!contact.has_bonds() && !contact.is_cohesive(), "bonds and cohesion are of the plane");
+  problems.unless(!integration.track_energy, "the account of energy is of the plane");
+}
+
+template <int D> void check_packing(Problems& problems, const PackingIn<D>& start, const ContactParameters& contact) {
+  const DomainIn<D>& domain = start.domain;
   problems.unless(start.grains.size() > 0, "the packing has no grains");
-  problems.unless(positive(domain.width()) && positive(domain.height()), "the container must have a width and a height above 0");
-  problems.unless(positive(domain.thickness), "thickness {} m must be above 0", domain.thickness);
+  bool extended = true;
+  for (int axis = 0; axis < D; ++axis) extended = extended && positive(domain.extent(axis));
+  problems.unless(extended, "the container must have a width and a height above 0");
   for (const auto& m : start.materials) {
     problems.unless(positive(m.density), "density {} kg/m^3 of material \"{}\" must be above 0", m.density, m.name);
     if (contact.takes_moduli()) check_moduli(problems, m, contact.normal);
     else problems.unless(positive(m.stiffness), "stiffness {} N/m of material \"{}\" must be above 0", m.stiffness, m.name);
   }
-  check_boundaries(problems, domain);
-  const Grains& g = start.grains;
+  const GrainsIn<D>& g = start.grains;
   for (std::size_t k = 0; k < g.size(); ++k) {
     problems.unless(positive(g.radius[k]), "radius {} m of grain {} must be above 0", g.radius[k], g.id[k]);
-    problems.unless(std::isfinite(g.position[k].x + g.position[k].y + g.velocity[k].x + g.velocity[k].y + g.omega[k]),
-                    "grain {} has a coordinate or velocity that is not a number", g.id[k]);
+    problems.unless(is_finite(g.position[k]) && is_finite(g.velocity[k]) && is_finite(g.omega[k]), "grain {} has a coordinate or velocity that is not a number",
+                    g.id[k]);
     problems.unless(g.material[k] >= 0 && static_cast<std::size_t>(g.material[k]) < start.materials.size(),
                     "material {} of grain {} is not among the {} materials", g.material[k], g.id[k], start.materials.size());
     bool inside = true;
-    for (int side = 0; side < sides; ++side) inside = inside && (!domain.wall[side].present || domain.depth(side, g.position[k]) >= 0);
+    for (int side = 0; side < sides_in<D>; ++side) inside = inside && (!domain.wall[side].present || domain.depth(side, g.position[k]) >= 0);
     problems.unless(inside, "the centre of grain {} is outside of the container", g.id[k]);
   }
 }
 
-void place_disks(Sample& s) {
-  const Grains& g = s.start.grains;
+template <int D> void place_disks(SampleIn<D>& s) {
+  const GrainsIn<D>& g = s.start.grains;
   s.count = g.size();
   s.record.resize(s.count);
-  const CellMotion<2> cell = cell_motion(s.domain);
-  for (auto* a : motion_arrays(s)) a->assign(s.count, 0.0);
+  const CellMotion<D> cell = cell_motion(s.domain);
+  each_motion_array(s, [&](auto& a) { a.assign(s.count, 0.0); });
   for (std::size_t k = 0; k < s.count; ++k) {
     const double r = g.radius[k];
-    s.omega[k] = s.integration.rotations ? g.omega[k] : 0.0;
-    s.record[k] = {g.position[k], g.velocity[k], s.omega[k], r, 0, g.material[k], static_cast<std::int32_t>(k)};
-    s.record[k].mass = own_mass(s, static_cast<std::int32_t>(k));
+    const Turning<D> omega = s.integration.rotations ? g.omega[k] : Turning<D>{};
+    s.omega.put(k, omega);
+    s.record[k] = {g.position[k], g.velocity[k], omega, r, 0, g.material[k], static_cast<std::int32_t>(k)};
+    if constexpr (D == 2) s.record[k].mass = own_mass(s, static_cast<std::int32_t>(k));
+    else s.record[k].mass = s.start.materials[g.material[k]].density * (4.0 / 3.0 * std::numbers::pi * r * r * r);
     s.velocity.put(k, g.velocity[k] - cell.at(g.position[k]));
-    s.angle[k] = g.angle[k];
+    s.angle.put(k, g.angle[k]);
     s.largest_radius = std::max(s.largest_radius, r);
   }
-  const std::vector<double>& radius = s.part.empty() ? g.radius : s.given.radius;
-  s.skin = 0.15 * std::accumulate(radius.begin(), radius.end(), 0.0) / static_cast<double>(radius.size());
+  const std::vector<double>* radius = &g.radius;
+  if constexpr (D == 2)
+    if (!s.part.empty()) radius = &s.given.radius;
+  s.skin = 0.15 * std::accumulate(radius->begin(), radius->end(), 0.0) / static_cast<double>(radius->size());
 }
 
-void check_cell(const Sample& s) {
+template <int D> void check_cell(const SampleIn<D>& s) {
+  constexpr std::array<std::array<const char*, 2>, 3> words{{{"wide", "narrow"}, {"high", "low"}, {"deep", "flat"}}};
   Problems problems;
-  const double needed = std::max(2.0 * reach_of(s), cell_for_bodies(s));
-  problems.unless(!s.domain.periodic[0] || s.domain.width() >= needed, "a periodic cell {} m wide is too narrow for its grains; {} m would do",
-                  s.domain.width(), needed);
-  problems.unless(!s.domain.periodic[1] || s.domain.height() >= needed, "a periodic cell {} m high is too low for its grains; {} m would do", s.domain.height(),
-                  needed);
+  double needed = 2.0 * reach_of(s);
+  if constexpr (D == 2) needed = std::max(needed, cell_for_bodies(s));
+  for (int axis = 0; axis < D; ++axis)
+    problems.unless(!s.domain.periodic[axis] || s.domain.extent(axis) >= needed, "a periodic cell {} m {} is too {} for its grains; {} m would do",
+                    s.domain.extent(axis), words[axis][0], words[axis][1], needed);
   problems.raise();
 }
 
-void choose_step(Sample& s) {
+template <int D> void choose_step(SampleIn<D>& s) {
   const StepBounds bounds = step_bounds(s);
   const auto& asked = s.integration.time_step;
   s.dt = asked.value_or(std::min(s.integration.safety * shortest_contact_time(s), bounds.largest()));
@@ -140,20 +158,6 @@ void recall_contacts(Sample& s) {
   });
 }
 
-/// Bonds of the packing go on where the law has any.
-void recall_bonds(Sample& s) {
-  if (s.contact.has_bonds()) s.bonds = s.start.bonds;
-  s.start.bonds.clear();
-}
-
-/// The periodic sides have no walls; their `wall` entries are the edges of the cell.
-void clear_periodic_walls(Domain& domain) {
-  for (int side = 0; side < sides; ++side) {
-    Wall& wall = domain.wall[side];
-    wall = {wall.present && !domain.is_periodic(side), wall.position};
-  }
-}
-
 }  // namespace
 
 ContactLaws choose_laws(const ContactParameters& contact, double lead, double lag) {
@@ -167,13 +171,6 @@ ContactLaws choose_laws(const ContactParameters& contact, double lead, double la
           contact.normal_damping.has_value(),
           contact.normal_damping.has_value() || contact.sliding_viscosity.has_value()};
 }
-
-ContactLaws laws_between_steps(const Sample& s) {
-  const double lead = integrator_of(s).lead;
-  return choose_laws(s.contact, lead * s.dt, (1.0 - lead) * s.dt);
-}
-
-double time_of(const Sample& s) { return s.time_before + static_cast<double>(s.step - s.steps_before) * s.dt; }
 
 void change_step(Sample& s, double dt) {
   s.time_before = time_of(s);
@@ -191,50 +188,58 @@ void allow_step(Sample& s, const char* what) {
   change_step(s, 0.999 * largest);
 }
 
-void apply_friction(Sample& s, std::optional<double> override_mu) {
-  s.friction = override_mu.value_or(s.contact.friction);
-  s.wall_friction = override_mu.value_or(s.contact.wall_friction.value_or(s.contact.friction));
-}
-
-Sample make_sample(const Packing& start, const ContactParameters& contact, const IntegrationParameters& integration) {
+template <int D>
+SampleIn<D> make_sample(const PackingIn<D>& start, const ContactParameters& contact, const IntegrationParameters& integration, const KernelIn<D>& kernel) {
   Problems problems;
   check_parameters(problems, start, contact, integration);
   check_packing(problems, start, contact);
-  check_shapes(problems, start, contact, integration);
+  check_plane(problems, start, contact, integration);
   problems.raise();
 
-  Sample s;
-  s.start = disks_of(start);
+  SampleIn<D> s;
+  if constexpr (D == 2) s.start = disks_of(start);
+  else s.start = start;
   s.contact = contact;
   s.integration = integration;
-  s.kernel = &find_kernel(integration.kernel);
-  s.coefficients = CoefficientTable(start.materials, start.grains, contact);
+  s.kernel = &kernel;
+  s.coefficients = CoefficientTable(start.materials, start.grains.material, contact);
   for (auto& [a, b] : s.contact.glued_pairs)
     if (b < a) std::swap(a, b);
   std::sort(s.contact.glued_pairs.begin(), s.contact.glued_pairs.end());
   apply_friction(s, std::nullopt);
   s.drag = integration.drag;
   s.domain = start.domain;
-  clear_periodic_walls(s.domain);
-  s.element = elements_of(s.domain);
-  s.boundary.resize(s.domain.boundaries.size());
-  make_bodies(s, start.grains);
+  for (int side = 0; side < sides_in<D>; ++side)  // periodic sides have no walls; their `wall` entries are the edges of the cell
+    s.domain.wall[side] = {s.domain.wall[side].present && !s.domain.is_periodic(side), s.domain.wall[side].position};
+  if constexpr (D == 2) {
+    s.element = elements_of(s.domain);
+    s.boundary.resize(s.domain.boundaries.size());
+    make_bodies(s, start.grains);
+  }
   place_disks(s);
-  recall_bonds(s);
-  set_up_cohesion(s);
+  if constexpr (D == 2) {
+    if (contact.has_bonds()) s.bonds = s.start.bonds;
+    s.start.bonds.clear();
+    set_up_cohesion(s);
+    tune_servo(s);
+  }
   check_cell(s);
   s.laws = choose_laws(contact, 0.0, 0.0);
-  tune_servo(s);
   rebuild_list(s);
   choose_step(s);
   bond_touching_pairs(s);
-  recall_cohesion(s);
-  recall_contacts(s);
+  if constexpr (D == 2) {
+    recall_cohesion(s);
+    recall_contacts(s);
+  }
   s.laws = choose_laws(contact, 0.0, (1.0 - integrator_of(s).lead) * s.dt);  // the springs do not move before the first step
   compute_forces(s);
   sum_edge_forces(s);
   s.laws = laws_between_steps(s);
   return s;
 }
+
+template Sample make_sample(const Packing&, const ContactParameters&, const IntegrationParameters&, const Kernel&);
+template SampleIn<3> make_sample(const PackingIn<3>&, const ContactParameters&, const IntegrationParameters&, const KernelIn<3>&);
 
 }  // namespace arenite::dem

@@ -6,19 +6,26 @@
 
 #include "core/threads.hpp"
 #include "grains/dem/engine.hpp"
-#include "grains/dem/sample.hpp"
+#include "grains/dem/movers.hpp"
 
 namespace arenite::dem {
 
-/// Checks the input, sorts the disks, lists the contacts, chooses the step and evaluates the first forces. Throws InputError, every problem in one
-/// pass, for input that makes no sense and for a step beyond the bounds.
-Sample make_sample(const Packing& start, const ContactParameters& contact, const IntegrationParameters& integration);
+/// Checks the input, sorts the disks or spheres, lists the contacts, chooses the step and evaluates the first forces. Throws InputError, every problem in
+/// one pass, for input that makes no sense and for a step beyond the bounds.
+template <int D>
+SampleIn<D> make_sample(const PackingIn<D>& start, const ContactParameters& contact, const IntegrationParameters& integration, const KernelIn<D>& kernel);
+
+/// Goes on by so many steps.
+template <int D> void advance(SampleIn<D>& sample, const ThreadPool& pool, std::int64_t steps);
 
 /// The laws that the parameters ask for; `lead` and `lag` are those of Slip, s.
 ContactLaws choose_laws(const ContactParameters& contact, double lead, double lag);
 
 /// The laws as the integrator evaluates them from step to step: memories of friction know the step.
-ContactLaws laws_between_steps(const Sample& sample);
+template <int D> ContactLaws laws_between_steps(const SampleIn<D>& s) {
+  const double lead = integrator_of(s).lead;
+  return choose_laws(s.contact, lead * s.dt, (1.0 - lead) * s.dt);
+}
 
 /// Lists the contacts anew after something came or went; springs stay as they are. What springs hold of a body that is gone, or that came into the
 /// grains, is work of the sides.
@@ -33,10 +40,14 @@ void change_step(Sample& sample, double dt);
 /// Brings the integrated velocities (and Gear's places) to the present, so that a change of load acts from now on.
 void synchronise(Sample& sample);
 
-double time_of(const Sample& sample);  ///< since the start, s
+/// Since the start, s.
+template <int D> double time_of(const SampleIn<D>& s) { return s.time_before + static_cast<double>(s.step - s.steps_before) * s.dt; }
 
 /// Friction coefficients from the parameters, or `override_mu` at grains and walls alike; none where the law is none.
-void apply_friction(Sample& sample, std::optional<double> override_mu);
+template <int D> void apply_friction(SampleIn<D>& s, std::optional<double> override_mu) {
+  s.friction = override_mu.value_or(s.contact.friction);
+  s.wall_friction = override_mu.value_or(s.contact.wall_friction.value_or(s.contact.friction));
+}
 
 /// Every bit that decides the future of a sample, beside its start and parameters. The list is not among them: it follows from where the disks were
 /// when it was built, so that restoring lists the same slots in the same order.
@@ -46,11 +57,11 @@ std::vector<std::uint8_t> save_sample(const Sample& sample);
 void restore_sample(Sample& sample, const std::vector<std::uint8_t>& bytes);
 
 /// Shortest contact time T_c = pi sqrt(m_eff/k) of any two grains of the sample (or a grain and a wall), those on bonds included, s.
-double shortest_contact_time(const Sample& sample);
+template <int D> double shortest_contact_time(const SampleIn<D>& sample);
 
-/// Largest stable steps of the sample's integrator, from the stiffest and the most damped grain. A grain counts with its contacts now or with six of
-/// grains like itself, whichever is more, so that a loose sample may be compacted.
-StepBounds step_bounds(const Sample& sample);
+/// Largest stable steps of the sample's integrator, from the stiffest and the most damped grain. A grain counts with its contacts now or with six (spheres:
+/// twelve) of grains like itself, whichever is more, so that a loose sample may be compacted.
+template <int D> StepBounds step_bounds(const SampleIn<D>& sample);
 
 /// Gives the disks their own masses, or even ones. Even: every grain is as heavy as makes its contacts as fast as those of the grain whose contacts
 /// are fastest, k/m alike. The step stays stable, waves run through grains of unlike sizes as fast as it allows, and equilibria do not change,
@@ -62,15 +73,15 @@ void give_masses(Sample& sample, MassScaling mass_scaling);
 void make_heavy_enough(Sample& sample);
 
 /// Grains (velocities at the time of the positions), walls and contacts in the caller's order.
-Packing packing_of(const Sample& sample);
+template <int D> PackingIn<D> packing_of(const SampleIn<D>& sample);
 
 /// Energies stored now, with the tally of what was dissipated and done so far.
-Energies energies_of(const Sample& sample);
+template <int D> Energies energies_of(const SampleIn<D>& sample);
 
 Equilibrium equilibrium_of(const Sample& sample);
 
 /// Energy of the adhesion, J, <= 0.
-double adhesive_energy(const Sample& sample);
+template <int D> double adhesive_energy(const SampleIn<D>& sample);
 
 /// Changes something by decree, and books what an energy, a term of energies_of or a function of the sample, gains by that as work of the sides, or what it
 /// loses as another `term` of the account.

@@ -1,4 +1,7 @@
 #pragma once
+#include <algorithm>
+#include <cmath>
+
 #include "grains/dem/sample.hpp"
 
 namespace arenite::dem {
@@ -25,13 +28,44 @@ double critical_drag(const Sample& sample);
 /// velocity that it has.
 void apply_drives(Sample& sample, const WallDrives& drives);
 
-/// Acceleration of wall `side` from the present forces, m/s^2 along +x or +y; 0 unless force-controlled. `velocity` is along +x or +y.
-double wall_acceleration(const Sample& sample, std::size_t side, double velocity);
+/// A wall moves at a given speed: the others have to follow, not to come to rest.
+template <int D> bool is_steady(const SampleIn<D>& s) {
+  return std::ranges::any_of(s.wall, [](const auto& body) { return body.drive.kind == DriveKind::velocity; });
+}
 
-/// Braking force on a force-controlled wall at this velocity, N along +x or +y; 0 unless force-controlled.
-double servo_braking(const Sample& sample, std::size_t side, double velocity);
+/// c of a force-controlled wall, N s/m.
+template <int D> double servo_damping(const SampleIn<D>& s, std::size_t side) {
+  const auto& body = s.wall[side];
+  const double carried = std::max(s.domain.wall[side].force, 0.0);
+  const double share = carried >= body.drive.value ? 1.0 : carried / body.drive.value;
+  const double length = s.domain.extent(axis_of(static_cast<int>(side)));
+  const double yielding = std::sqrt(std::max(body.drive.value, 0.0) * body.sample_mass / length) / s.inertial_number;
+  return std::min(body.impedance, yielding) * share;
+}
+
+/// Braking force on a force-controlled wall at this velocity, N along its axis; 0 unless force-controlled.
+template <int D> double servo_braking(const SampleIn<D>& s, std::size_t side, double velocity) {
+  if (s.wall[side].drive.kind != DriveKind::force) return 0;
+  return -servo_damping(s, side) * (velocity - s.wall[side].drift);
+}
+
+/// Acceleration of wall `side` from the present forces, m/s^2; 0 unless force-controlled. It and `velocity` are along the wall's axis.
+template <int D> double wall_acceleration(const SampleIn<D>& s, std::size_t side, double velocity) {
+  const auto& body = s.wall[side];
+  if (body.drive.kind != DriveKind::force) return 0;
+  const double push = body.drive.value - s.domain.wall[side].force;
+  return (inward_sign(side) * push + servo_braking(s, side, velocity)) / body.mass;
+}
 
 /// Lets the walls' drift follow their velocity over the step just made.
-void follow_drift(Sample& sample);
+template <int D> void follow_drift(SampleIn<D>& s) {
+  if (!is_steady(s)) return;
+  for (int side = 0; side < sides_in<D>; ++side) {
+    auto& body = s.wall[side];
+    if (body.drive.kind != DriveKind::force) continue;
+    const double passages = 10.0 * body.sample_mass / body.impedance;
+    body.drift += s.dt / passages * (s.domain.wall[side].velocity - body.drift);
+  }
+}
 
 }  // namespace arenite::dem

@@ -42,9 +42,6 @@ bool move_bodies(Sample& sample, const SweepTask<2>& task, const ThreadPool& poo
 /// Puts the disks of all bodies where these are, with their velocity.
 void place_parts(Sample& sample);
 
-/// On a mover by its contacts.
-Load<2> load_on(const Sample& sample, std::size_t mover);
-
 /// From the centre of the grain of j, or the wall, to that of i, where `branch` joins the disks, m.
 Vec2 between_centres(const Sample& sample, std::size_t slot, Vec2 branch);
 
@@ -62,10 +59,8 @@ void take_torques_to_owners(Sample& sample, const ThreadPool& pool);
 int rows_between(const Sample& sample, std::size_t slot);
 
 /// From the centres of i's and j's bodies to where a slot's force acts on them, m; 0 of a wall and of a disk that is a grain.
-struct Levers {
-  Vec2 i, j;
-};
-Levers levers_of(const Sample& sample, std::size_t slot);
+template <int D> struct Levers { Vec<D> i, j; };
+Levers<2> levers_of(const Sample& sample, std::size_t slot);
 
 /// Torques of a slot on i and j about the points that the levers lead to, N m.
 struct Torques {
@@ -73,8 +68,16 @@ struct Torques {
 };
 Torques own_torques(const Sample& sample, std::size_t slot);
 
+// In space there are none.
+constexpr const Foot* foot_of(const SampleIn<3>& /*s*/, std::size_t /*slot*/) { return nullptr; }
+constexpr Levers<3> levers_of(const SampleIn<3>& /*s*/, std::size_t /*slot*/) { return {}; }
+constexpr Vec3 between_centres(const SampleIn<3>& /*s*/, std::size_t /*slot*/, Vec3 branch) { return branch; }
+
 /// The mover that inner disk k is, or is a part of.
-std::size_t moving(const Sample& sample, std::int32_t k);
+template <int D> std::size_t moving(const SampleIn<D>& s, std::int32_t k) {
+  const std::int32_t body = body_of(s, s.record[k].grain);
+  return body < 0 ? static_cast<std::size_t>(k) : s.count + static_cast<std::size_t>(body);
+}
 
 /// Contacts in six directions around each of a body's disks, less those within it, or of polygons that meet each side with a side of their own, two at
 /// either end; and the sums of their squared levers along n and t, m^2.
@@ -87,7 +90,12 @@ Crowd crowd_around(const Sample& sample, const Body& body);
 double lightest_mass(const Sample& sample, const Body& body);
 
 /// Gives a grain this place, angle and motion.
-void put_grain(Grains& grains, std::size_t grain, Vec2 place, double angle, const Motion<2>& motion);
+template <int D> void put_grain(GrainsIn<D>& grains, std::size_t grain, Vec<D> place, Turning<D> angle, const Motion<D>& motion) {
+  grains.position[grain] = place;
+  grains.angle[grain] = angle;
+  grains.velocity[grain] = motion.velocity;
+  grains.omega[grain] = motion.omega;
+}
 
 /// Whether a contact of the caller's packing is the one of a slot that joins the same grains.
 bool is_of_slot(const Sample& sample, const Contacts& contacts, std::size_t contact, std::size_t slot);

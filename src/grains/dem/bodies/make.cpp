@@ -150,11 +150,6 @@ bool is_of_slot(const Sample& s, const Contacts& c, std::size_t q, std::size_t s
   return norm(i - c.off_i[q]) <= near && norm(j - c.off_j[q]) <= near;
 }
 
-std::size_t moving(const Sample& s, std::int32_t k) {
-  const std::int32_t body = body_of(s, s.record[k].grain);
-  return body < 0 ? static_cast<std::size_t>(k) : s.count + static_cast<std::size_t>(body);
-}
-
 Crowd crowd_around(const Sample& s, const Body& b) {
   constexpr int directions = 6;
   Crowd crowd;

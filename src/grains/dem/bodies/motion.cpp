@@ -131,10 +131,10 @@ void take_torques_to_owners(Sample& s, const ThreadPool& pool) {
   });
 }
 
-Levers levers_of(const Sample& s, std::size_t slot) {
+Levers<2> levers_of(const Sample& s, std::size_t slot) {
   if (s.part.empty()) return {};
   const Foot* foot = foot_of(s, slot);
-  Levers levers{s.lever[s.list.i[slot]], {}};
+  Levers<2> levers{s.lever[s.list.i[slot]], {}};
   if (s.list.j[slot] >= 0) levers.j = foot ? foot->lever : s.lever[s.list.owner[slot]];
   else if (foot) levers.i = foot->lever;
   return levers;
@@ -158,15 +158,8 @@ int rows_between(const Sample& s, std::size_t slot) {
 }
 
 Vec2 between_centres(const Sample& s, std::size_t slot, Vec2 branch) {
-  const Levers levers = levers_of(s, slot);
+  const Levers<2> levers = levers_of(s, slot);
   return branch - levers.i + levers.j;
-}
-
-void put_grain(Grains& grains, std::size_t g, Vec2 place, double angle, const Motion<2>& motion) {
-  grains.position[g] = place;
-  grains.angle[g] = angle;
-  grains.velocity[g] = motion.velocity;
-  grains.omega[g] = motion.omega;
 }
 
 }  // namespace arenite::dem

@@ -113,7 +113,7 @@ void hand_over_memories(Sample& s) {
   ContactList& list = s.list;
   if (s.element.empty()) return;
   const auto is_of_boundary = [&](std::size_t p) { return is_boundary(list.j[p]); };
-  const auto memories = list.memories();
+  const std::array memories{&list.memory, &list.normal_memory, &list.rolling_memory, &list.pull};
   const auto remembers = [&](std::size_t p) { return std::ranges::any_of(memories, [&](const auto* m) { return p < m->size() && (*m)[p] != 0; }); };
   for (std::size_t p = list.pairs; p < list.polygons; ++p) {
     if (!is_of_boundary(p) || !remembers(p) || slot_kinematics(s, p).overlap > 0) continue;

@@ -23,22 +23,23 @@ struct Path {
   }
 };
 
-class Start {
+/// What moves so: the grains' coordinates and angles, then the walls.
+template <int D> class Start {
  public:
-  explicit Start(Sample& sample) : s(sample), here(s.domain) {
+  explicit Start(SampleIn<D>& sample) : s(sample), here(s.domain) {
     for (std::size_t k = 0; k < s.count; ++k) {
-      for (int axis = 0; axis < 2; ++axis) path.push_back({s.record[k].place[axis], s.velocity[k][axis], 0});
-      path.push_back({s.angle[k], s.omega[k], 0});
+      for (int axis = 0; axis < D; ++axis) path.push_back({s.record[k].place[axis], s.velocity[k][axis], 0});
+      for (std::size_t way = 0; way < turnings<D>; ++way) path.push_back({s.angle.along[way][k], s.omega.along[way][k], 0});
     }
-    for (int side = 0; side < sides; ++side) path.push_back({here.wall[side].position, s.wall[side].rate, 0});
+    for (int side = 0; side < sides_in<D>; ++side) path.push_back({here.wall[side].position, s.wall[side].rate, 0});
   }
 
   void run() {
     const double lag = 0.5 * s.dt;
     set_springs(-lag, 0);
     evaluate(0);
-    const std::vector<double> springs = s.list.memory;
-    const std::vector<SlotForce<2>> force = s.list.force;
+    const Turnings<D> springs = s.list.memory;
+    const std::vector<SlotForce<D>> force = s.list.force;
     const std::vector<double> now = accelerations();
     for (std::size_t q = 0; q < path.size(); ++q) path[q].bend = now[q];
     const double h = 0.5 * s.dt;
@@ -54,7 +55,7 @@ class Start {
         mark_changes(force, rough);
       }
       for (std::size_t q = 0; q < path.size(); ++q) {
-        const bool smooth = q / 3 >= s.count || !rough[q / 3];
+        const bool smooth = q / ways >= s.count || !rough[q / ways];
         if (smooth) path[q].fit({a[0][q], a[1][q], a[2][q], a[3][q]}, h);
         if (!smooth) path[q].jerk = path[q].snap = path[q].crackle = 0;
       }
@@ -67,31 +68,33 @@ class Start {
   }
 
  private:
+  static constexpr std::size_t ways = D + turnings<D>;
+
   void set_springs(double lead, double lag) { s.laws = choose_laws(s.contact, lead, lag); }
 
   void evaluate(double t) {
     s.domain = here;
-    for (int side = 0; side < sides; ++side) {
-      const Path& wall = path[3 * s.count + side];
+    for (int side = 0; side < sides_in<D>; ++side) {
+      const Path& wall = path[ways * s.count + side];
       s.domain.wall[side].position = wall.at(t);
       s.domain.wall[side].velocity = wall.rate_at(t);
     }
-    move_boundaries(s, t);
-    const CellFrame<2> before = cell_frame(here), after = cell_frame(s.domain);
-    const std::array<Stretch, 2> moved{after[0].since(before[0]), after[1].since(before[1])};
-    const CellMotion<2> cell = cell_motion(s.domain);
+    if constexpr (D == 2) move_boundaries(s, t);
+    const CellFrame<D> before = cell_frame(here), after = cell_frame(s.domain);
+    const CellMotion<D> cell = cell_motion(s.domain);
     for (std::size_t k = 0; k < s.count; ++k) {
-      DiskRecord& d = s.record[k];
-      for (int axis = 0; axis < 2; ++axis) {
-        const Path& p = path[3 * k + static_cast<std::size_t>(axis)];
-        d.place[axis] = moved[axis].apply(p.value) + (p.at(t) - p.value);
-        d.velocity[axis] = p.rate_at(t);
+      GrainRecord<D>& d = s.record[k];
+      const Path* const p = &path[ways * k];
+      for (int axis = 0; axis < D; ++axis) {
+        d.place[axis] = after[axis].since(before[axis]).apply(p[axis].value) + (p[axis].at(t) - p[axis].value);
+        d.velocity[axis] = p[axis].rate_at(t);
       }
       d.velocity += cell.at(d.place);
-      d.omega = path[3 * k + 2].rate_at(t);
+      if constexpr (D == 2) d.omega = p[D].rate_at(t);
+      else d.omega = by_axis<D>([&](int axis) { return p[D + axis].rate_at(t); });
     }
     if (s.domain.periodic[0]) s.domain.tilt *= after[0].length / before[0].length;
-    s.domain.tilt += t * s.shear_rate * s.domain.height();
+    s.domain.tilt += t * s.shear_rate * s.domain.extent(1);
     refresh_ghosts(s);
     compute_forces(s);
     sum_edge_forces(s);
@@ -100,15 +103,17 @@ class Start {
   std::vector<double> accelerations() const {
     std::vector<double> a;
     for (std::size_t k = 0; k < s.count; ++k) {
-      const auto [linear, alpha] = acceleration_of(s, k);
-      a.insert(a.end(), {linear.x, linear.y, alpha});
+      const Acceleration<D> now = acceleration_of(s, k);
+      for (int axis = 0; axis < D; ++axis) a.push_back(now.linear[axis]);
+      if constexpr (D == 2) a.push_back(now.alpha);
+      else a.insert(a.end(), {now.alpha.x, now.alpha.y, now.alpha.z});
     }
-    for (int side = 0; side < sides; ++side) a.push_back(wall_acceleration(s, side, s.domain.wall[side].velocity));
+    for (int side = 0; side < sides_in<D>; ++side) a.push_back(wall_acceleration(s, side, s.domain.wall[side].velocity));
     return a;
   }
 
   /// A contact that carries force at one time of the span and none at the other is no smooth path.
-  void mark_changes(const std::vector<SlotForce<2>>& force, std::vector<std::uint8_t>& rough) const {
+  void mark_changes(const std::vector<SlotForce<D>>& force, std::vector<std::uint8_t>& rough) const {
     for (std::size_t p = 0; p < s.list.size(); ++p) {
       const bool before = acts(force[p]), now = acts(s.list.force[p]);
       if (before == now) continue;
@@ -120,30 +125,30 @@ class Start {
   void store() {
     const double c3 = s.dt * s.dt * s.dt / 6, c4 = c3 * s.dt / 4, c5 = c4 * s.dt / 5;
     for (std::size_t k = 0; k < s.count; ++k)
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        const Path& p = path[3 * k + axis];
-        (axis < 2 ? s.acceleration.along[axis] : s.alpha)[k] = p.bend;
-        s.higher[axis].put(k, {c3 * p.jerk, c4 * p.snap, c5 * p.crackle});
+      for (std::size_t way = 0; way < ways; ++way) {
+        const Path& p = path[ways * k + way];
+        (way < D ? s.acceleration.along[way] : s.alpha.along[way - D])[k] = p.bend;
+        s.higher[way].put(k, Vec3{c3 * p.jerk, c4 * p.snap, c5 * p.crackle});
       }
-    for (int side = 0; side < sides; ++side) {
-      const Path& p = path[3 * s.count + side];
+    for (int side = 0; side < sides_in<D>; ++side) {
+      const Path& p = path[ways * s.count + side];
       s.wall[side].acceleration = p.bend;
       s.wall[side].higher = {c3 * p.jerk, c4 * p.snap, c5 * p.crackle, 0.0};
     }
   }
 
-  Sample& s;
-  const Domain here;
+  SampleIn<D>& s;
+  const DomainIn<D> here;
   std::vector<Path> path;
 };
 
 }  // namespace
 
-void predict_walls(Sample& s, double /*kick*/, double /*ahead*/) {
+template <int D> void predict_walls(SampleIn<D>& s, double /*kick*/, double /*ahead*/) {
   const double dt = s.dt, half = 0.5 * dt * dt;
-  for (int side = 0; side < sides; ++side) {
-    WallBody& body = s.wall[side];
-    Wall& wall = s.domain.wall[side];
+  for (int side = 0; side < sides_in<D>; ++side) {
+    WallBodyIn<D>& body = s.wall[side];
+    WallIn<D>& wall = s.domain.wall[side];
     const double a = wall_acceleration(s, side, wall.velocity);
     Nordsieck<double> q{wall.position, dt * body.rate, half * body.acceleration, body.higher[0], body.higher[1], body.higher[2]};
     q.correct(half * (a - body.acceleration));
@@ -155,12 +160,16 @@ void predict_walls(Sample& s, double /*kick*/, double /*ahead*/) {
   }
 }
 
-void find_derivatives(Sample& s) {
+template <int D> void find_derivatives(SampleIn<D>& s) {
   if (s.settled) return;
-  for (auto& higher : s.higher)
-    for (auto& h : higher.along) h.assign(s.count, 0.0);
-  Start(s).run();
+  for (auto& higher : s.higher) higher.assign(s.count);
+  Start<D>(s).run();
   s.settled = true;
 }
+
+template void predict_walls(SampleIn<2>&, double, double);
+template void predict_walls(SampleIn<3>&, double, double);
+template void find_derivatives(SampleIn<2>&);
+template void find_derivatives(SampleIn<3>&);
 
 }  // namespace arenite::dem

@@ -74,11 +74,11 @@ template <int W, int D> struct Step<IntegratorKind::gear5, W, D> {
 };
 
 /// Moves the walls on to the predicted t_{n+1}.
-void predict_walls(Sample& sample, double kick, double ahead);
+template <int D> void predict_walls(SampleIn<D>& sample, double kick, double ahead);
 
 /// Third to fifth derivatives from forces at the Taylor continuation of the present state half a step and a step ahead and back, three times over. A
 /// grain whose contacts change within that span starts with zeros. Leaves forces and springs as of now.
-void find_derivatives(Sample& sample);
+template <int D> void find_derivatives(SampleIn<D>& sample);
 
 /// Between steps the sample holds the predicted state at t_n and the forces there. Bounds of the step are fitted to the eigenvalues of its step; without
 /// damping it grows from omega dt = 0.33 on.
@@ -89,8 +89,7 @@ inline constexpr Integrator gear5{.word = {"gear5", "Gear's fifth-order predicto
                                   .p = 1.57,
                                   .q = 1 / 0.163,
                                   .undamped = 0.33,
-                                  .move_walls = predict_walls,
-                                  .start = find_derivatives,
+                                  .own = {OwnSteps<2>{predict_walls<2>, find_derivatives<2>}, OwnSteps<3>{predict_walls<3>, find_derivatives<3>}},
                                   .velocity_share = gear_velocity_share,
                                   .position_share = gear_position_share,
                                   .moves_bodies = false};

@@ -84,7 +84,7 @@ template <int W, class Law> bool bond_loop(const BondTask& task, const BondLaw& 
 }
 
 /// The loops of all bond laws.
-template <int W, std::size_t... Q> constexpr std::array<Kernel::BondLoop, bond_laws> bond_loops(std::index_sequence<Q...>) {
+template <int W, std::size_t... Q> constexpr std::array<Kernel::BondLoop, sizeof...(Q)> bond_loops(std::index_sequence<Q...>) {
   return {bond_loop<W, std::variant_alternative_t<Q, BondLaw::variant>>...};
 }
 

@@ -22,6 +22,18 @@ static_assert(sizeof(DiskRecord) == 64);
 template <class V> inline V without_twist(V turning, const Vec<2, V>& /*normal*/) { return turning; }
 template <class V> inline Vec<3, V> without_twist(const Vec<3, V>& turning, const Vec<3, V>& normal) { return turning - dot(turning, normal) * normal; }
 
+/// What a spring remembers goes along with a contact that turns, and with the mean twist of its grains, which turn at `spin` together, in a time: in the
+/// plane it is a number, in space it is laid into the contact's plane and turned there, as long as it was.
+template <int D, class V> inline Turning<D, V> turned_along(const Turning<D, V>& remembered, const Vec<D, V>& normal, const Turning<D, V>& spin, double time) {
+  if constexpr (D == 2) return remembered;
+  else {
+    using lane::select, lane::sqrt;
+    const Vec<D, V> in_plane = without_twist(remembered, normal), turned = in_plane + V(0.5 * time) * dot(spin, normal) * cross(normal, in_plane);
+    const V square = dot(turned, turned);
+    return select(square > V(0.0), sqrt(dot(remembered, remembered) / square), V(0.0)) * turned;
+  }
+}
+
 /// Of a disk, a sphere: I/(m r^2).
 template <int D> inline constexpr double inertia_share = D == 2 ? 0.5 : 0.4;
 template <int D> inline double inertia(const GrainRecord<D>& d) { return inertia_share<D> * d.mass * d.radius * d.radius; }
@@ -131,7 +143,7 @@ template <int D> struct SweepTask {
   std::array<double*, D> velocity, acceleration;
   std::array<double*, turnings<D>> omega, angle, alpha;
   std::array<std::array<double*, 3>, D + turnings<D>> higher;
-  std::array<const double*, D> listed;
+  std::array<double*, D> listed;
   Vec<D> gravity;                              ///< m/s^2
   CellMotion<D> before, after;                 ///< of the cell, at the start and the end of the step
   std::array<Stretch, D> moved, listed_moved;  ///< of the cell, in the step and since the list was built
@@ -159,18 +171,19 @@ inline std::size_t loop_index(const ContactLaws& laws) {
 
 /// The inner loops, compiled once for each kind of processor. All kernels give the same bits: the same exactly rounded operations in the same order
 /// for every contact and disk, only more of them at a time.
-struct Kernel {
+template <int D> struct KernelIn {
   const char* name;
   /// Forces of slots begin .. end-1, all of two disks; one loop for every three laws (loop_index).
-  using PairLoop = void (*)(const PairTask<2>&, const ContactLaws&, std::size_t begin, std::size_t end);
+  using PairLoop = void (*)(const PairTask<D>&, const ContactLaws&, std::size_t begin, std::size_t end);
   std::array<PairLoop, law_triples> pair_loops;
   /// A step of disks begin .. end-1; one loop for every integrator (IntegratorKind). False if the list has become stale.
-  using Sweep = bool (*)(const SweepTask<2>&, std::size_t begin, std::size_t end);
+  using Sweep = bool (*)(const SweepTask<D>&, std::size_t begin, std::size_t end);
   std::array<Sweep, integrator_count> sweeps;
-  /// Forces of bonds begin .. end-1; one loop for every bond law. True if some need a closer look.
+  /// Forces of bonds begin .. end-1; one loop for every bond law, whose beams lie in the plane. True if some need a closer look.
   using BondLoop = bool (*)(const BondTask&, const BondLaw&, std::size_t begin, std::size_t end);
-  std::array<BondLoop, bond_laws> bond_loops;
+  std::array<BondLoop, D == 2 ? bond_laws : 0> bond_loops;
 };
+using Kernel = KernelIn<2>;
 
 extern const Kernel portable_kernel, avx2_kernel, avx512_kernel;
 

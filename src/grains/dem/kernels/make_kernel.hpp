@@ -5,10 +5,10 @@
 
 namespace arenite::dem {
 
-/// All loops for W contacts or disks at a time.
-template <int W> constexpr Kernel make_kernel(const char* name) {
-  return {name, pair_loops<W>(std::make_index_sequence<law_triples>{}), sweeps<W>(std::make_index_sequence<integrator_count>{}),
-          bond_loops<W>(std::make_index_sequence<bond_laws>{})};
+/// All loops for W contacts and disks, or spheres, at a time.
+template <int W, int D = 2> constexpr KernelIn<D> make_kernel(const char* name) {
+  return {name, pair_loops<W, D>(std::make_index_sequence<law_triples>{}), sweeps<W, D>(std::make_index_sequence<integrator_count>{}),
+          bond_loops<W>(std::make_index_sequence<std::tuple_size_v<decltype(KernelIn<D>::bond_loops)>>{})};
 }
 
 }  // namespace arenite::dem

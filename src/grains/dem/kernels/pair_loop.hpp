@@ -45,16 +45,6 @@ template <int W, int D> struct PairPack {
     sliding = without_twist(cross(normal, u) - arm_i * a.omega - arm_j * b.omega, normal);
     curvature = V(1.0) / a.radius + V(1.0) / b.radius;
   }
-  /// What a spring remembers goes along with a contact that turns: in the plane it is a number, in space it is laid into the contact's plane, as long as
-  /// it was.
-  ARENITE_INLINE Tangential turned_along(Tangential a) const {
-    if constexpr (D == 2) return a;
-    else {
-      const Tangential in_plane = without_twist(a, normal);
-      const V square = dot(in_plane, in_plane);
-      return select(square > V(0.0), sqrt(dot(a, a) / square), V(0.0)) * in_plane;
-    }
-  }
   /// On i, N.
   ARENITE_INLINE Vec<D, V> force(V fn, Tangential ft) const { return fn * normal + cross(ft, normal); }
   /// On one of the two, N m.
@@ -79,13 +69,14 @@ ARENITE_INLINE void pair_batch(const PairTask<D>& t, const ContactLaws& shared, 
   if constexpr (ElasticContact<N>) state.shear = V::load(t.shear + p);
   ContactMemory<V, T> memory;
   if constexpr (N::remembers) memory.normal = V::load(t.normal_memory + p);
-  if constexpr (F::remembers) memory.slip = pair.turned_along(load_columns<W>(t.memory, p));
+  const T spin = a.omega + b.omega;
+  if constexpr (F::remembers) memory.slip = turned_along(load_columns<W>(t.memory, p), pair.normal, spin, shared.lead);
   const ContactForce<V, T> f = contact_force(shared, normal, adhesion, friction, state, memory);
   const auto touching_now = pair.overlap > zero;
   const V fn = select(touching_now, f.normal, zero);
   const T ft = select(touching_now, without_twist(f.tangential, pair.normal), T{});
   if constexpr (N::remembers) select(touching_now, memory.normal, zero).store(t.normal_memory + p);
-  if constexpr (F::remembers) store_columns(select(touching_now, memory.slip, T{}), t.memory, p);
+  if constexpr (F::remembers) store_columns(select(touching_now, turned_along(memory.slip, pair.normal, spin, shared.lag), T{}), t.memory, p);
   scatter<W>([=](int k) { return &t.force[p + static_cast<std::size_t>(k)].on_i.x; }, pair.force(fn, ft));
   const T torque_i = pair.torque(pair.arm_i, ft), torque_j = pair.torque(pair.arm_j, ft);
   if constexpr (D == 2) {
@@ -110,8 +101,8 @@ __attribute__((flatten)) void pair_loop(const PairTask<D>& given, const ContactL
 }
 
 /// The loops of all triples of laws, in the order of loop_index.
-template <int W, std::size_t... Q> constexpr std::array<Kernel::PairLoop, law_triples> pair_loops(std::index_sequence<Q...>) {
-  return {pair_loop<W, 2, std::variant_alternative_t<Q / friction_laws / adhesions, NormalLaw::variant>,
+template <int W, int D, std::size_t... Q> constexpr std::array<typename KernelIn<D>::PairLoop, law_triples> pair_loops(std::index_sequence<Q...>) {
+  return {pair_loop<W, D, std::variant_alternative_t<Q / friction_laws / adhesions, NormalLaw::variant>,
                     std::variant_alternative_t<Q / friction_laws % adhesions, Adhesion::variant>,
                     std::variant_alternative_t<Q % friction_laws, FrictionLaw::variant>>...};
 }

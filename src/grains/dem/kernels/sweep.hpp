@@ -111,8 +111,8 @@ template <int W, int D, IntegratorKind scheme> __attribute__((flatten)) bool swe
 }
 
 /// The loops of all integrators.
-template <int W, std::size_t... Q> constexpr std::array<Kernel::Sweep, integrator_count> sweeps(std::index_sequence<Q...>) {
-  return {sweep<W, 2, static_cast<IntegratorKind>(Q)>...};
+template <int W, int D, std::size_t... Q> constexpr std::array<typename KernelIn<D>::Sweep, integrator_count> sweeps(std::index_sequence<Q...>) {
+  return {sweep<W, D, static_cast<IntegratorKind>(Q)>...};
 }
 
 }  // namespace arenite::dem

@@ -69,11 +69,12 @@ concept TangentialContact = ContactLaw<L> && requires(const L law, double v, dou
 
 /// Rolling resistance gives a moment against the turning of two grains, in which Slip counts rad/s, N m s, N m and N m/rad.
 template <class L>
-concept RollingContact = ContactLaw<L> && requires(const L law, double v, double& memory, Slip<double> turning) {
+concept RollingContact = ContactLaw<L> && requires(const L law, double v, double& memory, Slip<double> turning, Slip<double, Vec3> in_space, Vec3& path) {
   { law.coefficient } -> std::convertible_to<double>;       // mu_r: the moment is at most mu_r R F_n
   { law.stiffness(v, v) } -> std::same_as<double>;          // (k_n, R), N m/rad
   { law.damping(v, v, v, v) } -> std::same_as<double>;      // (alpha_n, R, stiffness, reduced inertia), N m s
   { law.moment(turning, memory) } -> std::same_as<double>;  // N m
+  { law.moment(in_space, path) } -> std::same_as<Vec3>;
   { law.energy(turning, memory) } -> std::same_as<double>;  // what the moment at this memory gives back, J
   { L::remembers } -> std::convertible_to<bool>;
 };
@@ -152,8 +153,8 @@ struct ContactLaws {
 
   /// Calls `see` with the three laws by their types.
   template <class See> decltype(auto) visit(See&& see) const { return std::visit(see, normal, adhesion, friction); }
-  /// The slip that a contact with this k_t has in the plane, where no force is asked for.
-  Slip<double> slip(double velocity, double stiffness) const { return {velocity, 0, 0, stiffness, lead, lag}; }
+  /// The slip that a contact with this k_t has where no force is asked for.
+  template <class T> Slip<double, T> slip(T velocity, double stiffness) const { return {velocity, 0, 0, stiffness, lead, lag}; }
 };
 
 /// Some law keeps a number a contact.

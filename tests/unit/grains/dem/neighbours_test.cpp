@@ -47,7 +47,7 @@ TEST_P(Neighbours, AreThoseOfBruteForce) {
     Packing p = testing::crowd(9, 7, seed, 0.012);
     p.domain.periodic = cell.periodic;
     p.domain.tilt = cell.tilt * p.domain.width();
-    const Sample s = make_sample(p, {}, {});
+    const Sample s = make_sample(p, {}, {}, find_kernel("auto"));
     EXPECT_EQ(listed_pairs(s), near_pairs(p, s.skin));
   }
 }
