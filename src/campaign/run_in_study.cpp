@@ -23,7 +23,8 @@ namespace arenite::campaign {
 
 Worker::Worker(const std::function<std::string()>& work) {
   std::array<int, 2> ends{};
-  if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw InputError(std::string("no pipe to a new process: ") + std::strerror(errno) + "; use fewer --jobs");
+  if (::pipe2(ends.data(), O_CLOEXEC) != 0)
+    throw InputError(std::string("cannot create a pipe to a new process: ") + std::strerror(errno) + "; use fewer --jobs");
   std::fflush(nullptr);  // or the new process would write what waits here a second time
   const pid_t parent = ::getpid();
   process_ = ::fork();
@@ -31,7 +32,7 @@ Worker::Worker(const std::function<std::string()>& work) {
     const int error = errno;
     ::close(ends[0]);
     ::close(ends[1]);
-    throw InputError(std::string("no new process: ") + std::strerror(error) + "; use fewer --jobs");
+    throw InputError(std::string("cannot start a new process: ") + std::strerror(error) + "; use fewer --jobs");
   }
   if (process_ == 0) {
     ::prctl(PR_SET_PDEATHSIG, SIGTERM);
@@ -95,7 +96,7 @@ RunState attempt_whatever_happens(const Study& study, const StudyRun& run, const
                                   const StudyOptions& options) {
   try {
     return attempt(study, run, folder, store, options);
-  } catch (const std::bad_alloc&) { return {Kind::failed, 0, "out of memory; do fewer runs at once (--jobs)"}; } catch (const std::exception& error) {
+  } catch (const std::bad_alloc&) { return {Kind::failed, 0, "out of memory; run fewer at a time (--jobs)"}; } catch (const std::exception& error) {
     return {Kind::failed, 0, error.what()};
   }
 }

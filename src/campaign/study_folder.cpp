@@ -170,7 +170,8 @@ void note_runs_of_version_0_1(const fs::path& out, Study& study) {
   for (const auto& entry : fs::directory_iterator(out / "runs", error))
     count += fs::exists(entry.path() / "numbers.json", error) && !fs::exists(entry.path() / "numbers.hdf5", error);
   if (count == 0) return;
-  study.notices.push_back(fmt::format("runs by version 0.1 in {} ({}) are not taken up; all runs are done anew beside them", (out / "runs").string(), count));
+  study.notices.push_back(
+      fmt::format("runs of version 0.1 in {} ({}) are not reused; all runs are computed again beside them", (out / "runs").string(), count));
 }
 
 void write_runs(const std::filesystem::path& file, const Study& study) {

@@ -61,7 +61,7 @@ void read_grid(const recipe::Node& section, recipe::Reading& reading, Sweep& swe
 void read_list(const recipe::Node& list, recipe::Reading& reading, Sweep& sweep) {
   std::vector<Point> axis;
   if (list.kind != recipe::Node::Kind::array || list.items.empty()) {
-    return add_problem(reading, list.place, "sweep.list", "must be tables [[sweep.list]], one a run, of keys with their values");
+    return add_problem(reading, list.place, "sweep.list", "must be tables [[sweep.list]], one per run, of keys with their values");
   }
   for (const auto& item : list.items) {
     if (item.kind == recipe::Node::Kind::table) axis.push_back(flattened(item, no_table));

@@ -55,7 +55,7 @@ std::optional<Interval> read_interval(const Assignment& entry, recipe::Reading& 
       if (key == "range") continue;
       if (key == "scale" && value.kind == recipe::Node::Kind::text && (value.text == "log" || value.text == "linear")) logarithmic = value.text == "log";
       else if (key == "whole" && value.kind == recipe::Node::Kind::flag) whole = value.flag;
-      else add_problem(reading, place, path, fmt::format("{}: beside range there is scale = \"linear\" or \"log\", and whole = true", key));
+      else add_problem(reading, place, path, fmt::format("{}: besides range, only scale = \"linear\" or \"log\" and whole = true are allowed", key));
     }
   }
   try {
@@ -108,7 +108,7 @@ std::vector<Point> latin_hypercube_points(const recipe::Node& section, recipe::R
   }
   const recipe::Entry* runs = section.find("runs");
   if (!runs || runs->value.kind != recipe::Node::Kind::integer || runs->value.integer < 1 || runs->value.integer > static_cast<std::int64_t>(most_runs)) {
-    add_problem(reading, runs ? runs->value.place : section.place, path, "must say runs = N, a whole number of at least 1");
+    add_problem(reading, runs ? runs->value.place : section.place, path, "must state runs = N, a whole number of at least 1");
     return points;
   }
   points.resize(static_cast<std::size_t>(runs->value.integer));

@@ -43,7 +43,7 @@ void check(const Packing& packing, const Cement& cement) {
   Problems problems;
   const Grains& g = packing.grains;
   const auto n = static_cast<std::int32_t>(g.size());
-  problems.unless(packing.domain.tilt == 0, "the periodic cell is sheared by {:g} m; cement and grid need an upright one", packing.domain.tilt);
+  problems.unless(packing.domain.tilt == 0, "the periodic cell is sheared by {:g} m; cement and grid need a rectangular one", packing.domain.tilt);
   for (std::size_t i = 0; i < g.size(); ++i)
     problems.unless(is_finite(g.position[i]) && g.radius[i] > 0 && std::isfinite(g.radius[i]),
                     "grain {} has centre ({:g}, {:g}) m and radius {:g} m; give finite numbers and a positive radius", i, g.position[i].x, g.position[i].y,

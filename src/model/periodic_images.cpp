@@ -43,7 +43,8 @@ PeriodicImages images_of(std::span<const Vec2> centre, std::span<const double> r
       }
     if (images.centre.size() > 1'000'000 + 256 * centre.size())
       throw InputError(
-          "grains, or the gap, are so wide beside their periodic cell that each has hundreds of images; correct the unit of the radii, the gap or the cell");
+          "grains or the gap are so wide compared with the periodic cell that each grain has hundreds of images; correct the unit of the radii, the gap or the "
+          "cell");
   }
   return images;
 }

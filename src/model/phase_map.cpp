@@ -18,10 +18,10 @@ PhaseMap make_phase_map(int width, int height, double dx) {
 void check(const PhaseMap& map) {
   Problems problems;
   const bool has_nodes = map.width > 0 && map.height > 0;
-  problems.unless(has_nodes, "a phase map of {} x {} nodes holds nothing; give it at least one node each way", map.width, map.height);
+  problems.unless(has_nodes, "a phase map of {} x {} nodes is empty; give at least one node in each direction", map.width, map.height);
   problems.unless(map.dx > 0 && std::isfinite(map.dx), "the node spacing of a phase map is {:g} m; give a positive length", map.dx);
   problems.unless(!has_nodes || (map.phase.size() == map.size() && map.grain.size() == map.size()),
-                  "a phase map of {} x {} nodes has {} phases and {} labels; give one of each a node", map.width, map.height, map.phase.size(),
+                  "a phase map of {} x {} nodes has {} phases and {} labels; give one of each per node", map.width, map.height, map.phase.size(),
                   map.grain.size());
   problems.raise();
 
@@ -32,7 +32,7 @@ void check(const PhaseMap& map) {
     if (particle ? label >= 0 && label < grains : label == -1) continue;
     const auto x = i % static_cast<std::size_t>(map.width), y = i / static_cast<std::size_t>(map.width);
     throw InputError(particle ? fmt::format("the particle node ({}, {}) has grain label {}; labels run from 0 to {}", x, y, label, grains - 1)
-                              : fmt::format("the node ({}, {}) is no particle but has grain label {}; give it -1", x, y, label));
+                              : fmt::format("the node ({}, {}) is not a particle but has grain label {}; give it -1", x, y, label));
   }
 }
 

@@ -36,7 +36,7 @@ inline constexpr EnergyTerm energy_terms[] = {{"kinetic", "kinetic energy", &Ene
                                               {"adhesive", "adhesive energy", &Energies::adhesive},
                                               {"dissipated_normal", "dissipated by dashpots", &Energies::dissipated_normal},
                                               {"dissipated_friction", "dissipated by friction", &Energies::dissipated_friction},
-                                              {"dissipated_drag", "dissipated by drag, walls' brakes", &Energies::dissipated_drag},
+                                              {"dissipated_drag", "dissipated by drag and wall damping", &Energies::dissipated_drag},
                                               {"dissipated_breakage", "dissipated by broken bonds", &Energies::dissipated_breakage},
                                               {"work_walls", "work of the sides", &Energies::work_walls},
                                               {"work_gravity", "work of gravity", &Energies::work_gravity}};

@@ -26,7 +26,7 @@ void declare(Visitor& v, FilmMaterial& material) {
   v.number({"brightness", "Brightness in the picture in which grains are found; only the order of the materials matters."}, material.brightness, "",
            range::between(0, 1));
   v.number({"emissivity", "Emissivity in the band of the camera; unless given, that of [temperature]."}, material.emissivity, "", range::above(0, 1));
-  v.number({"stiffness", "Contact stiffness, as in a packing's recipe; decides forces that the grain means leave undetermined; 0: unknown, equal for all."},
+  v.number({"stiffness", "Contact stiffness, as in a packing's recipe; used for forces that the grain means leave undetermined; 0: unknown, equal for all."},
            material.stiffness, "kN/mm", range::not_negative);
 }
 
@@ -109,11 +109,12 @@ void declare(Visitor& v, ForcesSection& forces) {
            {{"pixels", "every pixel of the grains"}, {"means", "only the means of the grains"}, {"none", "no forces"}});
   v.number({"central_share", "Fraction of a grain's area, around its centre, over which its stress is averaged."}, forces.central_share, "%",
            range::above(0, 1));
-  v.number({"blur",
-            "Standard deviation of the lens blur, in pixels. If the rims in the film show another one, a notice says so, and errors include the difference."},
-           forces.blur, "", range::between(0, 5));
+  v.number(
+      {"blur",
+       "Standard deviation of the lens blur, in pixels. If the rims in the film show a different blur, a notice is given, and errors include the difference."},
+      forces.blur, "", range::between(0, 5));
   v.number({"friction", "Coefficient of friction: bounds tangential forces of a state."}, forces.friction, "", range::not_negative);
-  v.flag({"state", "The film shows a state that starts from no load, so that the friction cone holds; otherwise the difference between two."}, forces.state);
+  v.flag({"state", "The film shows a state loaded from zero, for which the friction cone holds; otherwise the difference between two states."}, forces.state);
 }
 
 void declare(Visitor& v, SimulationSection& simulation) {
@@ -152,7 +153,7 @@ void declare(ParameterVisitor& v, FilmRecipe& recipe) {
       {"materials", "Materials of the grains, by name.", true},
       {[&] { return recipe.materials.size(); }, [&](std::size_t n) { recipe.materials.resize(n); },
        [&](Visitor& inner, std::size_t i) { declare(inner, recipe.materials[i]); }, [&](std::size_t i) -> std::string& { return recipe.materials[i].name; }});
-  v.optional_section<io::FilmChoice>({"film", "Metadata that the film lacks or gives wrongly."}, recipe.film,
+  v.optional_section<io::FilmChoice>({"film", "Metadata that are missing or wrong in the film."}, recipe.film,
                                      [](Visitor& inner, io::FilmChoice& film) { declare(inner, film); });
   v.section({"container", "Box that holds the grains.", true, "frame"}, [&](Visitor& inner) { declare(inner, recipe.container); });
   v.section({"picture", "How grains are found in the film.", true}, [&](Visitor& inner) { declare(inner, recipe.picture); });

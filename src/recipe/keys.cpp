@@ -20,7 +20,7 @@ namespace {
 void declare(Visitor& v, Material& material) {
   v.number({"density", "Mass density.", true}, material.density, "kg/m^3", range::positive);
   v.number({"youngs_modulus", "Young's modulus E, for contact.normal = \"hertz_mindlin\"."}, material.youngs_modulus, "GPa", range::positive);
-  v.number({"poisson", "Poisson's ratio nu, for the same."}, material.poisson, "", range::between(0, 0.5));
+  v.number({"poisson", "Poisson's ratio nu, for contact.normal = \"hertz_mindlin\"."}, material.poisson, "", range::between(0, 0.5));
   const bool elastic = material.youngs_modulus && material.poisson;
   v.number_above_0({"stiffness", "Contact stiffness k of two grains of this material; not needed if the normal law takes E and nu.", !elastic},
                    material.stiffness, "kN/mm");

@@ -93,12 +93,12 @@ template <class Choice> void read_choice(Table& table, const Node& node, const c
 /// What the kind of figure needs.
 void check_figure(Table& table, const Node& node, const Figure& figure) {
   const bool points = !figure.x.empty() && !figure.y.empty();
-  if (figure.kind == FigureKind::plot && figure.curves.empty() && !points) table.refuse(node, "x", "and `y` say what is drawn, or `curves`");
-  if (figure.kind == FigureKind::rose && figure.curves.empty()) table.refuse(node, "curves", "say what a rose shows");
+  if (figure.kind == FigureKind::plot && figure.curves.empty() && !points) table.refuse(node, "x", "and `y`, or `curves`, are needed");
+  if (figure.kind == FigureKind::rose && figure.curves.empty()) table.refuse(node, "curves", "are needed for a rose");
   if (figure.kind == FigureKind::map && (!points || figure.by.empty() || figure.y.size() != 1))
-    table.refuse(node, "x", ", `by` and one `y` say what a map shows");
+    table.refuse(node, "x", ", `by` and one `y` are needed for a map");
   if (const std::size_t n = figure.curves.empty() ? figure.y.size() : figure.curves.size(); !figure.names.empty() && figure.names.size() != n)
-    table.refuse(node, "names", fmt::format("must be as many as what is drawn: {}", n));
+    table.refuse(node, "names", fmt::format("must be as many as the curves drawn: {}", n));
   if (const double n = figure.sectors.value_or(18); !(n >= 2 && n <= 360 && n == std::floor(n))) table.refuse(node, "sectors", "is a whole number, 2 to 360");
   if (const double share = figure.window.value_or(1); !(share > 0 && share <= 1))
     table.refuse(node, "window", "is a fraction of the area, above 0 and up to 1");

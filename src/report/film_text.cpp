@@ -32,18 +32,18 @@ Numbers film_summary(FilmSource& source, std::size_t most_frames) {
             {"filter", film.filter},
             {"bits", described(film.bits, "", "Bits of a pixel")},
             {"floating", described(film.floating, "", "Whether pixels are floating-point numbers")},
-            {"quantity", described(quantities[static_cast<std::size_t>(film.quantity)], "", "What pixels hold")},
+            {"quantity", described(quantities[static_cast<std::size_t>(film.quantity)], "", "Quantity of the pixel values")},
             {"emissivity", known(film.emissivity, "", "Emissivity set in the camera")},
             {"ambient_K", known(film.ambient, "K", "Temperature of the surroundings set in the camera")},
             {"band_low_m", known(film.band_low, "m", "Shortest wavelength of its band")},
             {"band_high_m", known(film.band_high, "m", "Longest wavelength of its band")},
-            {"stamped", described(!film.time.empty(), "", "Whether frames have the times at which they were taken")},
+            {"stamped", described(!film.time.empty(), "", "Whether frames have time stamps")},
             {"frame_interval_s", known(times.interval, "s", "Time between two frames")},
             {"duration_s", known(times.duration, "s", "Time from the first frame to the last")},
-            {"dropped_frames", described(times.dropped, "", "Frames of the camera that are missing")}};
-  j["gaps_before_frames"] = described(times.gap, "", "Frames before which some are missing");
+            {"dropped_frames", described(times.dropped, "", "Missing frames")}};
+  j["gaps_before_frames"] = described(times.gap, "", "Frames preceded by missing ones");
   j["pixels"] = {{"frames_read", described(pixels.frames, "", "Number of first frames evaluated")},
-                 {"least", described(level(*std::ranges::min_element(pixels.least)), "", "Least value")},
+                 {"least", described(level(*std::ranges::min_element(pixels.least)), "", "Smallest value")},
                  {"most", described(level(*std::ranges::max_element(pixels.most)), "", "Largest value")},
                  {"median", described(median(pixels.mean), "", "Median of the pixels' means")},
                  {"median_noise", described(median(pixels.noise), "", "Median noise of a pixel, from frame to frame")},

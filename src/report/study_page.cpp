@@ -141,7 +141,7 @@ std::string absent(const Figure& figure, const std::vector<FigureCurve>& curves)
 /// The run that is drawn, or why none is.
 void add_drawing(Numbers& shown, const Figure& figure, const std::string& run, const StudyPage& page) {
   if (run.empty()) {
-    shown["missing"] = "No run of this kind is done yet.";
+    shown["missing"] = "No run of this kind has finished yet.";
     return;
   }
   try {
@@ -153,10 +153,10 @@ void add_drawing(Numbers& shown, const Figure& figure, const std::string& run, c
 Numbers document_of(const StudyPage& page) {
   Numbers about{{"title", page.title}};
   const auto done = std::ranges::count(page.table.rows, "done", &campaign::CollectedTable::Row::status);
-  about["runs"] = fmt::format("{} of {} runs; the caption of each figure says what its bars, bands and ticks are", done, page.table.rows.size());
+  about["runs"] = fmt::format("{} of {} runs; the caption of each figure explains its bars, bands and ticks", done, page.table.rows.size());
   const bool has_source =
       std::ranges::any_of(page.figures, [](const Figure& f) { return !f.source.empty() || !f.references.empty() || !f.source_points.empty(); });
-  about["made"] = fmt::format("Arenite {}.{}", version, has_source ? " Dashed lines and crosses are what the text and the tables of the source say." : "");
+  about["made"] = fmt::format("Arenite {}.{}", version, has_source ? " Dashed lines and crosses show statements and tables of the source." : "");
   about["table"] = runs_table(page.table, page.link);
   about["figures"] = Numbers::list();
   campaign::CollectedTable table = page.table;
@@ -165,7 +165,7 @@ Numbers document_of(const StudyPage& page) {
     const auto curves = curves_of(figure, table, page.numbers);
     about["figures"].push_back(figure_json(figure, curves, page.table));
     if (const auto names = absent(figure, curves); !names.empty())
-      about["figures"].back()["missing"] = fmt::format("No run has the numbers for it yet: {}.", names);
+      about["figures"].back()["missing"] = fmt::format("No finished run has its numbers yet: {}.", names);
     if (shows_a_run(figure.kind)) add_drawing(about["figures"].back(), figure, run_of(figure, table), page);
   }
   return about;

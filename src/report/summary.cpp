@@ -54,7 +54,7 @@ Numbers walls(const Domain& domain) {
 Numbers boundaries(const Domain& domain) {
   Numbers j = Numbers::tree();
   for (const Boundary& b : domain.boundaries)
-    j[b.name] = {{"present", described(b.present, "", "Whether grains meet it")},
+    j[b.name] = {{"present", described(b.present, "", "Whether it is present")},
                  {"centre_m", described({b.centre.x, b.centre.y}, "m", "Centre, which moves with the boundary")},
                  {"velocity_m_s", described({b.velocity.x, b.velocity.y}, "m/s", "Velocity of the centre")},
                  {"spin_rad_s", described(b.spin, "rad/s", "Counter-clockwise")},
@@ -76,7 +76,7 @@ Numbers state(const Frame& frame) {
   return j;
 }
 
-Numbers converged(const ResultHead& head) { return described(head.converged, "", "Whether it came to equilibrium, or to a solution"); }
+Numbers converged(const ResultHead& head) { return described(head.converged, "", "Whether equilibrium, or a solution, was reached"); }
 
 /// What the list of stages says of every kind of result.
 Numbers entry(const ResultHead& head, const std::string& file) {
@@ -184,7 +184,7 @@ Numbers Summary::numbers() const {
   j["provenance"] = provenance(last().provenance);
   for (const Stage& stage : stages_) {
     Numbers one = entry(stage.result, stage.file);
-    one["states"] = described(stage.states, "", "States that are stored");
+    one["states"] = described(stage.states, "", "Stored states");
     if (!stage.result.frames.empty()) one["last_state"] = state(stage.result.frames.back());
     if (const auto curves = test_curves(stage.result))
       if (const auto critical = critical_state(*curves)) one["critical_state"] = j["critical_state"] = numbers_of(*curves, *critical);

@@ -179,9 +179,9 @@ Numbers numbers_of(const TestCurves& curves, const CriticalState& state) {
   return {{"strain", curves.strain_name},
           {"from", statistics::described(state.from, "", "Strain beyond which the ratio and the volume only fluctuate")},
           {"to", statistics::described(state.to, "", "Last strain of the test")},
-          {"sure", statistics::described(state.sure, "", "\"no\": errors are of six blocks, perhaps too small; shear further or repeat with other seeds")},
+          {"sure", statistics::described(state.sure, "", "\"no\": errors are from six blocks, perhaps too small; shear further or repeat with other seeds")},
           {curves.ratio_name(), with_interval(state.ratio, curves.sheared ? "Shear over normal stress on the sides, mean over the critical state"
-                                                                          : "q/p by the forces on the sides, mean over the critical state")},
+                                                                          : "q/p from the forces on the sides, mean over the critical state")},
           {"solid_fraction", with_interval(state.solid_fraction, "Solid fraction of the whole box, mean over the critical state")}};
 }
 

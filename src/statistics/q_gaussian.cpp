@@ -179,7 +179,7 @@ Numbers numbers(const QGaussian& fit) {
   put(j, "q", fit.q, "", "Exponent of the tails; 1: a Gaussian");
   put(j, "beta", fit.beta, "", "Width, 1/(2 variance) of a Gaussian");
   put(j, "centre", fit.centre, "", "mu, where the pdf is highest");
-  put(j, "r2", fit.r2, "", "Share of the pdf's variance over the bins that the fit explains");
+  put(j, "r2", fit.r2, "", "Fraction of the variance of the pdf over the bins explained by the fit");
   return j;
 }
 

@@ -168,14 +168,14 @@ TailFit fit_tail(const BlockedSample& sample, const BlockCounts& counts, const s
 
 Numbers numbers(const TailFit& fit) {
   Numbers j = Numbers::tree();
-  put(j, "slope", fit.slope, "", "s by maximum likelihood of the exponential cut at both ends");
-  put(j, "line_slope", fit.line_slope, "", "s by a straight line through ln pdf in the bins");
-  put(j, "line_r2", fit.line_r2, "", "Share of the variance of ln pdf that the line explains");
+  put(j, "slope", fit.slope, "", "s by maximum likelihood of the exponential truncated at both ends");
+  put(j, "line_slope", fit.line_slope, "", "s from a straight line through ln pdf in the bins");
+  put(j, "line_r2", fit.line_r2, "", "Fraction of the variance of ln pdf explained by the line");
   put(j, "low", fit.low, "", "x from which the pdf stays below 0.1 of its peak");
   put(j, "high", fit.high, "", "x where the pdf first falls below 0.001 of its peak");
   put(j, "count", fit.count, "", "Values between low and high");
-  put(j, "log_likelihood_ratio", fit.likelihood_ratio, "", "ln L(exponential) - ln L(Gaussian about the mean), both cut at both ends");
-  put(j, "p_value", fit.p_value, "", "That the exponential's lead is chance, by its scatter between blocks, one-sided");
+  put(j, "log_likelihood_ratio", fit.likelihood_ratio, "", "ln L(exponential) - ln L(Gaussian about the mean), both truncated at both ends");
+  put(j, "p_value", fit.p_value, "", "Probability that the exponential fits better by chance, from the scatter between blocks, one-sided");
   return j;
 }
 

@@ -20,24 +20,23 @@ constexpr struct {
 } parameters[] = {{"", "", ""},
                   {"width", "", "Half base of a neck over the radius of its grain"},
                   {"", "", ""},
-                  {"thickness_m", "m", "Thickness of the coat"},
+                  {"thickness_m", "m", "Thickness of the coating"},
                   {"volume_m2", "m^2", "Area of a meniscus"}};
 
 Numbers support(const peridynamics::Support& s) {
   return {{"solid", described(s.solid, "", "Nodes that are not void")},
-          {"carrying", described(s.carrying, "", "Of these, nodes that are tied to both clamps")},
-          {"held_below", described(s.held_below, "", "Nodes tied to the lower clamp alone, without stress")},
-          {"held_above", described(s.held_above, "", "Nodes tied to the upper clamp alone, without stress")},
-          {"floating", described(s.floating, "", "Nodes tied to neither clamp, without stress")},
+          {"carrying", described(s.carrying, "", "Of these, nodes connected to both clamps")},
+          {"held_below", described(s.held_below, "", "Nodes connected to the lower clamp only, without stress")},
+          {"held_above", described(s.held_above, "", "Nodes connected to the upper clamp only, without stress")},
+          {"floating", described(s.floating, "", "Nodes connected to neither clamp, without stress")},
           {"islands", described(s.islands, "", "Separate parts of these")}};
 }
 
 Numbers as_asked(const recipe::Load& load) {
   const peridynamics::Stiffness e = load.stiffness.resolved();
-  return {
-      {"loading", recipe::word_of(load.loading)},
-      {"axis", recipe::word_of(load.axis)},
-      {"stiffness_Pa", described({{"matrix", e.matrix}, {"interface", e.interface}, {"particle", e.particle}}, "Pa", "Young's modulus given to these bonds")}};
+  return {{"loading", recipe::word_of(load.loading)},
+          {"axis", recipe::word_of(load.axis)},
+          {"stiffness_Pa", described({{"matrix", e.matrix}, {"interface", e.interface}, {"particle", e.particle}}, "Pa", "Young's modulus of these bonds")}};
 }
 
 /// Of Young's modulus, by the phases' shares. The lattice's Poisson's ratio is 1/3.
@@ -61,13 +60,13 @@ void add_reports(Numbers& j, const SampleReports& reports) {
   j["exact"] = {{"solid_fraction", described(c.areas.particle / c.areas.window, "", "Fraction of the area in grains, by exact areas")},
                 {"S_m", described(c.saturation, "", "Fraction of the space between grains filled by matrix, by exact areas")}};
   Numbers cement{{"kind", recipe::word_of(reports.law.kind)},
-                 {"gap_m", described(*reports.law.gap, "m", "Largest gap that a neck bridges")},
+                 {"gap_m", described(*reports.law.gap, "m", "Largest gap bridged by a neck")},
                  {"necks", described(c.necks, "", "Pairs of grains with a neck")}};
   if (const auto& [name, unit, sentence] = parameters[kind]; *name != '\0') cement[name] = described(c.parameter, unit, sentence);
-  if (reports.law.saturation) cement["saturation_error"] = described(c.saturation_error, "", "S_m less the one asked for");
+  if (reports.law.saturation) cement["saturation_error"] = described(c.saturation_error, "", "S_m minus the prescribed value");
   if (reports.law.kind == cement::CementParameters::Kind::menisci)
-    cement.update({{"ruptured", described(c.ruptured, "", "Menisci too small to span their gap, so not there")},
-                   {"capped", described(c.capped, "", "Menisci that hold less than asked, with straight arcs")}});
+    cement.update({{"ruptured", described(c.ruptured, "", "Menisci too small to span their gap, left out")},
+                   {"capped", described(c.capped, "", "Menisci with less than the prescribed volume, with straight arcs")}});
   j["cement"] = cement;
   j["grid"] = {{"corner_m", described({r.window.x_min, r.window.y_min}, "m", "Lower left corner of the window in the sample")},
                {"side_m", described(r.window.width(), "m", "Side of the window")},
@@ -87,7 +86,7 @@ void add_load(Numbers& j, const recipe::Load& load, const peridynamics::LoadRepo
        {"ending", endings[static_cast<int>(report.ending)]},
        {"iterations", described(report.iterations, "", "Iterations of the solver")},
        {"residual", described(report.residual, "", "Out-of-balance force over that of uniform strain")},
-       {"reaction_balance_error", described(report.identity_defect, "", "Sum of sigma_yy over the volume against the clamp's force times the height, less 1")},
+       {"reaction_balance_error", described(report.identity_defect, "", "Volume integral of sigma_yy over the product of clamp force and height, minus 1")},
        {"top_force_N_per_m", described({report.top_force.x, report.top_force.y}, "N/m", "Force of the upper clamp on the sample, per metre of depth")},
        {"nodes", support(report.support)},
        {"loose_nodes", described(report.loose_nodes, "", "Nodes without stiffness in some direction")},
@@ -111,19 +110,19 @@ void add_failure(Numbers& j, const recipe::Load& load, const peridynamics::Damag
   Numbers l = as_asked(load);
   const peridynamics::Toughness k = load.toughness.resolved();
   l["toughness_Pa_m0.5"] =
-      described({{"matrix", k.matrix}, {"interface", k.interface}, {"particle", k.particle}}, "Pa m^0.5", "Fracture toughness given to these bonds");
+      described({{"matrix", k.matrix}, {"interface", k.interface}, {"particle", k.particle}}, "Pa m^0.5", "Fracture toughness of these bonds");
   l.update({{"ending", peridynamics::damage_endings[static_cast<std::size_t>(result.ending)].word},
             {"solves", described(result.solves, "", "Static solutions")},
             {"iterations", described(result.iterations, "", "Iterations of the solver")}});
   j["load"] = l;
   j["modulus_Pa"] = described(result.modulus, "Pa", "Apparent modulus before the first bond breaks");
-  j["strength_Pa"] = described(result.strength, "Pa", "Strength, greatest mean stress");
+  j["strength_Pa"] = described(result.strength, "Pa", "Strength, largest mean stress");
   std::array<std::size_t, 4> by_type{};
   for (const auto& bond : result.broken) ++by_type[bond.type & 3u];
   Numbers failure{{"broken", described({{"matrix", by_type[1]}, {"interface", by_type[2]}, {"particle", by_type[3]}}, "", "Bonds broken")},
                   {"energy_balance_error", described(result.energy_defect, "", "Largest |work - elastic - released energy| over the work")}};
   for (const auto& state : result.curve)
-    if (state.stress == result.strength) failure["strain_at_strength"] = described(state.strain, "", "Strain at the greatest mean stress");
+    if (state.stress == result.strength) failure["strain_at_strength"] = described(state.strain, "", "Strain at the largest mean stress");
   if (!result.curve.empty()) {
     const auto& last = result.curve.back();
     failure.update({{"work_J_per_m", described(last.work, "J/m", "Work of the load, per metre of depth")},

@@ -67,7 +67,7 @@ std::string unequal(const recipe::FilmRecipe& recipe, const std::vector<Scale>& 
         "brightness (or the list of grains) and their factors",
         first, second);
   return fmt::format(
-      "forces between {0} and {1} agree only if the factor of {1} against that of {0} is {2} what the recipe has; check thermoelastic_factor "
+      "forces between {0} and {1} agree only if the ratio of the factors of {1} and {0} is {2} that of the recipe; check thermoelastic_factor "
       "and emissivity of both",
       first, second, percent(ratio));
 }
@@ -104,7 +104,7 @@ void refuse_temperatures(const recipe::FilmRecipe& recipe, const std::filesystem
   if (!has_references(recipe)) refuse(recipe.source_file, "temperature: {}", recipe::needs_references);
   if (recipe.temperature.from == recipe::TemperatureSection::From::film && film.quantity == FilmQuantity::digital_level)
     refuse(path.string(),
-           "says that it holds digital levels, and temperature.from = \"film\" of {} takes them for kelvin; "
+           "states that it holds digital levels, and temperature.from = \"film\" of {} takes them for kelvin; "
            "choose \"references\", \"curve\" or \"radiometry\" there",
            recipe.source_file);
 }
@@ -178,8 +178,8 @@ std::vector<std::string> film_doubts(const recipe::FilmRecipe& recipe, const Fil
   add_scales(recipe, r, doubts);
   if (r.fit.model_error > field_doubted)
     doubts.push_back(fmt::format(
-        "forces and pixels agree only if the stress fields of disks are off by {:.0f} % of their signal: what is left is {:.0f} % of the signal and "
-        "{:.3g} times the noise; the likely causes are wrong circles, a wrong blur, materials or grains that are no cylinders",
+        "forces and pixels agree only if the stress fields of disks are off by {:.0f} % of their signal: the residual is {:.0f} % of the signal and "
+        "{:.3g} times the noise; the likely causes are wrong circles, a wrong blur, materials or grains that are not cylinders",
         100 * r.fit.model_error, 100 * r.fit.over_signal, r.fit.over_noise));
   return doubts;
 }

@@ -102,7 +102,7 @@ thermography::LevelCurve curve_for(const recipe::FilmRecipe& recipe, const FilmI
 void refuse_bare_levels(const FilmInfo& film) {
   if (!film.floating && film.quantity == FilmQuantity::unknown)
     throw InputError(
-        "holds whole numbers and does not say what they are, and temperature.from = \"film\" takes them for kelvin; give [film] scale and offset "
+        "holds whole numbers of unknown quantity, and temperature.from = \"film\" takes them for kelvin; give [film] scale and offset "
         "(--scale, --offset), or choose \"references\", \"curve\" or \"radiometry\"");
 }
 

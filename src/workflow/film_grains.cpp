@@ -114,7 +114,7 @@ void refuse_overlapping(const std::string& file, const Grains& grains) {
 PictureGrains read_list(const recipe::FilmRecipe& recipe, const FilmPlace& place) {
   const auto file = recipe.beside(recipe.picture.grains);
   const Grains read = io::read_placed_grains(file, materials_of(recipe), container_at(recipe, 0));
-  if (read.size() == 0) refuse(file.string(), "lists no grains; give every grain a row");
+  if (read.size() == 0) refuse(file.string(), "lists no grains; give one row per grain");
   refuse_overlapping(file.string(), read);
   PictureGrains grains;
   grains.centre = mapped(read.position, [&](Vec2 p) { return place.pixels(p); });

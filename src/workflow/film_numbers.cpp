@@ -36,7 +36,7 @@ Numbers film_of(const FilmResult& r) {
           {"frames", described(r.film.frames, "", "Frames of the film")},
           {"frame_rate_Hz", described(r.film.frame_rate, "Hz", "Frame rate")},
           {"pixel_m", described(r.pixel, "m", "Side of a pixel on the sample")},
-          {"bad_pixels", described(std::count(r.bad.begin(), r.bad.end(), std::uint8_t{1}), "", "Pixels that were replaced")}};
+          {"bad_pixels", described(std::count(r.bad.begin(), r.bad.end(), std::uint8_t{1}), "", "Pixels replaced")}};
 }
 
 Numbers lockin_of(const FilmResult& r) {
@@ -51,7 +51,7 @@ Numbers lockin_of(const FilmResult& r) {
 }
 
 Numbers grains_of(const FilmResult& r) {
-  Numbers j{{"all", described(r.packing.grains.size(), "", "Grains that were found")}};
+  Numbers j{{"all", described(r.packing.grains.size(), "", "Grains found")}};
   for (std::size_t m = 0; m < r.packing.materials.size(); ++m)
     j[r.packing.materials[m].name] = described(std::ranges::count(r.packing.grains.material, static_cast<std::int32_t>(m)), "", "Grains of this material");
   if (!r.grains.position_error.empty())
@@ -67,9 +67,9 @@ Numbers motion_of(const FilmResult& r) {
   }
   Numbers j = Numbers::tree();
   if (travel.empty()) return j;
-  put(j, "median_travel_pixels", median(travel, statistics::unknown), "pixels", "Median travel of a grain, peak to peak");
-  put(j, "largest_travel_pixels", *std::max_element(travel.begin(), travel.end()), "pixels", "Largest travel of a grain, peak to peak");
-  put(j, "standard_error_pixels", median(r.motion.error, statistics::unknown), "pixels", "Median standard error of the travel");
+  put(j, "median_travel_pixels", median(travel, statistics::unknown), "pixels", "Median displacement of a grain, peak to peak");
+  put(j, "largest_travel_pixels", *std::max_element(travel.begin(), travel.end()), "pixels", "Largest displacement of a grain, peak to peak");
+  put(j, "standard_error_pixels", median(r.motion.error, statistics::unknown), "pixels", "Median standard error of the displacement");
   return j;
 }
 
@@ -92,7 +92,7 @@ Numbers forces_of(const FilmResult& r) {
     // Of the sample's contacts, and of how many there are: one more or less of those that carry next to nothing.
     const double spread = std::sqrt(squares / (n - 1) / n), counted = mean * r.fit.present_error / n;
     put(j, "mean_N", Estimate{mean, std::hypot(spread, counted)}, "N", "Mean normal force between grains, peak to peak");
-    put(j, "fraction_above_mean", Estimate{above / n, std::sqrt(above * (n - above) / n) / n}, "", "Share of contacts above the mean force");
+    put(j, "fraction_above_mean", Estimate{above / n, std::sqrt(above * (n - above) / n) / n}, "", "Fraction of contacts above the mean force");
   }
   put(j, "fn_error_N", median(r.fn_error, statistics::unknown), "N", "Median standard error of a normal force");
   put(j, "ft_error_N", median(r.ft_error, statistics::unknown), "N", "Median standard error of a tangential force");
@@ -104,15 +104,15 @@ Numbers checks_of(const FilmResult& r) {
   Numbers j = Numbers::tree();
   const ForceFit& fit = r.fit;
   if (fit.over_noise > 0) {
-    put(j, "misfit_over_noise", fit.over_noise, "", "What the fit of forces leaves in a pixel over its noise");
+    put(j, "misfit_over_noise", fit.over_noise, "", "Residual of the force fit in a pixel over its noise");
     put(j, "misfit_over_signal", fit.over_signal, "", "The same over the signal");
     put(j, "field_error_that_agrees", fit.model_error, "", "Relative model error of the grains' fields that would explain the misfit");
   }
-  if (r.rim_blur > 0) put(j, "blur_of_rims_pixels", r.rim_blur, "pixels", "Blur that the rims of grains show");
-  if (fit.load != 0) put(j, "load_by_forces_N", fit.load, "N", "Load as the forces on the walls have it, peak to peak");
+  if (r.rim_blur > 0) put(j, "blur_of_rims_pixels", r.rim_blur, "pixels", "Blur seen at the rims of grains");
+  if (fit.load != 0) put(j, "load_by_forces_N", fit.load, "N", "Load from the forces on the walls, peak to peak");
   for (std::size_t m = 0; m < fit.factor_scale.size(); ++m)
     put(j["factor_scale"], r.packing.materials[m].name, Estimate{fit.factor_scale[m], fit.factor_scale_error[m]}, "",
-        "Thermoelastic factor that the film asks for over the one given");
+        "Thermoelastic factor inferred from the film over the given one");
   j["doubts"] = r.doubts;
   return j;
 }

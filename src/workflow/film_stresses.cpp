@@ -57,9 +57,10 @@ Agreement agreement(const std::vector<double>& film, const std::vector<double>& 
 
 Numbers numbers(const Agreement& a) {
   Numbers j = Numbers::tree();
-  put(j, "count", a.relation.count, "", "Grains that are compared");
-  put(j, "correlation", a.relation.pearson, "", "Pearson's correlation of the grains' stresses, film and simulation");
-  put(j, "slope", statistics::Estimate{a.relation.line.slope, a.relation.line.slope_error}, "", "Slope of the film's stresses on the simulation's");
+  put(j, "count", a.relation.count, "", "Grains compared");
+  put(j, "correlation", a.relation.pearson, "", "Pearson correlation of the grain stresses in film and simulation");
+  put(j, "slope", statistics::Estimate{a.relation.line.slope, a.relation.line.slope_error}, "",
+      "Slope of the stresses from the film against those of the simulation");
   put(j, "rms_Pa", a.rms, "Pa", "Root mean square difference of the stresses");
   put(j, "rms_sigma_norm", a.rms_sigma_norm, "", "Root mean square difference of the stresses, each over its mean");
   return j;

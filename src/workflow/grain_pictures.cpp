@@ -140,8 +140,8 @@ PictureGrains optical_grains(const recipe::FilmRecipe& recipe, const FilmInfo& f
   const auto overlay = lay_over_film(file, found.grains, first, {film.width, film.height, frame});
   const Vec2 middle = first.inverse()({0.5 * (film.width - 1), 0.5 * (film.height - 1)}), off = overlay.transform(middle) - first(middle);
   notes.push_back(fmt::format(
-      "the optical picture shows {} grains; it lies {:.2f} pixels of the film to the left and {:.2f} above, turned by {:.2f} degrees, "
-      "its scale is {:+.2f} % off, and grains in the film are {:.2f} pixels (rms) from where it has them",
+      "the optical picture shows {} grains; it is shifted by {:.2f} pixels of the film to the left and {:.2f} upwards, rotated by {:.2f} degrees, "
+      "its scale is {:+.2f} % off, and grains in the film are {:.2f} pixels (rms) from their positions in it",
       found.grains.size(), off.x, off.y, overlay.transform.rotation * 180 / std::numbers::pi, 100 * (overlay.transform.scale / first.scale - 1), overlay.rms));
   auto grains = imaging::apply(overlay.transform, std::move(found.grains));
   for (double& error : grains.position_error) error = std::hypot(error, overlay.shift_error);

@@ -68,8 +68,8 @@ void add_all(Identification& found, const std::vector<TestGroup>& groups, const 
   found.all = Group{"all", all.size(), findings_of(statistics::mean_of(all), request)};
   const double chance = statistics::chance_of_equal_means(values);
   if (std::isfinite(chance))
-    found.notes.push_back(fmt::format("groups alike would differ by as much in {:.2g} % of cases (analysis of variance){}", 100 * chance,
-                                      chance < 0.05 ? ": they are not alike, and the error of the mean of all is too small" : ""));
+    found.notes.push_back(fmt::format("equal groups would differ this much in {:.2g} % of cases (analysis of variance){}", 100 * chance,
+                                      chance < 0.05 ? ": they are not equal, and the error of the mean of all is too small" : ""));
 }
 
 }  // namespace
@@ -82,7 +82,7 @@ Identification identify_stiffness(const std::string& file, const StiffnessReques
   const auto refusal = [](const auto&, const auto&, double value) { return fmt::format("the stiffness is {:.4g} N/m; it must be above 0", value); };
   const auto groups = tests_in(table, {{quantity::displacement}, slopes, stiffness_quantity, needs_of_stiffness, refusal});
   if (worst_r2 < 0.99)
-    found.notes.push_back(fmt::format("the records are not straight (least R^2 {:.3f}): k is the mean slope between preload and peak", worst_r2));
+    found.notes.push_back(fmt::format("the records are not linear (smallest R^2 {:.3f}): k is the mean slope between preload and peak", worst_r2));
   for (const auto& [name, tests] : groups) found.groups.push_back(group_of(name, tests, [&](const Measured& k) { return findings_of(k, request); }));
   add_all(found, groups, request);
   return finished(std::move(found), table, request.stated);
@@ -94,7 +94,7 @@ const Constant separation_force{"separation_force", "N", "F_c, the largest tensi
     surface_energy{"surface_energy", "kN/mm", "gamma = sqrt(4 k F_c/r_eff), T eq. 1.25"},
     threshold_force{"threshold_force", "N", "r_eff gamma^2/(4 k), the tension at which the law separates"},
     overlap_without_force{"overlap_without_force", "um", "r_eff gamma^2/k^2, where attraction and repulsion balance"},
-    stiffness_over_surface_energy{"stiffness_over_surface_energy", "", "k/gamma; above 50 cohesion does not show in the mechanics, T 2.4.3"};
+    stiffness_over_surface_energy{"stiffness_over_surface_energy", "", "k/gamma; above 50 cohesion has no effect on the mechanics, T 2.4.3"};
 const io::Quantity separation_quantity{{"separation_force", "mean_separation_force", "pull_off_force"}, dimension::force, ""};
 constexpr const char* needs_of_adhesion =
     "has no columns for an adhesion; give displacement (or time) and force (a record), or separation_force (a table), or a table with the specimen in its "
@@ -118,7 +118,7 @@ void add_group(Identification& found, const std::string& name, const Tests& forc
   found.groups.push_back(group_of(name, forces, [&](const Measured& force) { return findings_of(force, request); }));
   const Group& group = found.groups.back();
   if (request.stiffness && request.radii && group.findings.back().value.value > no_trace)
-    found.notes.push_back(fmt::format("{}: with k/gamma above {:.0f} cohesion is not expected to show in a packing's mechanics", group.name, no_trace));
+    found.notes.push_back(fmt::format("{}: with k/gamma above {:.0f} cohesion is not expected to affect the mechanics of a packing", group.name, no_trace));
 }
 
 /// The peaks of one group's records.

@@ -28,7 +28,7 @@ const Quantity temperature_quantity{
     {"temperature", "dt", "temperature_peak_to_peak", "temperature_amplitude", "temperature_swing"}, dimension::temperature, "", Quantity::Kind::difference};
 const Quantity signal_quantity{{"signal", "s"}, dimension::none, ""};
 constexpr const char* needs =
-    "has no columns for a factor; give a cause (stress, or force_min and force_max, or strain) beside a response (temperature or signal), or the properties "
+    "has no columns for a factor; give a cause (stress, or force_min and force_max, or strain) and a response (temperature or signal), or the properties "
     "alpha, temperature, density and heat_capacity";
 
 const char* words_of(AmplitudeConvention convention) { return convention == AmplitudeConvention::peak_to_peak ? "peak-to-peak values" : "amplitudes"; }
@@ -100,13 +100,13 @@ Column picked(const Column& from, const RowGroup& group) {
     throw refusal_at(table.file(), table.line(group.rows.back()), "{}{} points are too few for a slope with an error; give at least {}", of, group.rows.size(),
                      through_origin ? "two" : "three, or --through-origin");
   throw InputError(table.file(), table.line(group.rows.front()),
-                   of + "the load is the same in every row, or nothing answers to it; give tests at several loads");
+                   of + "the load is the same in every row, or there is no response to it; give tests at several loads");
 }
 
 const Constant factor{"factor", "K/MPa", "A of dT = -A d(sigma_kk), T eq. 1.55"},
-    factor_from_strain{"factor_from_strain", "K/MPa", "A by the stresses of the strains, T eq. 1.70"},
+    factor_from_strain{"factor_from_strain", "K/MPa", "A from the stresses that follow from strains, T eq. 1.70"},
     signal_constant{"signal_constant", "MPa", "A' of sigma_kk = A' S, the stress of one level of signal, T eq. 1.69"},
-    signal_constant_from_strain{"signal_constant_from_strain", "MPa", "A' by the stresses of the strains, T eq. 1.71"},
+    signal_constant_from_strain{"signal_constant_from_strain", "MPa", "A' from the stresses that follow from strains, T eq. 1.71"},
     signal_constant_direct{"signal_constant_direct", "MPa", "A' = D R F/(T eps A) with R of a detector of all wavelengths, T eq. 1.68"},
     signal_constant_direct_in_band{"signal_constant_direct_in_band", "MPa", "The same with R of the band"},
     exitance_exponent{"exitance_exponent", "", "n of the photons N ~ T^n in the band"};
@@ -116,10 +116,10 @@ void put_slope(Group& group, Identification& found, const Constant& constant, co
   group.findings.push_back({constant, f.factor});
   const auto& intercept = f.line.intercept;
   if (!std::isfinite(intercept.error)) return;
-  group.findings.push_back({{constant.name + "_intercept", intercept_unit, "Where the line meets no load; 0 of a linear response"}, intercept});
+  group.findings.push_back({{constant.name + "_intercept", intercept_unit, "Intercept of the line at zero load; 0 for a linear response"}, intercept});
   const auto range = statistics::confidence_95(intercept);
   if (range.low > 0 || range.high < 0)
-    found.notes.push_back(fmt::format("{}: the line misses the origin beyond its error; see whether the response is linear in the load", group.name));
+    found.notes.push_back(fmt::format("{}: the line misses the origin beyond its error; check whether the response is linear in the load", group.name));
 }
 
 /// `value` of the factor, a copy: it may stand in the group that grows.
@@ -181,7 +181,7 @@ void from_properties(io::LaboratoryTable& table, const FactorRequest& request, I
     const std::string name(p.quantity.names.front());
     if (!column) throw refusal_at(table.file(), table.header_line(), "there is no column {}; the factor is alpha T_0/(rho c_p)", name);
     const Column values = table.values(*column, p.quantity), errors = error ? table.values(*error, p.error) : Column(table.rows(), statistics::unknown);
-    if (!error) found.notes.push_back(fmt::format("{} has no error (column {}_error); none is added for it", name, name));
+    if (!error) found.notes.push_back(fmt::format("{} has no error (column {}_error); none is assumed", name, name));
     for (std::size_t r = 0; r < rows.size(); ++r) {
       if (!(values[r] > 0)) throw refusal_at(table.file(), table.line(r), "{} is {}; it must be above 0", name, values[r]);
       rows[r].*p.member = {values[r], errors[r]};
@@ -219,7 +219,7 @@ Identification identify_factor(const std::string& file, const FactorRequest& req
     if (!columns.stress.empty()) found.notes.push_back("the stress is " + way);
     found.notes.push_back(
         fmt::format("responses are taken as {}, loads as {}; the factor is that of peak-to-peak values (maximum minus minimum) on both sides, as the "
-                    "thesis's: say --temperature-convention amplitude for the amplitudes of a sine",
+                    "thesis's: give --temperature-convention amplitude for the amplitudes of a sine",
                     words_of(request.temperature), words_of(request.load)));
   }
   return finished(std::move(found), table, request.stated);

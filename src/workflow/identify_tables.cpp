@@ -160,8 +160,8 @@ identify::Identification finished(identify::Identification found, const io::Labo
     const std::string name(table.cell(row, 0));
     if (std::find(names.begin(), names.end(), name) != names.end()) continue;
     const std::string near = nearest(name, names);
-    throw refusal_at(file, table.line(row), "\"{}\" is none of the groups of {}; {}", name, found.file,
-                     near.empty() ? "name them alike" : fmt::format("did you mean \"{}\"?", near));
+    throw refusal_at(file, table.line(row), "\"{}\" is not one of the groups of {}; {}", name, found.file,
+                     near.empty() ? "use the same names" : fmt::format("did you mean \"{}\"?", near));
   }
   return found;
 }

@@ -63,7 +63,7 @@ class Circles {
     for (const double r : own_) within += std::numbers::pi * r * r / domain.area();
     if (!grains_.shapes.empty() && around > most)
       throw InputError(
-          fmt::format("the circles around the grains cover {:.3g} of the container; start from a packing.solid_fraction of {:.2f} or less and let a "
+          fmt::format("the circumscribed circles of the grains cover {:.3g} of the container; start from a packing.solid_fraction of {:.2f} or less and let a "
                       "loading stage compact it",
                       around, std::floor(100 * within * most / around) / 100));
   }
@@ -107,9 +107,9 @@ std::string sample(const recipe::Recipe& recipe, Packing& packing) {
   const std::size_t material[] = {index_of(recipe.materials, classes.large), index_of(recipe.materials, classes.small)};
   for (auto& m : packing.grains.material) m = static_cast<std::int32_t>(material[m]);
   packing.materials = recipe.materials;
-  const std::string left_out = report.left_out > 0 ? fmt::format(", {} small disks left out for it", report.left_out) : "";
+  const std::string left_out = report.left_out > 0 ? fmt::format(", {} small disks removed for this", report.left_out) : "";
   return fmt::format(
-      "{} large and {} small disks sampled in two steps, mean radii {:.4g} and {:.4g} mm; theta {:.4g} (asked {:g}, error {:+.1g} %) "
+      "{} large and {} small disks sampled in two steps, mean radii {:.4g} and {:.4g} mm; theta {:.4g} (prescribed {:g}, error {:+.1g} %) "
       "with a gap of {:.3g} mm between large ones{}; solid fraction {:.3f}",
       report.large, report.small, 1e3 * report.mean_large, 1e3 * report.mean_small, report.volume_ratio, classes.law.volume_ratio,
       100 * report.volume_ratio_error, 1e3 * report.gap, left_out, report.solid_fraction);

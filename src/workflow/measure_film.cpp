@@ -142,7 +142,7 @@ class Measurement {
       r.peak_to_peak.error[i] = std::numeric_limits<double>::infinity();
     }
     if (const auto count = std::count(lost.begin(), lost.end(), 1); count > 0)
-      options_.notice(fmt::format("{} of {} grains move in a way that the film does not show well enough; their stress is left unknown", count, lost.size()));
+      options_.notice(fmt::format("the motion of {} of {} grains is not visible well enough in the film; their stress is unknown", count, lost.size()));
   }
 
   const recipe::FilmRecipe& recipe_;

@@ -105,18 +105,18 @@ recipe::Recipe with_fewer(recipe::Recipe recipe, double share) {
 void warn(Prediction& p, const recipe::Recipe& recipe) {
   constexpr double tiny = 0.01;
   if (p.time_step < tiny * p.collision.time)
-    p.warnings.push_back(fmt::format("a collision takes {:.0f} steps; a tenth of its duration as the step would do{}", p.collision.time / p.time_step,
-                                     p.limit == StepLimit::damping ? ", and damping forbids it: weaker dashpots or less drag" : ""));
+    p.warnings.push_back(fmt::format("a collision takes {:.0f} steps; a step of a tenth of its duration would suffice{}", p.collision.time / p.time_step,
+                                     p.limit == StepLimit::damping ? ", but damping prevents it: use weaker dashpots or less drag" : ""));
   for (std::size_t s = 0; s < p.stages.size(); ++s) {
     const StagePrediction& stage = p.stages[s];
     if (stage.overlap && *stage.overlap > 0.01)
-      p.warnings.push_back(fmt::format("stage {}: grains overlap by some {:.2g} % of their diameter (k/P = {:.3g}); they are hard above 1e4", stage.name,
+      p.warnings.push_back(fmt::format("stage {}: grains overlap by about {:.2g} % of their diameter (k/P = {:.3g}); they are hard above 1e4", stage.name,
                                        100 * *stage.overlap, *stage.stiffness_number));
     const auto& sides = recipe.stages[s].side;
     const bool closes = std::any_of(sides.begin(), sides.end(), [](const auto& side) { return side.kind == dem::SideDrive::Kind::velocity; });
     if (stage.inertial_number && *stage.inertial_number > 0.1 && closes)
-      p.warnings.push_back(fmt::format("stage {}: I = {:.2g}: it is deformed faster than grains can make way; below 1e-3 it would be quasi-static", stage.name,
-                                       *stage.inertial_number));
+      p.warnings.push_back(fmt::format("stage {}: I = {:.2g}: the sample is deformed faster than grains can rearrange; below 1e-3 it would be quasi-static",
+                                       stage.name, *stage.inertial_number));
     if (const double each = static_cast<double>(stage.steps) / static_cast<double>(dem::increment_count(recipe.stages[s]));
         !stage.exact && each > static_cast<double>(recipe.stages[s].equilibrium.max_steps))
       p.warnings.push_back(
@@ -131,9 +131,9 @@ Numbers numbers_of(const StagePrediction& s) {
   Numbers j{{"name", s.name},
             {"steps", described(s.steps, "", "Steps of the stage")},
             {"exact", described(s.exact, "", "Whether their number follows from a duration; else it is an estimate")},
-            {"duration_s", described(s.duration, "s", "Time that is simulated")},
+            {"duration_s", described(s.duration, "s", "Simulated time")},
             {"time_step_s", described(s.time_step, "s", "Time step of the stage")},
-            {"computing_s", described(s.seconds, "s", "Time of one free processor")}};
+            {"computing_s", described(s.seconds, "s", "CPU time on one free core")}};
   if (s.pressure > 0) j["pressure_Pa"] = described(s.pressure, "Pa", "Largest pressure of sides or weight");
   if (s.inertial_number) {
     j["inertial_number"] = described(*s.inertial_number, "", "Inertial number rate d sqrt(rho/P)");
@@ -174,14 +174,14 @@ Numbers numbers(const Prediction& p) {
           {"time_step_limited_by", limits[static_cast<std::size_t>(p.limit)]},
           {"largest_stable_step_s", described(p.largest_step, "s", "Largest stable time step")},
           {"shortest_collision",
-           {{"time_s", described(p.collision.time, "s", "How long the collision lasts without damping")},
+           {{"time_s", described(p.collision.time, "s", "Duration of the collision without damping")},
             {"material", p.material},
             {"radius_m", described(p.collision.radius, "m", "Radius of its grain")},
-            {"with_wall", described(p.collision.with_wall, "", "Whether it is with a wall; else with a grain alike")}}},
+            {"with_wall", described(p.collision.with_wall, "", "Whether it is with a wall; otherwise with an equal grain")}}},
           {"grains", described(p.grains, "", "Grains of the recipe")},
           {"grains_timed", described(p.sample, "", "Grains of the sample that was timed")},
-          {"seconds_per_step", described(p.seconds_per_step, "s", "Time of one free processor for a step")},
-          {"computing_s", described(p.seconds(), "s", "Time of one free processor for all stages")},
+          {"seconds_per_step", described(p.seconds_per_step, "s", "CPU time of one step on one free core")},
+          {"computing_s", described(p.seconds(), "s", "CPU time of all stages on one free core")},
           {"stages", std::move(stages)},
           {"warnings", p.warnings}};
 }

@@ -64,8 +64,8 @@ std::string ResultFolder::what_was_put_aside() const {
     if (std::error_code error; fs::is_directory(out_ / name, error)) stale += (stale.empty() ? "" : ", ") + (out_ / name).string();
   const bool is_old = is_of_version_0_1(out_ / "earlier" / put_aside_.front());
   return fmt::format("{} of {} moved to {} and kept there: {}{}", put_aside_.size() == 1 ? "a result" : "results",
-                     is_old ? "version 0.1, with which no run goes on," : "other settings", (out_ / "earlier").string(), list_of(put_aside_),
-                     stale.empty() ? "" : fmt::format("; still of those settings, so write anew: {}", stale));
+                     is_old ? "version 0.1, from which no run can continue," : "other settings", (out_ / "earlier").string(), list_of(put_aside_),
+                     stale.empty() ? "" : fmt::format("; still from those settings, so write again: {}", stale));
 }
 
 namespace {

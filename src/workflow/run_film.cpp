@@ -92,7 +92,7 @@ bool add_companion(const recipe::FilmRecipe& recipe, const FilmRunOptions& optio
   const auto& stages = outcome.stages;
   if (const auto ends = compared_stages(outcome, *recipe.simulation))
     film.simulation = stresses_of(stages[ends->first].frames.back().packing, stages[ends->second].frames.back().packing);
-  if (!outcome.converged) options.notice("the companion simulation found no equilibrium: " + (stages.empty() ? std::string() : stages.back().outcome));
+  if (!outcome.converged) options.notice("the companion simulation did not reach equilibrium: " + (stages.empty() ? std::string() : stages.back().outcome));
   return true;
 }
 
@@ -162,7 +162,7 @@ FilmOutcome run_film(const fs::path& film, const recipe::FilmRecipe& recipe, con
   outcome.file = options.out / stage.file;
   if (fs::is_directory(options.out) && !fs::exists(outcome.file))
     for (const auto& other : other_results(options.out, {stage.file}))
-      if (is_of_version_0_1(other)) options.notice(fmt::format("{} is of version 0.1 and stays as it is; the film is measured again", other.string()));
+      if (is_of_version_0_1(other)) options.notice(fmt::format("{} is of version 0.1 and is left unchanged; the film is measured again", other.string()));
   const auto make = [&](const fs::path&) -> std::optional<FilmResult> {
     auto result = measured(film, *source, recipe, options);
     if (!result) return std::nullopt;

@@ -79,7 +79,7 @@ peridynamics::Watch watch_of(Progress& progress, const RunOptions& options) {
 
 dem::StageRun begun_or_kept(dem::Engine& engine, const dem::Stage& stage, const std::string& key, const fs::path& file, const RunOptions& options) {
   dem::StageRun run = dem::begin_stage(engine, stage);
-  const auto kept = unless_damaged(file, options, "the stage begins anew", [&] { return io::read_checkpoint(file, key); });
+  const auto kept = unless_damaged(file, options, "the stage starts again", [&] { return io::read_checkpoint(file, key); });
   if (kept && *kept) restore_from(**kept, engine, run);
   return run;
 }
@@ -90,7 +90,7 @@ void keep(const dem::Engine& engine, const dem::StageRun& run, const std::string
 
 FailureCheckpoint failure_checkpoint(const std::filesystem::path& file, const std::string& key, const RunOptions& options) {
   FailureCheckpoint checkpoint;
-  const auto stored = unless_damaged(file, options, "the test begins anew", [&] { return io::read_checkpoint(file, key); });
+  const auto stored = unless_damaged(file, options, "the test starts again", [&] { return io::read_checkpoint(file, key); });
   if (stored && *stored) checkpoint.resume = peridynamics::failure_state_of((*stored)->blobs.at("pull"));
   checkpoint.keep = [file, key, times = CheckpointTimes(options)](const auto& state) mutable {
     if (!times.is_due()) return;

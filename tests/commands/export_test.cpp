@@ -73,7 +73,7 @@ TEST_F(Export, ALoadingWhoseGrainsChangeFitsInNoArray) {
   io::write_stage(file, result);
   const auto refused = arenite("export " + file.string() + " --to netcdf");
   EXPECT_EQ(refused.status, 2);
-  EXPECT_NE(refused.err.find("have not the same grains"), std::string::npos) << refused.err;
+  EXPECT_NE(refused.err.find("do not have the same grains"), std::string::npos) << refused.err;
   EXPECT_FALSE(std::filesystem::exists(folder / "netcdf"));
 }
 

@@ -146,7 +146,7 @@ TEST(GrainsCommand, RefusesPicturesWithoutGrainsInOneSentence) {
   write_picture(folder / "a.png", some_disks());
   const auto path = [&](const char* name) { return (folder / name).string(); };
   expect_refused(path("noise.png"), "noise.png: ", "no grains were found");
-  expect_refused(path("flat.png"), "flat.png: ", "all pixels of the picture are alike");
+  expect_refused(path("flat.png"), "flat.png: ", "all pixels of the picture are equal");
   expect_refused(path("none.png"), "none.png", "");
   expect_refused(path("a.png") + " --radii \"8 mm\"", "--radii", "give --pixel");
   expect_refused(path("a.png") + " --radii 0.2", "--radii", "less than a pixel");

@@ -42,7 +42,7 @@ TEST(Load, StoresFieldAndPageAndMeasuresThemAgain) {
   ASSERT_EQ(loaded.status, 0) << loaded.err;
   EXPECT_NE(loaded.out.find("Apparent modulus"), std::string::npos);
   EXPECT_NE(loaded.out.find("in nodes, since --dx was not given"), std::string::npos) << loaded.out;
-  EXPECT_EQ(loaded.out.find("distance of nodes"), std::string::npos) << "1 m was not said by anybody";
+  EXPECT_EQ(loaded.out.find("Node spacing"), std::string::npos) << "1 m was not said by anybody";
   EXPECT_TRUE(fs::exists(folder / "out/report.html"));
   const auto shown = arenite("show --json " + (folder / "out").string());
   ASSERT_EQ(shown.status, 0) << shown.err;

@@ -107,7 +107,7 @@ TEST(LockInCommand, RefusesACycleThatDriftCouldBe) {
   io::write_film(folder / "film.h5", film);
   const auto refused = arenite("lockin " + (folder / "film.h5").string() + " --frame-rate 148Hz --frequency 3Hz --out " + (folder / "none").string());
   EXPECT_EQ(refused.status, 2);
-  EXPECT_NE(refused.err.find("holds 1.01 cycles of 3 Hz, too few to separate the load from a drift of order 4; ask for less drift"), std::string::npos)
+  EXPECT_NE(refused.err.find("holds 1.01 cycles of 3 Hz, too few to separate the load from a drift of order 4; use a lower drift order"), std::string::npos)
       << refused.err;
   EXPECT_FALSE(std::filesystem::exists(folder / "none"));
 }

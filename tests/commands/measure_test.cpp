@@ -117,7 +117,7 @@ TEST(MeasureAnnulus, ReportsDoubledRowsNegativeForcesAndImbalance) {
   EXPECT_EQ(t["quality"]["negative_forces"], 26);
   EXPECT_GT(t["quality"]["median_imbalance"], 0.2);
   const std::string notes = t["notes"].dump();
-  for (const char* part : {"1233 rows repeat", "26 of 1233 normal forces pull", "not in balance", "times the mean"})
+  for (const char* part : {"1233 rows repeat", "26 of 1233 normal forces are tensile", "not in balance", "times the mean"})
     EXPECT_NE(notes.find(part), std::string::npos) << part;
 }
 

@@ -48,7 +48,7 @@ TEST(ShowFilm, ADamagedFilmIsOneSentenceAndStatusTwo) {
   const auto shown = arenite("show " + (folder / "a.ptw").string() + " --json");
   EXPECT_EQ(shown.status, 2);
   EXPECT_EQ(shown.out, "");
-  EXPECT_NE(shown.err.find("a.ptw: is cut short: it announces 3 frames of 5 x 4 pixels and holds 1; copy it again"), std::string::npos) << shown.err;
+  EXPECT_NE(shown.err.find("a.ptw: is cut short: it declares 3 frames of 5 x 4 pixels and holds 1; copy it again"), std::string::npos) << shown.err;
 }
 
 TEST(ShowFilm, WhatIsNoFilmIsNamedForWhatItIs) {

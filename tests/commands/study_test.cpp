@@ -218,7 +218,7 @@ TEST(Study, WithoutFiguresOfItsOwnHasAPageOfItsRunsAndMainNumbers) {
   EXPECT_TRUE(contains(ran.out, "page:    ")) << ran.out;
   const std::string page = slurp(folder / "out" / "study.html");
   for (const char* part : {"\"id\":\"modulus_Pa\"", "\"id\":\"S_m\"", "\"keys\":[\"cement.width\",\"seed\"]"}) EXPECT_TRUE(contains(page, part)) << part;
-  EXPECT_FALSE(contains(page, "the source say"));
+  EXPECT_FALSE(contains(page, "tables of the source"));
   EXPECT_EQ(count(page, "\"link\":\"runs/"), 6u);
   for (const auto& run : fs::directory_iterator(folder / "out" / "runs")) EXPECT_TRUE(contains(slurp(run.path() / "report.html"), "</html>"));
 }

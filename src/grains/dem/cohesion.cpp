@@ -22,7 +22,7 @@ template <class Law> void check_volume(const Law& law, double smallest, double t
   if (!(law.volume < most))
     throw InputError(
         fmt::format("contact.liquid_volume of {:.4g} mm^3 is more than two touching grains of radius {:.4g} mm hold between straight surfaces; "
-                    "take less than {:.4g} mm^3",
+                    "use less than {:.4g} mm^3",
                     1e9 * law.volume, 1e3 * smallest, 1e9 * most));
 }
 
@@ -105,7 +105,7 @@ void set_up_cohesion(Sample& s) {
     s.cohesion.steepest = std::max(s.cohesion.steepest, curve.steepest());
   }
   if (s.cohesion.reach > s.largest_radius)
-    throw InputError(fmt::format("contact.cohesion = \"{}\" would act across {:.4g} mm, more than the largest grain's radius of {:.4g} mm; take a smaller {}",
+    throw InputError(fmt::format("contact.cohesion = \"{}\" would act across {:.4g} mm, more than the largest grain's radius of {:.4g} mm; use a smaller {}",
                                  s.contact.cohesion.word(), 1e3 * s.cohesion.reach, 1e3 * s.largest_radius, reach_key));
 }
 

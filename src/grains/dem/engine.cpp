@@ -22,7 +22,7 @@ const Kernel& find_kernel(const std::string& asked) {
   if (const Kernel* kernel = choice.named(asked)) return *kernel;
   if (asked == avx2_kernel.name || asked == avx512_kernel.name)
     throw InputError(fmt::format("kernel \"{}\" is not supported by this processor; \"auto\" chooses the best one", asked));
-  throw InputError(fmt::format("kernel \"{}\" is none of auto, portable, avx2, avx512", asked));
+  throw InputError(fmt::format("kernel \"{}\" is not one of auto, portable, avx2, avx512", asked));
 }
 
 namespace {

@@ -65,8 +65,8 @@ void ContactParameters::declare(Visitor& v) {
 
 void IntegrationParameters::declare(Visitor& v) {
   v.choice({"integrator", "Scheme for Newton's equations."}, integrator, mapped(integrators, &Integrator::word));
-  v.number({"time_step", "Time step; an unstable one is refused. Unless given, safety sets it, and the masses of a stage may shorten it."}, time_step, "s",
-           range::positive);
+  v.number({"time_step", "Time step; an unstable one is refused. If not given, it follows from safety, and mass scaling of a stage may shorten it."}, time_step,
+           "s", range::positive);
   v.number({"safety", "Time step as a fraction of the shortest contact time, pi sqrt(m_eff/k)."}, safety, "", range::above(0, 1));
   v.flag({"rotations", "Grains rotate; false: they only translate."}, rotations);
   v.flag({"track_energy", "Compute dissipation and work at every step (slower)."}, track_energy);
@@ -83,7 +83,7 @@ void IntegrationParameters::declare(Visitor& v) {
 }
 
 void BoundaryMotion::declare(Visitor& v) {
-  v.text({"name", "Which boundary.", true}, name);
+  v.text({"name", "Name of the boundary.", true}, name);
   std::optional<Vec2> given_velocity = velocity == Vec2{} ? std::nullopt : std::optional(velocity);
   declare_vector(v, {"velocity", "Along x and y."}, given_velocity, "mm/s");
   velocity = given_velocity.value_or(Vec2{});
@@ -123,7 +123,7 @@ void Cycles::declare(Visitor& v) {
 }
 
 void StrainCycles::declare(Visitor& v) {
-  v.choice({"of", "What moves."}, of,
+  v.choice({"of", "Quantity that cycles."}, of,
            {{"left", ""},
             {"right", ""},
             {"bottom", ""},
@@ -146,7 +146,7 @@ void Programme::declare(Visitor& v) {
       of, mapped(programme_targets, [](const auto& target) {
         return Word{target.word, ""};
       }));
-  v.when(drives_boundary(), "of = \"boundary...\"", [&](Visitor& inner) { inner.text({"boundary", "Which boundary.", true}, name); });
+  v.when(drives_boundary(), "of = \"boundary...\"", [&](Visitor& inner) { inner.text({"boundary", "Name of the boundary.", true}, name); });
   const auto& target = programme_targets[static_cast<std::size_t>(of)];
   v.series({"table",
             "Times from the beginning of the stage and values in the target's unit (mm, mm/s, N, kN, kPa, 1/s, m/s^2, deg or deg/s), with linear "

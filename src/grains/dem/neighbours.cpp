@@ -22,7 +22,7 @@ template <int D> void check_places(const SampleIn<D>& s) {
     if (fault) {
       const auto id = s.start.grains.id[d.grain];
       const std::string what = "grain " + std::to_string(id) + fault;
-      if (s.step == 0) throw InputError(what + " before the first step; correct its place, or the container");
+      if (s.step == 0) throw InputError(what + " before the first step; correct its position, or the container");
       throw CannotGoOn(what + " at step " + std::to_string(s.step) + "; a smaller time step or a gentler load is needed");
     }
   }

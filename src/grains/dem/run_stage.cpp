@@ -13,7 +13,7 @@ namespace arenite::dem {
 std::string describe(const Equilibrium& now) {
   std::string text = fmt::format("unbalanced force ratio {:.1e}, kinetic over elastic energy {:.1e}", now.unbalanced_ratio, now.kinetic_ratio);
   if (now.loose_kinetic > 0) text += fmt::format(", of grains that carry no load {:.1e}", now.loose_kinetic);
-  return now.falling > 0 ? text + fmt::format(", {:.2g} % of the grains fall", 100 * now.falling) : text;
+  return now.falling > 0 ? text + fmt::format(", {:.2g} % of the grains are falling", 100 * now.falling) : text;
 }
 
 bool is_at_rest(const Equilibrium& now, const EquilibriumCriterion& wanted) {
@@ -114,7 +114,7 @@ std::string describe_pressed(const Equilibrium& now, const WallDrives& drives, c
 
 /// How the stage came to its end, how many of the bonds have broken, and how many pairs cohesion joins; nothing on these where there are none.
 std::string outcome_of(const Engine& engine, const Stage& stage, const Equilibrium& now, const WallDrives& drives) {
-  std::string text = stage.strain_cycles ? fmt::format("{} cycles of strain passed; {}", stage.strain_cycles->count, describe(now))
+  std::string text = stage.strain_cycles ? fmt::format("{} strain cycles completed; {}", stage.strain_cycles->count, describe(now))
                      : stage.duration    ? fmt::format("{:g} s passed; {}", *stage.duration, describe(now))
                                          : "equilibrium: " + describe_pressed(now, drives, engine.domain());
   if (const BondCount bonds = engine.bond_count(); bonds.made() > 0) text += fmt::format("; {} of {} bonds broken", bonds.made() - bonds.intact, bonds.made());

@@ -128,7 +128,7 @@ template <int D> void choose_step(SampleIn<D>& s) {
   if (s.dt > bounds.largest())
     throw InputError(
         fmt::format("integration.time_step of {:.4g} s is too long for this packing: {} would make it unstable; "
-                    "{:.4g} s would do, or leave the key out",
+                    "use {:.4g} s, or leave the key out",
                     s.dt, bounds.damping < bounds.stiffness ? "damping (dashpots and drag)" : "the stiffness of its contacts", 0.999 * bounds.largest()));
   s.dt_at_start = s.dt;
 }
@@ -183,8 +183,7 @@ void allow_step(Sample& s, const char* what) {
   const double largest = step_bounds(s).largest();
   if (!(s.dt > largest)) return;
   if (s.integration.time_step)
-    throw InputError(
-        fmt::format("integration.time_step of {:.4g} s is beyond what this sample allows with {}; {:.4g} s would do", s.dt, what, 0.999 * largest));
+    throw InputError(fmt::format("integration.time_step of {:.4g} s is beyond what this sample allows with {}; use {:.4g} s", s.dt, what, 0.999 * largest));
   change_step(s, 0.999 * largest);
 }
 

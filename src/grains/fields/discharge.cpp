@@ -14,10 +14,10 @@ namespace {
 constexpr std::size_t intervals = 400;  // that the time of flow is parted into: enough to find where it is steady, and for blocks within
 
 void check(const std::vector<double>& time, const std::vector<double>& passed) {
-  if (time.size() != passed.size()) throw refusal("there are {} times and {} amounts passed; give one a time", time.size(), passed.size());
+  if (time.size() != passed.size()) throw refusal("there are {} times and {} amounts passed; give one per time", time.size(), passed.size());
   for (std::size_t k = 0; k < time.size(); ++k) {
-    if (!std::isfinite(time[k]) || !std::isfinite(passed[k])) throw refusal("row {} of what passed is not finite", k);
-    if (k > 0 && !(time[k] > time[k - 1])) throw refusal("time does not grow in row {} of what passed", k);
+    if (!std::isfinite(time[k]) || !std::isfinite(passed[k])) throw refusal("row {} of the passed amounts is not finite", k);
+    if (k > 0 && !(time[k] > time[k - 1])) throw refusal("time does not increase in row {} of the passed amounts", k);
   }
 }
 

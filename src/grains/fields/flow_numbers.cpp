@@ -28,8 +28,8 @@ Numbers discharge_numbers(const StageResult& result) {
   if (!std::isfinite(by_mass.rate.value)) return Numbers::tree();
   Numbers j{{"steady", described(by_mass.steady, "", "Whether the discharge has a steady part")},
             {"rate_kg_s", estimate(by_mass.rate.value, by_mass.rate.error, "kg/s", "Rate of discharge over its steady part")},
-            {"rate_grains_s", estimate(by_grains.rate.value, by_grains.rate.error, "1/s", "The same in grains")},
-            {"begin_s", described(by_mass.begin, "s", "Begin of the steady part")},
+            {"rate_grains_s", estimate(by_grains.rate.value, by_grains.rate.error, "1/s", "The same as a number of grains")},
+            {"begin_s", described(by_mass.begin, "s", "Start of the steady part")},
             {"end_s", described(by_mass.end, "s", "End of the steady part")}};
   if (const double opening = narrowest_opening(result.frames.back().packing.domain); std::isfinite(opening))
     j["opening_m"] = described(opening, "m", "Narrowest opening between boundaries");
@@ -54,7 +54,7 @@ void put_mean_angle(Numbers& j, const StageResult& result, Vec2 gravity) {
                              two = statistics::mean_of({middle, angles.end()});
   if (!(all.error > 0) || !(std::abs(one.value - two.value) < 3 * std::hypot(one.error, two.error))) return;
   j["mean_angle_deg"] = estimate(all.value, all.error, "deg", "Mean angle of the surface over the second half of the states", degrees);
-  j["states_in_mean"] = described(angles.size(), "", "States that it is the mean of");
+  j["states_in_mean"] = described(angles.size(), "", "Number of states averaged");
 }
 
 /// Way of the farther front, and beside the column that was there before. A front of grains is known to half a grain.
@@ -62,7 +62,7 @@ void put_runout(Numbers& j, const FreeSurface& now, const FreeSurface& then) {
   const double width = then.right - then.left, way = std::max(now.right - then.right, then.left - now.left);
   const double height = statistics::mean_of(then.height).value - then.bottom;
   if (way > 0.5 * now.diameter) {
-    j["runout_m"] = estimate(way, 0.5 * now.diameter, "m", "How far the farther front has moved");
+    j["runout_m"] = estimate(way, 0.5 * now.diameter, "m", "Displacement of the front that has moved farther");
     j["runout_over_width"] = estimate(way / width, 0.5 * now.diameter / width, "", "Run-out over the width before");
   }
   j["width_before_m"] = described(width, "m", "Width before the stage");
@@ -88,7 +88,7 @@ void put_floor(Numbers& j, const StageResult& result, const FreeSurface& now, do
   j["height_m"] = described(height, "m", "Mean height of the filling");
   j["pressure_Pa"] = estimate(force.value, force.error, "Pa", "Pressure on the floor, mean of the second half of the stage", 1 / area);
   j["hydrostatic_Pa"] = described(weight / area, "Pa", "Weight of the filling over the floor's area");
-  j["wall_friction"] = described((weight - force.value) / sides, "", "Weight that the walls carry over their normal force");
+  j["wall_friction"] = described((weight - force.value) / sides, "", "Weight carried by the walls over their normal force");
 }
 
 Numbers surface_numbers(const StageResult& result, const dem::Stage& stage, const Packing* before) {
@@ -97,8 +97,8 @@ Numbers surface_numbers(const StageResult& result, const dem::Stage& stage, cons
   Numbers j{{"grains", described(now.grains, "", "Grains of the heap")},
             {"left_m", described(now.left, "m", "Its left front")},
             {"right_m", described(now.right, "m", "Its right front")},
-            {"bottom_m", described(now.bottom, "m", "Its lowest grain's lower edge")},
-            {"top_m", described(now.top, "m", "Its highest grain's upper edge")}};
+            {"bottom_m", described(now.bottom, "m", "Lower edge of its lowest grain")},
+            {"top_m", described(now.top, "m", "Upper edge of its highest grain")}};
   const auto put_angle = [&j](const char* name, const statistics::Estimate& angle, const char* sentence) {
     if (std::isfinite(angle.value)) j[name] = estimate(angle.value, angle.error, "deg", sentence, degrees);
   };

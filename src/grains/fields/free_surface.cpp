@@ -123,7 +123,7 @@ FreeSurface find_free_surface(const Packing& packing, Vec2 gravity, double gap) 
   const double g = norm(gravity);
   if (!(g > 0) || !std::isfinite(g)) throw InputError("gravity has no direction, so there is no surface; give one, for example straight down");
   if (packing.grains.size() == 0) throw InputError("there are no grains that could have a surface");
-  if (!(gap >= 0)) throw refusal("grains that hang together up to a gap of {:g} diameters make no sense; give 0 or more", gap);
+  if (!(gap >= 0)) throw refusal("a gap of {:g} diameters between connected grains is not possible; give 0 or more", gap);
   FreeSurface surface;
   for (const double r : packing.grains.radius) surface.diameter += 2 * r / static_cast<double>(packing.grains.size());
   const Body body = body_of(packing, -1.0 / g * gravity, gap * surface.diameter);

@@ -70,7 +70,7 @@ void BidisperseParameters::declare(ParameterVisitor& v) {
   v.flag({"truncate_each_class", "Each class is truncated separately; otherwise both to their common range.", false, "cut_each_class"}, cut_each_class);
   v.flag({"hold_radius", "A radius is kept until it is placed; otherwise it is redrawn at each trial, which favours small ones."}, hold_radius);
   v.number({"box_area", "Area of the square box over pi large_radius^2."}, box_area, "", range::between(20, 1e6));
-  v.integer({"trials", "Positions tried around a disk before it is given up."}, trials, {1, 10'000});
+  v.integer({"trials", "Number of positions tried around a disk before it is abandoned."}, trials, {1, 10'000});
   v.flag({"maximal", "After the trials every remaining place where a disk of the class fits is filled; the paper stops after the trials."}, maximal);
   v.number({"tolerance", "Relative error of the volume ratio at which the search for the gap between large disks ends."}, tolerance, "",
            range::between(1e-4, 0.5));
@@ -84,11 +84,11 @@ void check(const BidisperseParameters& p) {
   const auto finite_above = [](double v, double least) { return std::isfinite(v) && v > least; };
   problems.unless(finite_above(p.large_radius, 0), "the mean radius of large disks is {:g} m; give a positive one", p.large_radius);
   problems.unless(p.deviation >= 0 && p.cut >= 0 && p.cut * p.deviation < 1,
-                  "radii cut at {:g} deviations of {:g} of the mean reach zero or below; keep their product below 1", p.cut, p.deviation);
-  problems.unless(p.trials >= 1, "{} trials round a disk; take 1 or more", p.trials);
-  problems.unless(p.tolerance > 0, "the tolerance of the volume ratio is {:g}; take a positive one such as 0.01", p.tolerance);
+                  "radii truncated at {:g} standard deviations of {:g} of the mean reach zero or below; keep their product below 1", p.cut, p.deviation);
+  problems.unless(p.trials >= 1, "{} trials around a disk; give 1 or more", p.trials);
+  problems.unless(p.tolerance > 0, "the tolerance of the volume ratio is {:g}; give a positive one such as 0.01", p.tolerance);
   const bool box = std::isfinite(p.box_area) && p.box_area >= smallest_box;
-  problems.unless(box, "a box of {:g} pi times the squared mean radius holds too few large disks; take {:g} or more", p.box_area, smallest_box);
+  problems.unless(box, "a box of {:g} pi times the squared mean radius holds too few large disks; give {:g} or more", p.box_area, smallest_box);
   problems.unless(finite_above(p.volume_ratio, 0), "the volume ratio theta is {:g}; it must be positive", p.volume_ratio);
   const double most = box ? std::sqrt(most_disks / p.box_area) : 1;
   problems.unless(p.size_ratio >= 1 && p.size_ratio <= most,

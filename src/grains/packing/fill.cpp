@@ -156,14 +156,14 @@ RelaxReport fill_at_random(Grains& grains, const Domain& domain, std::uint64_t s
   const double asked = grains.area() / domain.area();
   if (asked > densest)
     throw refusal(
-        "the grains cover {:.3g} times the area of the container and cannot fit; take fewer, or leave container.height out with a "
+        "the grains cover {:.3g} times the area of the container and cannot fit; use fewer, or leave container.height out with a "
         "packing.solid_fraction of 0.80 or less",
         asked);
   const auto report = relax(grains, domain);
   if (report.overlap_after > 0.01)
     throw refusal(
         "a random filling at solid fraction {:.3f} jams with overlaps of {:.1f} % of the radii; "
-        "give it room (packing.solid_fraction of {:.2f} or less, or a larger container.height) and let a "
+        "start looser (packing.solid_fraction of {:.2f} or less, or a larger container.height) and let a "
         "loading stage compact it",
         asked, 100 * report.overlap_after, std::min(0.80, std::floor(100 * asked) / 100 - 0.03));
   return report;

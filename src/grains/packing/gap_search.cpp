@@ -103,7 +103,7 @@ class Search {
   [[noreturn]] void refuse() const {
     throw refusal(
         "the volume ratio theta of {:g} is out of reach: in this box even the widest gap between large "
-        "disks, {:.3g} of their mean radius, gives {:.3g}; ask for more or take a larger box",
+        "disks, {:.3g} of their mean radius, gives {:.3g}; prescribe more or use a larger box",
         p_.volume_ratio, widest_ / p_.large_radius, p_.volume_ratio * std::exp(known_.back().excess));
   }
 

@@ -26,12 +26,13 @@ struct ClumpShape {
   double aspect = 2;   ///< of a row: length over width
   double spacing = 1;  ///< of a ring: distance of neighbours over the diameter
 
-  static constexpr Word word{"clump", "equal disks, rigidly joined; it may be hollow between them"};
+  static constexpr Word word{"clump", "equal disks, rigidly joined, possibly with a hole between them"};
   void declare(ParameterVisitor& visitor) {
-    visitor.integer({"members", "How many disks a clump has."}, members, {2, 64});
-    visitor.choice({"arrangement", "How they lie."}, arrangement, {{"row", "one behind the other, as long as aspect says"}, {"ring", "evenly on a circle"}});
+    visitor.integer({"members", "Number of disks of a clump."}, members, {2, 64});
+    visitor.choice({"arrangement", "Arrangement of the disks."}, arrangement,
+                   {{"row", "in a line, with the aspect ratio `aspect`"}, {"ring", "evenly on a circle"}});
     visitor.when(arrangement == Arrangement::row, "arrangement = \"row\"", [&](ParameterVisitor& inner) {
-      inner.number({"aspect", "Length over width of a clump; with as many as it has members, its disks just touch."}, aspect, "", range::above(1, 64));
+      inner.number({"aspect", "Length over width of a clump; if equal to members, its disks just touch."}, aspect, "", range::above(1, 64));
       inner.require(aspect <= static_cast<double>(members), {"aspect", "members"}, "must not be above members, or the disks would not touch");
     });
     visitor.when(arrangement == Arrangement::ring, "arrangement = \"ring\"", [&](ParameterVisitor& inner) {
@@ -63,9 +64,9 @@ struct PolygonShape {
 
   static constexpr Word word{"polygon", "a regular convex polygon with rounded corners"};
   void declare(ParameterVisitor& visitor) {
-    visitor.integer({"corners", "How many corners a polygon has."}, corners, {3, 64});
+    visitor.integer({"corners", "Number of corners of a polygon."}, corners, {3, 64});
     visitor.number({"aspect", "Stretch along one of its axes; 1: regular."}, aspect, "", range::between(1, 20));
-    visitor.number({"rounding", "Radius of the corners over the radius of the disk of a grain's area; small ones need stiff contacts."}, rounding, "",
+    visitor.number({"rounding", "Radius of the corners over that of the disk of equal area; small values need stiff contacts."}, rounding, "",
                    range::between(0.01, 0.5));
   }
   bool operator==(const PolygonShape&) const = default;

@@ -65,7 +65,7 @@ void put_relation(Numbers& to, const Estimate& beta, const Estimate& alpha) {
 void put_tail(Numbers& to, const statistics::TailFit& tail) {
   put(to, "beta", tail.slope, "", "Decay of values above the mean, P ~ exp(-beta x), by maximum likelihood");
   put(to, "beta_error", tail.slope.error, "", "Standard error of beta");
-  put(to, "beta_line", tail.line_slope, "", "The same by a straight line through ln of the survival function");
+  put(to, "beta_line", tail.line_slope, "", "The same from a straight line through ln of the survival function");
   put(to, "line_r2", tail.line_r2, "", "Coefficient of determination of that line");
   put(to, "tail_count", tail.count, "", "Values above the mean");
   put(to, "log_likelihood_ratio", tail.likelihood_ratio, "", "ln L(exponential) - ln L(half-Gaussian)");

@@ -107,7 +107,7 @@ Numbers fabric_of(const View& view, const Items& items) {
   put(j, "theta_c_deg", r[theta_c], "deg", "Principal direction of the contacts, from x");
   put(j, "phi", statistics::TensorEstimate{tensor(&Estimate::value), tensor(&Estimate::error)}, "", "Fabric tensor <n (x) n>, T eq. 1.6");
   put(j, "a_c_signed", r[a_c_signed], "", "a_c cos 2(theta_c - theta_load): positive along the load");
-  put(j, "a_c_noise", 2 * noise, "", "a_c that as many random directions give");
+  put(j, "a_c_noise", 2 * noise, "", "a_c of the same number of random orientations");
   put(j, "a_n", r[a_n], "", "Anisotropy of the mean normal force");
   put(j, "theta_n_deg", r[theta_n], "deg", "Direction of the largest normal forces, from x");
   put(j, "a_t", r[a_t], "", "Anisotropy of the mean tangential force");
@@ -115,7 +115,7 @@ Numbers fabric_of(const View& view, const Items& items) {
     Numbers& mode = j["modes"][std::to_string(2 * (k + 1))] = Numbers::tree();
     put(mode, "amplitude", r[amplitude2 + 2 * k], "", "|<exp(i m theta)>| of contact orientations");
     put(mode, "phase_deg", r[phase2 + 2 * k], "deg", "Direction of its maximum, in [0, 360/m)");
-    put(mode, "noise", noise, "", "Amplitude that as many random directions give");
+    put(mode, "noise", noise, "", "Amplitude for the same number of random orientations");
   }
   put_sectors(j, view, items);
   return j;
@@ -142,7 +142,7 @@ void fabric(const View& view, Texture& texture) {
   Numbers& j = texture.numbers["fabric"];
   put_sets(j, view, "all", view.contacts);
   for (const auto& [name, items] : contacts_by_type(view)) put_sets(j, view, name, items);
-  put(j, "load_axis_deg", view.load_axis * 180 / std::numbers::pi, "deg", "Direction of the load, from x, that signs refer to");
+  put(j, "load_axis_deg", view.load_axis * 180 / std::numbers::pi, "deg", "Direction of the load, from x, to which signs refer");
 }
 
 /// Signed a_c of the contacts that carry at most, and more than, a multiple of the mean force, from 0 to 4 by 0.1.

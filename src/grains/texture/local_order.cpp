@@ -39,7 +39,7 @@ void local_order(const View& view, Texture& texture) {
 
   Numbers& j = texture.numbers["local_order"] = Numbers::tree();
   put(j, "psi6", mean(touching, view.grain_block, [&](std::size_t g) { return any.psi(g); }), "", "Mean |<exp(6 i theta)>| over a grain's contacts");
-  put(j, "triangular_share", ordered, "", "Share of grains with five or more like neighbours and psi_6 of these above 0.9");
+  put(j, "triangular_share", ordered, "", "Fraction of grains with five or more like neighbours and psi_6 of these above 0.9");
 }
 
 }  // namespace arenite::texture

@@ -52,9 +52,9 @@ void long_axes(const View& view, Texture& texture) {
   const auto both = jackknife_of_sums(longish, view.grain_block, 3, add, of_sums, {0, 180});
   Numbers& j = texture.numbers["long_axes"];
   put(j, "grains", longish.size(), "", "Grains with a long axis");
-  put(j, "noise", 0.886 / std::sqrt(static_cast<double>(longish.size())), "", "Order that as many random directions give");
+  put(j, "noise", 0.886 / std::sqrt(static_cast<double>(longish.size())), "", "Order for the same number of random orientations");
   put(j, "order", both[0], "", "|<exp(2 i theta)>| of long axes; 0 at random, 1 all alike");
-  put(j, "direction_deg", both[1], "deg", "Direction of most long axes, from x");
+  put(j, "direction_deg", both[1], "deg", "Preferred direction of the long axes, from x");
 }
 
 }  // namespace arenite::texture

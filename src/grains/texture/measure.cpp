@@ -25,17 +25,17 @@ void sample(const View& view, Texture& texture) {
                      {"contacts", described(contacts.size() - walls, "", "Contacts between grains")},
                      {"wall_contacts", described(walls, "", "Contacts with walls")},
                      {"considered",
-                      {{"grains", described(view.grains.size(), "", "Grains in the window that statistics are of")},
+                      {{"grains", described(view.grains.size(), "", "Grains in the window of the statistics")},
                        {"contacts", described(view.contacts.size(), "", "Contacts in that window")},
                        {"border_m", described(view.window.border, "m", "Strip left out along walls")}}},
                      {"mean_diameter_m", described(view.mean_diameter, "m", "Mean diameter of grains")}};
   if (!view.has_box)
-    texture.notes.push_back("The box is not known, so solid fraction, REV and the stress of the assembly are left out and no border is cut off.");
+    texture.notes.push_back("The box is not known, so solid fraction, REV and the stress of the assembly are omitted and no border is left out.");
   if (!view.has_thickness) texture.notes.push_back("The out-of-plane length is not known, so stresses in Pa are left out.");
   if (!view.options.load_axis && !view.contacts.empty())
     texture.notes.push_back(
         "The direction of the load is not given: signed anisotropies refer to the sample's own axis of greatest compression, "
-        "about which even a random network has a positive value.");
+        "for which even a random network gives a positive value.");
   const bool walled = view.has_box && !(view.packing.domain.periodic[0] && view.packing.domain.periodic[1]);
   if (walled && view.options.border > 0 && view.window.border == 0)
     texture.notes.push_back(
@@ -60,7 +60,7 @@ void check_widths(const Packing& packing) {
   for (std::size_t g = 0; g < grains.size(); ++g)
     for (const auto& [periodic, side] : {std::pair(d.periodic[0], d.width()), std::pair(d.periodic[1], d.height())})
       if (periodic && side > 0 && !(2 * grains.radius[g] <= (1 + 1e-9) * side))
-        throw refusal("grain {} is {:.4g} m wide in a periodic cell of {:.4g} m, so that it would cover itself; correct the unit of the radii, or the cell",
+        throw refusal("grain {} is {:.4g} m wide in a periodic cell of {:.4g} m, so it would overlap itself; correct the unit of the radii, or the cell",
                       grains.id[g], 2 * grains.radius[g], side);
 }
 
@@ -70,7 +70,7 @@ Texture measure(const Packing& packing, const Options& options) {
   check_widths(packing);
   const std::size_t measured = options.grain_sigma_hyd.size();
   if (measured > 0 && measured != packing.grains.size())
-    throw refusal("sigma_hyd has {} values for {} grains; give one a grain, NaN where it is not known", measured, packing.grains.size());
+    throw refusal("sigma_hyd has {} values for {} grains; give one per grain, NaN where it is not known", measured, packing.grains.size());
   Texture texture;
   const View view(packing, options);
   for (Statistic* statistic : statistics) statistic(view, texture);

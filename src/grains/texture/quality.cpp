@@ -44,10 +44,10 @@ double median_resultant(const View& view) {
 }
 
 /// Why some forces pull, in the order of Pull.
-constexpr const char* reasons[] = {"measured in a sample without cohesion that is an error of measurement", "the adhesion of glued grains does",
-                                   "the damping of contacts that are opening does (contact.attractive_dashpot = true)"};
+constexpr const char* reasons[] = {"in a measured sample without cohesion this is an error of measurement", "this is due to the adhesion of glued grains",
+                                   "this is due to the damping of opening contacts (contact.attractive_dashpot = true)"};
 
-/// Largest |F_t|/F_n of contacts that push, and the share of contacts that come within 0.001 of it.
+/// Largest |F_t|/F_n of compressive contacts, and the share of contacts that come within 0.001 of it.
 void put_friction(Numbers& to, const View& view) {
   std::vector<double> ratios;
   for (const std::size_t c : view.contacts)
@@ -55,8 +55,8 @@ void put_friction(Numbers& to, const View& view) {
   if (ratios.empty()) return;
   const double largest = *std::max_element(ratios.begin(), ratios.end());
   const auto sliding = std::count_if(ratios.begin(), ratios.end(), [&](double r) { return r > 0 && r >= (1 - 1e-3) * largest; });
-  put(to, "friction_ratio_max", largest, "", "Largest |F_t|/F_n of contacts that push");
-  put(to, "sliding_share", static_cast<double>(sliding) / static_cast<double>(ratios.size()), "", "Share of contacts within 0.001 of the largest |F_t|/F_n");
+  put(to, "friction_ratio_max", largest, "", "Largest |F_t|/F_n of compressive contacts");
+  put(to, "sliding_share", static_cast<double>(sliding) / static_cast<double>(ratios.size()), "", "Fraction of contacts within 0.001 of the largest |F_t|/F_n");
 }
 
 }  // namespace
@@ -68,14 +68,14 @@ void quality(const View& view, Texture& texture) {
   const auto negative = static_cast<std::size_t>(std::count_if(view.contacts.begin(), view.contacts.end(), [&](std::size_t c) { return force[c] < 0; }));
   const double imbalance = view.mean_force > 0 ? median_resultant(view) / view.mean_force : unknown;
   Numbers& j = texture.numbers["quality"];
-  put(j, "doubled_rows", view.options.doubled_rows, "", "Contacts that stood twice and were merged");
+  put(j, "doubled_rows", view.options.doubled_rows, "", "Contacts listed twice and merged");
   put(j, "negative_forces", negative, "", "Contacts with negative normal force");
   put(j, "negative_share", contacts > 0 ? static_cast<double>(negative) / static_cast<double>(contacts) : 0.0, "",
-      "Share of contacts with negative normal force");
+      "Fraction of contacts with negative normal force");
   put(j, "median_imbalance", imbalance, "", "Median |sum F| of grains with at least 3 contacts over the mean force");
   put_friction(j, view);
   if (negative > 0)
-    texture.notes.push_back(fmt::format("{} of {} normal forces pull; {}.", negative, contacts, reasons[static_cast<std::size_t>(view.options.pull)]));
+    texture.notes.push_back(fmt::format("{} of {} normal forces are tensile; {}.", negative, contacts, reasons[static_cast<std::size_t>(view.options.pull)]));
   double largest = 0;
   for (const std::size_t c : view.contacts) largest = std::max(largest, force[c]);
   if (largest > 50 * view.mean_force && view.mean_force > 0)
@@ -84,7 +84,7 @@ void quality(const View& view, Texture& texture) {
   if (imbalance > 0.1)
     texture.notes.push_back(
         fmt::format("Grains are not in balance: the median resultant is {:.2g} of the mean force, so stresses "
-                    "depend on where moments are taken.",
+                    "depend on the reference point of moments.",
                     imbalance));
 }
 

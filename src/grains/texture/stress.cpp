@@ -102,8 +102,8 @@ void put_strong_shares(Numbers& to, const View& view) {
     return std::vector<double>{s[0] != 0 ? s[3] / s[0] : unknown, deviator2 > 0 ? (s[1] * s[4] + s[2] * s[5]) / deviator2 : unknown};
   };
   const auto r = jackknife_of_sums(view.contacts, view.contact_block, 6, add, shares);
-  put(to, "strong_share_of_pressure", r[0], "", "Share of the pressure that contacts above the mean force carry");
-  put(to, "strong_share_of_deviator", r[1], "", "Share of the deviator that contacts above the mean force carry");
+  put(to, "strong_share_of_pressure", r[0], "", "Fraction of the pressure carried by contacts above the mean force");
+  put(to, "strong_share_of_deviator", r[1], "", "Fraction of the deviator carried by contacts above the mean force");
 }
 
 /// The stress of the whole sample by itself, and in `details` what else is known of it.
@@ -214,7 +214,7 @@ void sigma_norm(const View& view, Texture& texture) {
   if ((view.contacts.empty() && !measured) || view.grains.empty()) return;
   double mean = unknown;  // Pa, tension positive
   if (view.has_thickness || measured) mean = mean_of_known(view.grains, texture.per_grain.sigma_hyd);
-  constexpr DistributionNames names{"mean_Pa", "Pa", "P0", "Mean stress of the set's grains", "Share of grains above the set's own mean, P_0"};
+  constexpr DistributionNames names{"mean_Pa", "Pa", "P0", "Mean stress of the set's grains", "Fraction of grains above the set's own mean, P_0"};
   for (const auto& [name, all] : grains_by_type(view))
     if (const Items items = known(all, texture.per_grain.sigma_norm); !items.empty())
       place_of(name, texture.numbers["sigma_norm"], "by_material")

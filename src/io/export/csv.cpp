@@ -137,7 +137,7 @@ std::vector<NamedBytes> csv_field(const ExportField& from) {
 }  // namespace
 
 const ExportFormat exports::csv{.name = "csv",
-                                .sentence = "Tables of grains and contacts that `arenite measure` reads, too; of nodes and mean stresses of grains",
+                                .sentence = "Tables of grains and contacts, which `arenite measure` also reads; of nodes and mean stresses of grains",
                                 .of_frame = csv_frame,
                                 .of_field = csv_field};
 

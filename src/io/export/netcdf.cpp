@@ -137,7 +137,7 @@ void put_walls(NetcdfFile& file, const Frames& frames) {
   };
   put("wall_position", "m", &Wall::position, "along the wall's normal axis");
   put("wall_velocity", "m/s", &Wall::velocity, "along the wall's normal axis");
-  put("wall_force", "N", &Wall::force, "of the sample on the wall, pushing positive");
+  put("wall_force", "N", &Wall::force, "of the sample on the wall, compression positive");
   put("wall_shear_force", "N", &Wall::shear_force, "along the wall");
   file.variable("tilt", {"time"}, by_time(frames, [](const Frame& f) { return f.packing.domain.tilt; }), {"m", "shift of the top edge of a sheared cell"});
 }
@@ -146,7 +146,7 @@ void put_grains(NetcdfFile& file, const Frames& frames) {
   const Grains& first = frames.front().frame->packing.grains;
   for (const auto& f : frames)
     if (f.frame->packing.grains.id != first.id)
-      throw InputError("its states have not the same grains, so they fit in no array over (time, grain); export with --last, or as csv");
+      throw InputError("its states do not have the same grains, so they do not fit in an array over (time, grain); export with --last, or as csv");
   file.dimension("grain", first.id, {"1", "id of the grain"});
   const std::vector<std::string> over{"time", "grain"};
   const bool same_radii = std::all_of(frames.begin(), frames.end(), [&](const auto& f) { return f.frame->packing.grains.radius == first.radius; });
@@ -194,7 +194,7 @@ std::vector<NamedBytes> netcdf_loading(const Frames& frames, const Provenance& p
   file.attribute("input_hash", provenance.input_hash);
   file.attribute("recipe", provenance.recipe);
   file.attribute("signs",
-                 "contact_n points from j to i, t is n turned by +90 degrees, the force on i is fn n + ft t (fn > 0 pushes); "
+                 "contact_n points from j to i, t is n turned by +90 degrees, the force on i is fn n + ft t (fn > 0 is repulsive); "
                  "stress is positive in tension");
   file.attribute("thickness_m", frames.front().frame->packing.domain.thickness);
   put_states(file, frames);

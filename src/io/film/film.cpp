@@ -27,14 +27,14 @@ struct Recording {
 };
 
 constexpr Recording recordings[] = {
-    {".seq", "is a FLIR sequence (.seq), whose frames are packed in a form of FLIR's own", by_flir, levels, 1, "FF\0"sv},  // FFF and AFF
-    {".csq", "is a packed FLIR sequence (.csq), in a form of FLIR's own", by_flir, levels},
-    {".fcf", "is a FLIR public image or sequence (.fcf), in a form of FLIR's own", by_flir, levels},
-    {".ats", "is a FLIR ATS film (.ats), in a form of FLIR's own", by_flir, levels},
-    {".irb", "is an InfraTec film (.irb), in a form of InfraTec's own", "IRBIS", "as a stack of TIFF or as text, in temperatures", 0, "\xffIRB"sv},
-    {".ravi", "is an Optris film (.ravi), in a form of Optris' own", "PIX Connect", "as CSV or TIFF, in temperatures"},
-    {".is2", "is a Fluke picture (.is2), in a form of Fluke's own", "SmartView", "as CSV, in temperatures"},
-    {".is3", "is a Fluke film (.is3), in a form of Fluke's own", "SmartView", "as CSV, in temperatures"},
+    {".seq", "is a FLIR sequence (.seq), whose frames are packed in FLIR's proprietary format", by_flir, levels, 1, "FF\0"sv},  // FFF and AFF
+    {".csq", "is a packed FLIR sequence (.csq), in FLIR's proprietary format", by_flir, levels},
+    {".fcf", "is a FLIR public image or sequence (.fcf), in FLIR's proprietary format", by_flir, levels},
+    {".ats", "is a FLIR ATS film (.ats), in FLIR's proprietary format", by_flir, levels},
+    {".irb", "is an InfraTec film (.irb), in InfraTec's proprietary format", "IRBIS", "as a stack of TIFF or as text, in temperatures", 0, "\xffIRB"sv},
+    {".ravi", "is an Optris film (.ravi), in Optris' proprietary format", "PIX Connect", "as CSV or TIFF, in temperatures"},
+    {".is2", "is a Fluke picture (.is2), in Fluke's proprietary format", "SmartView", "as CSV, in temperatures"},
+    {".is3", "is a Fluke film (.is3), in Fluke's proprietary format", "SmartView", "as CSV, in temperatures"},
     {".mp4", "is a video (MPEG-4)", {}, {}, 4, "ftyp"sv},
     {".m4v", "is a video (MPEG-4)"},
     {".mov", "is a video (QuickTime)", {}, {}, 4, "moov"sv},
@@ -108,7 +108,7 @@ std::unique_ptr<FilmSource> open_film(const std::filesystem::path& path, const F
   if (pattern || std::filesystem::is_directory(path, error)) return scaled_film(open_series(path, choice), choice);
   const Bytes bytes = open_bytes(path);
   refuse_other_recording(path);
-  if (!stored_kind(path).empty()) refuse(path.string(), "is a result of Arenite, not a film; look at it with \"arenite show\"");
+  if (!stored_kind(path).empty()) refuse(path.string(), "is a result of Arenite, not a film; use \"arenite show\"");
   const FilmFormat* format = format_of(*bytes);
   const std::filesystem::path sidecar = format != nullptr && format->marked ? std::filesystem::path() : sidecar_of(path);
   return open_film(sidecar.empty() ? bytes : open_bytes(sidecar), choice);
@@ -141,7 +141,7 @@ std::string other_recording(const std::filesystem::path& path, std::string_view 
 std::unique_ptr<FilmWriter> create_film(const std::filesystem::path& path, const FilmInfo& info, const std::string& format) {
   const FilmFormat* known = format.empty() ? format_ending(films::all, path) : format_named(films::all, format);
   if (known == nullptr || !CanBeWritten{}(*known))
-    refuse(path.string(), "asks for no format that films are written in; they are {} (name it so, or {})", list_of(film_formats_to_write()),
+    refuse(path.string(), "has no film format that can be written; the formats are {} (name it so, or {})", list_of(film_formats_to_write()),
            list_of(film_endings_to_write()));
   if (known->levels_only && info.floating)
     refuse(path.string(), "cannot hold temperatures: a {} film is of levels; write {}", known->endings[0], list_of(film_endings_to_write(true)));

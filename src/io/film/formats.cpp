@@ -106,7 +106,7 @@ void take_pixels(const PlainLayout& layout, const char* from, std::size_t count,
 
 void check_film_size(const std::string& file, std::int64_t width, std::int64_t height, std::int64_t frames, const FilmChoice& choice) {
   if (width <= 0 || height <= 0 || width > 1'000'000 || height > 1'000'000)
-    refuse(file, "says that its frames have {} x {} pixels, which cannot be; copy it again", width, height);
+    refuse(file, "states that its frames have {} x {} pixels, which is impossible; copy it again", width, height);
   if (width * height > choice.most_pixels)
     refuse(file, "has frames of {} x {} pixels; at most {} pixels can be read, so cut them", width, height, choice.most_pixels);
   if (frames <= 0) refuse(file, "holds no frame; record the film again");
@@ -122,7 +122,7 @@ void check_layout(const ByteSource& bytes, const FilmInfo& info, const PlainLayo
   check_film_size(bytes.name(), info.width, info.height, info.frames, choice);
   const std::int64_t there = frames_there(bytes, layout, info.pixels());
   if (there < info.frames)
-    refuse(bytes.name(), "is cut short: it announces {} frames of {} x {} pixels and holds {}; copy it again", info.frames, info.width, info.height, there);
+    refuse(bytes.name(), "is cut short: it declares {} frames of {} x {} pixels and holds {}; copy it again", info.frames, info.width, info.height, there);
 }
 
 void take_choice(FilmInfo& info, const FilmChoice& choice) {
@@ -205,7 +205,7 @@ void take_stamps(FilmInfo& info, std::vector<double> stamp) {
   if (stamp.size() < 2 || static_cast<std::int64_t>(stamp.size()) != info.frames) return;
   double days = 0;
   for (std::size_t i = 0; i < stamp.size(); ++i) {
-    if (!std::isfinite(stamp[i])) return info.remarks.push_back(fmt::format("The time stamp of frame {} is not a number; stamps are left aside.", i));
+    if (!std::isfinite(stamp[i])) return info.remarks.push_back(fmt::format("The time stamp of frame {} is not a number; time stamps are ignored.", i));
     stamp[i] += days;
     if (i > 0 && stamp[i] < stamp[i - 1] - 43200) {
       days += 86400;
@@ -217,7 +217,7 @@ void take_stamps(FilmInfo& info, std::vector<double> stamp) {
   if (std::all_of(stamp.begin(), stamp.end(), [&](double t) { return t == stamp[0]; })) return;
   for (std::size_t i = 1; i < stamp.size(); ++i)
     if (!(stamp[i] > stamp[i - 1]) || !std::isfinite(stamp[i]))
-      return info.remarks.push_back(fmt::format("The time stamp of frame {} is not after that of the frame before; stamps are left aside.", i));
+      return info.remarks.push_back(fmt::format("The time stamp of frame {} is not after that of the frame before; time stamps are ignored.", i));
   info.time = std::move(stamp);
 }
 

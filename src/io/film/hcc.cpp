@@ -42,8 +42,8 @@ void take_scale(std::string_view header, FilmInfo& info, PlainLayout& layout) {
   if (!layout.scaled) info.quantity = FilmQuantity::digital_level;
   else if (mode == temperatures)
     info.remarks.emplace_back(
-        "The camera made temperatures of its levels; whether from 0 K or 0 degrees Celsius the file does not say, which makes no difference to amplitudes.");
-  else info.remarks.emplace_back("The camera made radiances of its levels.");
+        "The camera converted its levels to temperatures; the file does not state whether in kelvin or degrees Celsius, which does not affect amplitudes.");
+  else info.remarks.emplace_back("The camera converted its levels to radiances.");
 }
 
 bool is_hcc(std::string_view head) {
@@ -63,7 +63,7 @@ FilmPointer open_hcc(const Bytes& bytes, const FilmChoice& choice) {
   check_film_size(bytes->name(), info.width, info.height, 1, choice);
   PlainLayout layout;
   layout.offset = number_at<std::uint16_t>(header, 4);
-  if (layout.offset < needed) refuse(bytes->name(), "says that its headers have {} bytes, too few; copy it again", layout.offset);
+  if (layout.offset < needed) refuse(bytes->name(), "states that its headers have {} bytes, too few; copy it again", layout.offset);
   layout.stride = layout.offset + 2 * info.pixels();
   take_scale(header, info, layout);
   if (!std::isfinite(layout.shift)) refuse(bytes->name(), "has a scale that is not a number; copy it again");

@@ -20,7 +20,7 @@ std::string_view value_of(std::string_view header, std::string_view key, const s
     while (!rest.empty() && (rest.front() == ' ' || rest.front() == ':')) rest.remove_prefix(1);
     return rest;
   }
-  refuse(file, "is a .npy file whose header does not say \"{}\"; save it again", key);
+  refuse(file, "is a .npy file whose header does not state \"{}\"; save it again", key);
 }
 
 std::optional<NumberType> pixel_of(std::string_view type) {
@@ -38,7 +38,7 @@ std::vector<std::int64_t> shape_in(std::string_view text, const std::string& fil
   for (std::size_t i = 0; i < text.size();) {
     std::int64_t n = 0;
     const auto [end, error] = std::from_chars(text.data() + i, text.data() + text.size(), n);
-    if (error == std::errc::result_out_of_range) refuse(file, "says that it holds more than any file does; save it again");
+    if (error == std::errc::result_out_of_range) refuse(file, "declares more data than any file can hold; save it again");
     if (error == std::errc()) {
       shape.push_back(n);
       i = static_cast<std::size_t>(end - text.data());
@@ -69,15 +69,15 @@ FilmPointer open_npy(const Bytes& bytes, const FilmChoice& choice) {
   const int version = number_at<std::uint8_t>(head, 6);
   const std::size_t start = version == 1 ? 10 : 12;
   const std::size_t length = version == 1 ? number_at<std::uint16_t>(head, 8) : number_at<std::uint32_t>(head, 8);
-  if (version < 1 || version > 3 || length > (std::size_t{1} << 20)) refuse(file, "is a .npy file with a header that cannot be; save it again");
+  if (version < 1 || version > 3 || length > (std::size_t{1} << 20)) refuse(file, "is a .npy file with an invalid header; save it again");
   const std::string header = bytes->text(start, length);
   if (header.size() < length) refuse(file, "is a .npy file that ends within its header; copy it again");
   const std::string_view type = value_of(header, "descr", file);
   const std::string_view order = value_of(header, "fortran_order", file);
   const auto pixel = type.size() > 4 ? pixel_of(type.substr(2, 2)) : std::nullopt;
   if (!pixel || (type[4] != '\'' && type[4] != '"'))
-    refuse(file, "holds numbers of a type that is no pixel ({}); save u1, u2, i2, u4, i4, f4 or f8", type.substr(0, 8));
-  if (order.starts_with("True")) refuse(file, "holds its columns first; save it with numpy.ascontiguousarray");
+    refuse(file, "holds numbers of an unsupported type ({}); save u1, u2, i2, u4, i4, f4 or f8", type.substr(0, 8));
+  if (order.starts_with("True")) refuse(file, "is stored in column order; save it with numpy.ascontiguousarray");
   const auto shape = shape_in(value_of(header, "shape", file), file);
   FilmInfo info;
   take_shape(info, file, shape, *pixel, choice);

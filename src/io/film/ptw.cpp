@@ -37,9 +37,9 @@ Sizes sizes_of(std::string_view header, const std::string& file) {
   Sizes s{number_at<std::int32_t>(header, 11), number_at<std::int32_t>(header, 15),  number_at<std::int32_t>(header, 23),
           number_at<std::int32_t>(header, 27), number_at<std::int16_t>(header, 377), number_at<std::int16_t>(header, 379)};
   if (s.main < 411 || s.main > (1 << 24) || s.frame_header < 0 || s.frame_header > (1 << 24))
-    refuse(file, "says that its headers have {} and {} bytes, which no .ptw film has; copy it again", s.main, s.frame_header);
+    refuse(file, "states that its headers have {} and {} bytes, which is impossible in a .ptw film; copy it again", s.main, s.frame_header);
   if (s.frame_words != s.width * s.height)
-    refuse(file, "says that a frame has {} x {} pixels and {} numbers, which disagree; copy it again", s.width, s.height, s.frame_words);
+    refuse(file, "states that a frame has {} x {} pixels and {} numbers, which disagree; copy it again", s.width, s.height, s.frame_words);
   return s;
 }
 

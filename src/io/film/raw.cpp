@@ -55,7 +55,7 @@ void take(const Key& key, std::string_view text, int line, Sidecar& sidecar, Pro
       problems.add(line, "{} is \"{}\" and none of {}; write one of these", key.name, text.substr(0, 40), list_of(key.words));
   } else if (const auto* count = std::get_if<std::int64_t Sidecar::*>(&key.to)) {
     if (number && *number >= 0 && *number <= (std::int64_t{1} << 40)) sidecar.** count = *number;
-    else problems.add(line, "{} is \"{}\", which is no whole number; write one", key.name, text.substr(0, 40));
+    else problems.add(line, "{} is \"{}\", which is not a whole number; write one", key.name, text.substr(0, 40));
   } else try {
       const auto bare = to_number(text);
       double& value = sidecar.*std::get<double Sidecar::*>(key.to) = bare ? *bare : parse_si(std::string(text), key.dimension, key.unit);
@@ -83,24 +83,24 @@ Sidecar read_sidecar(std::string_view text, Problems& problems) {
     if (line.empty()) continue;
     const std::size_t equals = line.find('=');
     if (equals == std::string_view::npos) {
-      problems.add(lines.number(), "is no line \"key = value\"; correct it or begin it with #");
+      problems.add(lines.number(), "is not a line \"key = value\"; correct it or begin it with #");
       continue;
     }
     const std::string name(trimmed(line.substr(0, equals)));
     const auto* key = std::ranges::find(keys, name, &Key::name);
     if (key == std::end(keys)) {
       const std::string meant = nearest(name, mapped(keys, &Key::name));
-      problems.add(lines.number(), "\"{}\" is no key of a raw film{}; the keys are {}", name.substr(0, 40),
+      problems.add(lines.number(), "\"{}\" is not a key of a raw film{}; the keys are {}", name.substr(0, 40),
                    meant.empty() ? "" : fmt::format(" (did you mean \"{}\"?)", meant), list_of(mapped(keys, &Key::name)));
       continue;
     }
     std::string_view value = trimmed(line.substr(equals + 1));
     if (value.size() >= 2 && value.front() == '"' && value.back() == '"') value = value.substr(1, value.size() - 2);
     if (said.insert(name).second) take(*key, value, lines.number(), sidecar, problems);
-    else problems.add(lines.number(), "\"{}\" stands here a second time; leave one", name);
+    else problems.add(lines.number(), "\"{}\" appears a second time; keep one", name);
   }
   for (const Key& key : keys)
-    if (key.required != nullptr && !said.contains(key.name)) problems.add("does not say the {}; add a line \"{} = ...\"", key.required, key.name);
+    if (key.required != nullptr && !said.contains(key.name)) problems.add("does not state the {}; add a line \"{} = ...\"", key.required, key.name);
   return sidecar;
 }
 
@@ -156,7 +156,7 @@ FilmPointer open_sidecar(const Bytes& bytes, const FilmChoice& choice) {
   // Without a count the file must end with a frame, or the sizes are not those of the film.
   const std::uint64_t used = layout.offset + static_cast<std::uint64_t>(there) * layout.stride;
   if (said.frames < 0 && used - static_cast<std::uint64_t>(said.frame_header) != film->size())
-    refuse(film->name(), "has {} bytes, which is no whole number of frames of {} x {} pixels as {} says; correct its sizes or add frames = {}", film->size(),
+    refuse(film->name(), "has {} bytes, which is not a whole number of frames of {} x {} pixels as in {}; correct its sizes or add frames = {}", film->size(),
            said.width, said.height, bytes->name(), there);
   return plain_film(film, std::move(info), layout, choice);
 }

@@ -81,8 +81,8 @@ class Series : public KnownFilm {
     number_ = member;
     const FilmInfo& it = current_->info();
     if (each_ == 0 || (it.width == info_.width && it.height == info_.height && it.frames == each_ && it.floating == info_.floating)) return;
-    refuse(members_[member].string(), "holds {} frames of {} x {} pixels, but {} holds {} of {} x {}; a series must be all alike", it.frames, it.width,
-           it.height, members_[0].filename().string(), each_, info_.width, info_.height);
+    refuse(members_[member].string(), "holds {} frames of {} x {} pixels, but {} holds {} of {} x {}; all frames of a series must be alike", it.frames,
+           it.width, it.height, members_[0].filename().string(), each_, info_.width, info_.height);
   }
 
   std::vector<fs::path> members_;

@@ -35,7 +35,7 @@ std::string text_of(const Keys& keys, const char* key) {
 
 std::int64_t count_of(const Keys& keys, const char* key, const std::string& file) {
   const auto value = to_integer(text_of(keys, key));
-  if (!value) refuse(file, "is a .sfmov film whose header does not say {}; export it again", key);
+  if (!value) refuse(file, "is a .sfmov film whose header does not state {}; export it again", key);
   return *value;
 }
 

@@ -22,7 +22,7 @@ class FileLines {
     std::size_t end = 0;
     while ((end = buffer_.find('\n', at_)) == std::string::npos && !done_) {
       if (buffer_.size() - at_ > longest_line)
-        throw InputError(bytes_.name(), number_ + 1, "is a line of more than 16 million letters, which no row of a frame is; check the file");
+        throw InputError(bytes_.name(), number_ + 1, "is a line of more than 16 million characters, too long for a row of a frame; check the file");
       fill();
     }
     if (at_ == buffer_.size()) return false;
@@ -119,7 +119,7 @@ class TextFilm : public KnownFilm {
       if (info_.frames == 0 && std::int64_t{rows} * info_.width > choice.most_pixels) check_film_size(bytes_->name(), info_.width, rows, 1, choice);
     }
     end_frame(rows, lines.number() + 1);
-    if (info_.frames == 0) refuse(bytes_->name(), "holds no rows of numbers, which as text would be frames; give a film or a result");
+    if (info_.frames == 0) refuse(bytes_->name(), "holds no rows of numbers, as frames in text would; give a film or a result");
     check_film_size(bytes_->name(), std::max(info_.width, 1), std::max(info_.height, 1), info_.frames, choice);
     take_choice(info_, choice);
   }
@@ -154,7 +154,7 @@ class TextFilm : public KnownFilm {
       const bool whole = each_cell(line, separator_, [&](std::string_view cell) {
         const auto number = number_of(cell, separator_ != ',');
         if (!number)
-          throw refusal_at(bytes_->name(), lines.number(), "holds \"{}\" in column {}, which is no number; correct it", cell.substr(0, 40), column + 1);
+          throw refusal_at(bytes_->name(), lines.number(), "holds \"{}\" in column {}, which is not a number; correct it", cell.substr(0, 40), column + 1);
         if (column == info_.width) return false;
         to[column++] = *number;
         return true;

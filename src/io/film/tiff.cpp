@@ -26,7 +26,7 @@ std::vector<std::uint64_t> page_places(const TiffSource& source) {
   std::vector<std::uint64_t> places;
   std::unordered_set<std::uint64_t> seen;
   for (std::uint64_t at = number(head, large ? 8 : 4, link, swap); at != 0;) {
-    if (!seen.insert(at).second) source.refuse(fmt::format("is a TIFF film whose pages run in a circle after page {}; write it again", places.size()));
+    if (!seen.insert(at).second) source.refuse(fmt::format("is a TIFF film whose pages form a loop after page {}; write it again", places.size()));
     const std::uint64_t entries = number(bytes.text(at, count_size), 0, count_size, swap);
     const std::uint64_t end = at + count_size + entries * entry;
     if (entries > 4096 || end + link > bytes.size() || end < at) source.refuse_damaged();
@@ -49,15 +49,15 @@ NumberType pixel_of(TIFF* tiff, const TiffSource& source) {
   if (whole && (bits == 8 || bits == 16 || bits == 32)) return bits == 8 ? u8 : bits == 16 ? u16 : u32;
   if (format == SAMPLEFORMAT_INT && (bits == 16 || bits == 32)) return bits == 16 ? i16 : i32;
   if (format == SAMPLEFORMAT_IEEEFP && (bits == 32 || bits == 64)) return bits == 32 ? f32 : f64;
-  source.refuse(fmt::format("has {} bits a pixel in a form that is no film's; save it with 8 or 16 bits or floating", bits));
+  source.refuse(fmt::format("has {} bits per pixel in an unsupported form; save it with 8 or 16 bits or floating", bits));
 }
 
 Page page_of(TIFF* tiff, const TiffSource& source) {
   Page page{tiff_field<std::uint32_t>(tiff, TIFFTAG_IMAGEWIDTH), tiff_field<std::uint32_t>(tiff, TIFFTAG_IMAGELENGTH), pixel_of(tiff, source)};
   if (tiff_field<std::uint16_t>(tiff, TIFFTAG_SAMPLESPERPIXEL) != 1 || tiff_field<std::uint16_t>(tiff, TIFFTAG_PHOTOMETRIC) != PHOTOMETRIC_MINISBLACK)
-    source.refuse("is not a grey film; save it with one number a pixel, black for the smallest");
+    source.refuse("is not a grey film; save it with one number per pixel, black for the smallest");
   if (tiff_field<std::uint16_t>(tiff, TIFFTAG_ORIENTATION) != ORIENTATION_TOPLEFT)
-    source.refuse("is stored turned or mirrored; save it upright (orientation 1)");
+    source.refuse("is stored rotated or mirrored; save it upright (orientation 1)");
   return page;
 }
 

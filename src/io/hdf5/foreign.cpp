@@ -67,7 +67,7 @@ FoundDataset find_dataset(hid_t file, const std::string& file_name, const std::s
   const auto found = datasets_in(file, fits);
   if (!wanted.empty()) refuse(file_name, "has no dataset \"{}\" of {}; it has: {}", wanted, kind, list_of(found));
   if (found.empty()) refuse(file_name, "is an HDF5 file of another program and holds no dataset of {}; give a file with one", kind);
-  if (found.size() > 1) refuse(file_name, "holds {} datasets that can be meant; choose one with --dataset: {}", found.size(), list_of(found));
+  if (found.size() > 1) refuse(file_name, "holds {} possible datasets; choose one with --dataset: {}", found.size(), list_of(found));
   return {found.front(), open(found.front())};
 }
 
@@ -90,12 +90,12 @@ Hdf5Numbers::Hdf5Numbers(Hdf5Handle set, const std::string& name, Bytes file, do
   H5Sget_simple_extent_dims(*space, shape_.data(), nullptr);
   std::copy(shape_.begin(), shape_.end(), extent_.begin());
   const auto number = number_of(*type);
-  if (!number) refuse("whose numbers are of a kind that is not read; store integers of 1 to 8 bytes, float or double");
+  if (!number) refuse("whose numbers are of an unsupported type; store integers of 1 to 8 bytes, float or double");
   number_ = *number;
   fill_.assign(size_of_number(), '\0');
   double bytes = static_cast<double>(size_of_number());
   for (const hsize_t n : extent_) bytes *= static_cast<double>(n);
-  if (bytes > most_packed * static_cast<double>(file_->size())) refuse("that announces more than a file of this size can hold; copy it again");
+  if (bytes > most_packed * static_cast<double>(file_->size())) refuse("that declares more than a file of this size can hold; copy it again");
   layout_ = H5Pget_layout(*creation);
   if (H5Pget_external_count(*creation) > 0 || layout_ == H5D_VIRTUAL) refuse("whose numbers are in other files; copy them into one");
   if (layout_ == H5D_CHUNKED) look_at_chunks(*creation, most);
@@ -126,7 +126,7 @@ void Hdf5Numbers::look_at_chunks(hid_t creation, double most) {
   double numbers = 1;
   for (const hsize_t n : chunk_) numbers *= static_cast<double>(n);
   if (!(numbers > 0)) refuse("that is damaged; copy the file again");
-  if (numbers > most) refuse(fmt::format("stored in chunks of {:.0f} numbers; store a few frames a chunk", numbers));
+  if (numbers > most) refuse(fmt::format("stored in chunks of {:.0f} numbers; store a few frames per chunk", numbers));
   chunk_bytes_ = static_cast<std::size_t>(numbers) * size_of_number();
   unsigned edges = 0;
   whole_at_edges_ = H5Pget_chunk_opts(creation, &edges) < 0 || (edges & H5D_CHUNK_DONT_FILTER_PARTIAL_CHUNKS) == 0;

@@ -67,7 +67,7 @@ class Hdf5Group {
     if constexpr (std::is_same_v<T, bool>) {
       value = stored != 0;
     } else {
-      if (!std::in_range<T>(stored)) refuse(fmt::format("holds a number \"{}\" that makes no sense", name));
+      if (!std::in_range<T>(stored)) refuse(fmt::format("holds an invalid number \"{}\"", name));
       value = static_cast<T>(stored);
     }
   }

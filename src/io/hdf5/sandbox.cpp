@@ -93,7 +93,7 @@ std::string receive(int from, std::size_t most) {
 
 std::string in_sandbox(const std::string& file, const std::function<std::string()>& work, std::size_t most, std::size_t room) {
   std::array<int, 2> ends{};
-  if (pipe2(ends.data(), O_CLOEXEC) != 0) refuse(file, "cannot be read: the system gives no pipe; close other programs");
+  if (pipe2(ends.data(), O_CLOEXEC) != 0) refuse(file, "cannot be read: the system cannot create a pipe; close other programs");
   const pid_t process = fork_with_hdf5([&] {
     close(ends[0]);
     confine(2 * most + room);
@@ -102,7 +102,7 @@ std::string in_sandbox(const std::string& file, const std::function<std::string(
   if (process < 0) {
     close(ends[0]);
     close(ends[1]);
-    refuse(file, "cannot be read: the system gives no process; close other programs");
+    refuse(file, "cannot be read: the system cannot create a process; close other programs");
   }
   close(ends[1]);
   std::string bytes;

@@ -27,7 +27,7 @@ std::int64_t seen(const PixelLayout& layout, std::int64_t red, std::int64_t gree
     case Channel::grey: return (299 * red + 587 * green + 114 * blue + 500) / 1000;
     case Channel::none: break;
   }
-  refuse(layout.file, "is in colour (pixel {}, {}), and a colour is no phase; save it as greyscale with one value a phase", x, row);
+  refuse(layout.file, "is in colour (pixel {}, {}), and colours are not phases; save it as greyscale with one value per phase", x, row);
 }
 
 std::int64_t shown(const PixelLayout& layout, std::int64_t index, std::size_t x, std::size_t row) {
@@ -67,7 +67,7 @@ Image decode_image(const std::string& bytes, const std::string& file, const Imag
 Image read_image(const std::filesystem::path& path, const ImageChoice& choice) { return decode_image(read_file(path), path.string(), choice); }
 
 void check_size(const std::string& file, std::int64_t width, std::int64_t height, const ImageChoice& choice) {
-  if (width <= 0 || height <= 0) refuse(file, "holds a picture of {} x {} pixels; give one with at least one each way", width, height);
+  if (width <= 0 || height <= 0) refuse(file, "holds a picture of {} x {} pixels; give one with at least one in each direction", width, height);
   constexpr auto most = std::int64_t{std::numeric_limits<std::int32_t>::max()};
   if (width > most || height > most || width > choice.most_pixels / height)
     refuse(file, "holds a picture of {} x {} pixels, but at most {} million can be read; crop it", width, height,

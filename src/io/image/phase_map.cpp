@@ -61,10 +61,10 @@ void number_grains(PhaseMap& map, const std::vector<std::int32_t>& label, const 
     map.grain[i] = grain;
   }
   Problems problems(file);
-  problems.unless(bare == 0, "has no label for {} particle pixels, the first at {}; label them, or leave the labels out and let grains be found", bare,
+  problems.unless(bare == 0, "has no label for {} particle pixels, the first at {}; label them, or leave the labels out so that grains are found", bare,
                   pixel(map, first_bare, options.crop));
-  problems.unless(outside == 0, "labels {} pixels that are no particle, the first at {}; write 0 there, or say with --phases that they are particle", outside,
-                  pixel(map, first_outside, options.crop));
+  problems.unless(outside == 0, "labels {} pixels that are not particle, the first at {}; write 0 there, or state with --phases that they are particle",
+                  outside, pixel(map, first_outside, options.crop));
   problems.raise();
   map.grain_class.assign(number.size(), GrainClass::none);
 }
@@ -115,10 +115,10 @@ PhaseTable guess(const Counts& counts, std::size_t total, const std::string& fil
   constexpr std::size_t too_many = 8;
   if (counts.size() > too_many)
     refuse(file,
-           "has {} values, {}: no phase map; a photograph must be segmented first, and grain labels are "
+           "has {} values, {}; it is not a phase map: a photograph must be segmented first, and grain labels are "
            "given with --labels beside a phase map",
            counts.size(), listed(counts, total));
-  if (counts.size() > 2) refuse(file, "has the values {}; say which phase each is, for example with --phases {}", listed(counts, total), proposal(counts));
+  if (counts.size() > 2) refuse(file, "has the values {}; state the phase of each, for example with --phases {}", listed(counts, total), proposal(counts));
   notes.push_back(fmt::format("Values {}: the lower was taken as void, the higher as particle.", listed(counts, total)));
   return {{counts.begin()->first, Phase::empty}, {counts.rbegin()->first, Phase::particle}};
 }
@@ -143,7 +143,7 @@ void refuse_one_phase(const Counts& counts, const PhaseTable& table, bool severa
 Crop parse_crop(std::string_view text) {
   const auto numbers = mapped(split_cells(text, ','), parse_number<int>);
   if (numbers.size() != 4 || std::ranges::any_of(numbers, [](const auto& number) { return !number; }))
-    throw refusal("\"{}\" is no rectangle; write X,Y,WIDTH,HEIGHT in pixels, for example 0,0,512,512", text);
+    throw refusal("\"{}\" is not a rectangle; write X,Y,WIDTH,HEIGHT in pixels, for example 0,0,512,512", text);
   return {*numbers[0], *numbers[1], *numbers[2], *numbers[3]};
 }
 
@@ -161,7 +161,7 @@ ForeignMap make_phase_map(const Image& picture, const Image* labels, const Phase
   map.phase = bottom_first(assign_phases(part, options.phases, labels != nullptr && several_values(marks), file, result.notes), part.width, part.height);
   if (labels == nullptr) return result;
   if (std::find(map.phase.begin(), map.phase.end(), Phase::particle) == map.phase.end())
-    refuse(label_file, "gives labels to a map without particles; leave them out, or say with --phases which value is particle");
+    refuse(label_file, "gives labels to a map without particles; leave them out, or state with --phases which value is particle");
   number_grains(map, bottom_first(marks.value, marks.width, marks.height), options, label_file);
   result.labelled = true;
   return result;
@@ -189,15 +189,15 @@ PhaseTable parse_phase_table(std::string_view text) {
   for (const std::string_view row : split_cells(text, ',')) {
     const std::size_t at = row.find('=');
     const auto value = parse_number<std::int32_t>(row.substr(0, at));
-    if (at == std::string_view::npos || !value) throw refusal("\"{}\" says no phase of a value; {}", row, form);
+    if (at == std::string_view::npos || !value) throw refusal("\"{}\" does not assign a phase to a value; {}", row, form);
     const std::string name(row.substr(at + 1));
     const auto* found = std::find(std::begin(names), std::end(names), name);
     if (found == std::end(names)) {
       const std::string near = nearest(name, {std::begin(names), std::end(names)});
-      throw refusal("\"{}\" is no phase{}; phases are void, matrix and particle", name, near.empty() ? "" : "; did you mean \"" + near + "\"?");
+      throw refusal("\"{}\" is not a phase{}; phases are void, matrix and particle", name, near.empty() ? "" : "; did you mean \"" + near + "\"?");
     }
     if (!table.emplace(*value, static_cast<Phase>(found - std::begin(names))).second)
-      throw refusal("the value {} is given a phase twice; leave one of them out", *value);
+      throw refusal("the value {} is assigned a phase twice; leave one of them out", *value);
   }
   return table;
 }

@@ -16,7 +16,7 @@ namespace {
 void take_palette(TIFF* tiff, int bits, PixelLayout& layout) {
   std::uint16_t *red = nullptr, *green = nullptr, *blue = nullptr;
   if (bits > 8 || TIFFGetField(tiff, TIFFTAG_COLORMAP, &red, &green, &blue) != 1)
-    refuse(layout.file, "has no palette for its indices; save it as greyscale with one value a phase");
+    refuse(layout.file, "has no palette for its indices; save it as greyscale with one value per phase");
   const auto to_byte = [](std::uint16_t v) { return static_cast<std::uint16_t>(v >> 8); };
   for (int i = 0; i < 1 << bits; ++i) layout.palette.push_back({to_byte(red[i]), to_byte(green[i]), to_byte(blue[i])});
 }
@@ -33,22 +33,22 @@ PixelLayout layout_of(TIFF* tiff, const TiffSource& source, Channel channel) {
   const auto format = tiff_field<std::uint16_t>(tiff, TIFFTAG_SAMPLEFORMAT);
   layout.is_signed = format == SAMPLEFORMAT_INT;
   if (format != SAMPLEFORMAT_UINT && format != SAMPLEFORMAT_INT && format != SAMPLEFORMAT_VOID)
-    source.refuse("holds numbers with fractions; save it with whole numbers, one value a phase");
+    source.refuse("holds numbers with fractions; save it with whole numbers, one value per phase");
   if (bits != 1 && bits != 2 && bits != 4 && bits != 8 && bits != 16 && bits != 32)
-    source.refuse(fmt::format("has {} bits a sample; save it as greyscale with 8 or 16", bits));
+    source.refuse(fmt::format("has {} bits per sample; save it as greyscale with 8 or 16", bits));
   const auto meaning = tiff_field<std::uint16_t>(tiff, TIFFTAG_PHOTOMETRIC);
   layout.colour = meaning == PHOTOMETRIC_RGB;
   layout.inverted = meaning == PHOTOMETRIC_MINISWHITE;
-  if (meaning > PHOTOMETRIC_PALETTE) source.refuse("is in colour; save it as greyscale with one value a phase");
+  if (meaning > PHOTOMETRIC_PALETTE) source.refuse("is in colour; save it as greyscale with one value per phase");
   if (meaning == PHOTOMETRIC_PALETTE) take_palette(tiff, bits, layout);
   const int needed = layout.colour ? 3 : 1;
   layout.opacity = layout.samples == needed + 1;
   if (layout.samples < needed || layout.samples > needed + 1 || (layout.samples > 1 && (bits < 8 || layout.is_signed)))
-    source.refuse(fmt::format("has {} samples a pixel; save it as greyscale with one value a phase", layout.samples));
+    source.refuse(fmt::format("has {} samples per pixel; save it as greyscale with one value per phase", layout.samples));
   if (layout.samples > 1 && tiff_field<std::uint16_t>(tiff, TIFFTAG_PLANARCONFIG) != PLANARCONFIG_CONTIG)
-    source.refuse("holds its colours one after the other; save it as greyscale with one value a phase");
+    source.refuse("stores its colours in separate planes; save it as greyscale with one value per phase");
   if (tiff_field<std::uint16_t>(tiff, TIFFTAG_ORIENTATION) != ORIENTATION_TOPLEFT)
-    source.refuse("is stored turned or mirrored; save it upright (orientation 1)");
+    source.refuse("is stored rotated or mirrored; save it upright (orientation 1)");
   return layout;
 }
 

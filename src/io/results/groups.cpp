@@ -63,8 +63,8 @@ template <class Items> void check_order(const Hdf5Group& at, const Items& items,
 }
 
 void transfer_bonds(const Hdf5Group& at, std::vector<Bond>& bonds, std::size_t grains) {
-  at.note("i and j", "places in the arrays of grains, from 0, i < j; signs as of contacts; length, n and angles are those of when the bond was made");
-  at.note("broken", "0: holds; broken in 1 tension, 2 bending, 3 shear, at that time and place, with that energy");
+  at.note("i and j", "indices into the arrays of grains, from 0, i < j; signs as for contacts; length, n and angles are those at the creation of the bond");
+  at.note("broken", "0: intact; broken in 1 tension, 2 bending, 3 shear, at that time and place, with that energy");
   at.records(bonds, Named{"i", &Bond::i}, Named{"j", &Bond::j}, Named{"broken", &Bond::broken}, Named{"length", &Bond::length, "m"},
              Named{"nx", [](Bond& b) -> double& { return b.normal.x; }}, Named{"ny", [](Bond& b) -> double& { return b.normal.y; }},
              Named{"angle_i", &Bond::angle_i, "rad"}, Named{"angle_j", &Bond::angle_j, "rad"}, Named{"fn", &Bond::fn, "N"}, Named{"ft", &Bond::ft, "N"},
@@ -77,7 +77,7 @@ void transfer_bonds(const Hdf5Group& at, std::vector<Bond>& bonds, std::size_t g
 }
 
 void transfer_cohesive(const Hdf5Group& at, std::vector<CohesivePair>& pairs, std::size_t grains) {
-  at.note("i and j", "places in the arrays of grains, from 0, i < j; the pull of a pair whose gap is not above 0 is part of the force of its contact");
+  at.note("i and j", "indices into the arrays of grains, from 0, i < j; the pull of a pair whose gap is not above 0 is part of the force of its contact");
   at.records(pairs, Named{"i", &CohesivePair::i}, Named{"j", &CohesivePair::j}, Named{"gap", &CohesivePair::gap, "m"}, Named{"pull", &CohesivePair::pull, "N"},
              Named{"energy", &CohesivePair::energy, "J"});
   check_order(at, pairs, grains, "names a grain that does not exist");
@@ -157,16 +157,15 @@ void transfer_grains(const Hdf5Group& at, Packing& packing, const Grains* sample
 
 void transfer_contacts(const Hdf5Group& at, Contacts& contacts, std::size_t grains, int elements) {
   const auto group = at.group("contacts");
-  group.note("i and j", "places in the arrays of grains, from 0, not ids; j = -1, -2, -3, -4 is the left, right, bottom, top wall");
-  if (elements > 0)
-    group.note("j below -4", "-5 - j counts the elements of the boundaries through all of them, two a point: the point, and the segment from it to the next");
-  group.note("signs", "n points from j to i, t is n turned by +90 degrees, the force on i is fn n + ft t; fn > 0 pushes");
+  group.note("i and j", "indices into the arrays of grains, from 0, not ids; j = -1, -2, -3, -4 is the left, right, bottom, top wall");
+  if (elements > 0) group.note("j below -4", "-5 - j counts the elements of all boundaries, two per point: the point, and the segment from it to the next");
+  group.note("signs", "n points from j to i, t is n turned by +90 degrees, the force on i is fn n + ft t; fn > 0 is repulsive");
   group.array("i", contacts.i);
   group.array("j", contacts.j);
   transfer_columns(group, contacts, contact_columns, contacts.size());
   group.array("glued", contacts.glued);
   if (at.reads() ? group.has(lever_columns[0].name) : !contacts.off_i.empty()) {
-    group.note("off_i_x", "the arms of i and j begin this far off the centres, which a grain that is no disk needs");
+    group.note("off_i_x", "the arms of i and j start at this distance from the centres, for grains other than disks");
     transfer_columns(group, contacts, lever_columns, contacts.size());
   }
   if (!at.reads()) return;

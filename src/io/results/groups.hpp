@@ -101,7 +101,7 @@ void transfer_provenance(const Hdf5Group& at, Provenance& provenance);
 template <class Result> void transfer_origin(const Hdf5Group& at, Result& result) {
   at.note("source", "Arenite " + result.provenance.version);
   at.note("stage", result.name);
-  at.note("layout", "docs/hdf5.md of Arenite says what lies where; `arenite export --to netcdf` writes arrays over (time, grain)");
+  at.note("layout", "docs/hdf5.md of Arenite describes the layout; `arenite export --to netcdf` writes arrays over (time, grain)");
   transfer_provenance(at.group("provenance"), result.provenance);
   const auto outcome = at.group("outcome");
   outcome("name", result.name);

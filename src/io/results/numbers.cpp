@@ -32,7 +32,7 @@ struct NumberRows {
                      const std::vector<std::pair<const char*, std::vector<std::string>*>>& columns) const {
     if (at.reads() ? !at.has_group(what) : rows.empty()) return;
     const auto group = at.group(what);
-    group.note("row", "place in the arrays of numbers");
+    group.note("row", "index into the arrays of numbers");
     group.array("row", rows);
     for (const auto& [column, texts] : columns) {
       group.texts(column, *texts);

@@ -18,7 +18,7 @@ using Index = std::unordered_map<std::int64_t, std::int32_t>;  // only looked up
 Index add_grains(const RawGrains& raw, const Domain& domain, bool closed, Grains& grains, Problems& problems) {
   Index index;
   grains.resize(raw.rows.size());
-  if (raw.rows.empty()) problems.add("there are no grains; give one row a grain");
+  if (raw.rows.empty()) problems.add("there are no grains; give one row per grain");
   for (std::size_t g = 0; g < raw.rows.size(); ++g) {
     const RawGrain& row = raw.rows[g];
     if (!index.emplace(row.id, static_cast<std::int32_t>(g)).second) problems.add(row.line, "grain {} appears twice; give every grain its own id", row.id);
@@ -156,8 +156,8 @@ void place_box(RawGrains& grains, Problems& problems) {
     grains.cell.wall[2 * axis].position = corner;
     grains.cell.wall[2 * axis + 1].position = corner + size;
     grains.notes.push_back(
-        fmt::format("The centres do not lie between 0 and the box's {:g} m along {}, so the box was laid around them, from {:g} m; "
-                    "--origin places it.",
+        fmt::format("The centres do not lie between 0 and the box's {:g} m along {}, so the box was placed around them, from {:g} m; "
+                    "--origin sets its position.",
                     size, name, corner));
   };
   place(0, around.x_min, around.x_max, "x");

@@ -41,7 +41,7 @@ void note_assumed_unit(const Table& table, const char* column, bool chosen, cons
                        std::vector<std::string>& notes) {
   if (const auto at = table.find({column}); at && !chosen && table.columns[*at].unit.empty())
     notes.push_back(
-        fmt::format("The file names no unit of {}, so {} was taken; {} or a header such as \"{} [...]\" says otherwise.", what, si, option, column));
+        fmt::format("The file states no unit of {}, so {} was assumed; {} or a header such as \"{} [...]\" changes this.", what, si, option, column));
 }
 
 void require(const Table& table, bool found, const char* column, const char* kind, Problems& problems) {
@@ -53,7 +53,7 @@ std::int32_t material_of(const RawGrain& row, const Materials& materials, Proble
   const auto it = std::find_if(materials.begin(), materials.end(), [&](const Material& m) { return m.name == row.material; });
   if (it != materials.end()) return static_cast<std::int32_t>(it - materials.begin());
   const std::string near = nearest(row.material, mapped(materials, &Material::name));
-  if (row.material.empty()) problems.add(row.line, "this grain names no material; add a column \"material\"");
+  if (row.material.empty()) problems.add(row.line, "this grain has no material; add a column \"material\"");
   else
     problems.add(row.line, "the recipe has no material \"{}\"{}", row.material,
                  near.empty() ? "; add it under [materials]" : fmt::format("; did you mean \"{}\"?", near));
@@ -161,7 +161,7 @@ Grains read_placed_grains(const std::filesystem::path& path, const Materials& ma
   for (std::size_t i = 0; i < raw.rows.size(); ++i) {
     const RawGrain& row = raw.rows[i];
     if (const auto [seen, is_new] = line_of.emplace(row.id, row.line); !is_new)
-      problems.add(row.line, "grain {} stands in line {} already; give every grain its own id", row.id, seen->second);
+      problems.add(row.line, "grain {} is already in line {}; give every grain its own id", row.id, seen->second);
     const Vec2 centre = row.centre + domain.corner();
     if (!lies_inside(centre, domain))
       problems.add(row.line,

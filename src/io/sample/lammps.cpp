@@ -89,7 +89,7 @@ std::string missing_columns(const std::vector<std::string_view>& names) {
     example.append(example.empty() ? "" : ",").append(is_opaque(name) && next < std::size(pair_columns) ? pair_columns[next++] : "-");
   }
   return fmt::format(
-      "which of the columns ({}) are the two grains and the force is not known; name them in their order by --columns, with \"-\" for "
+      "it is not known which of the columns ({}) are the two grains and the force; name them in their order with --columns, with \"-\" for "
       "those not needed, e.g. --columns \"{}\" (patom1 patom2 of property/local, fx fy and the tangential p1 p2 of pair/local)",
       found, next == std::size(pair_columns) ? example : "-,patom1,patom2,fx,fy,p1,p2");
 }
@@ -112,7 +112,7 @@ RawGrains read_lammps_atoms(std::string_view text, const SampleOptions& options,
   auto items = last_snapshot(text, problems);
   Item* item = find_item(items, "ATOMS");
   if (!item) {
-    if (!problems.any()) problems.add("the last snapshot has no \"ITEM: ATOMS\"; write the grains by `dump custom`");
+    if (!problems.any()) problems.add("the last snapshot has no \"ITEM: ATOMS\"; write the grains with `dump custom`");
     return grains;
   }
   Table& atoms = item->table;
@@ -144,7 +144,7 @@ RawContacts read_lammps_pairs(std::string_view text, const RawGrains& grains, co
   auto items = last_snapshot(text, problems);
   Item* item = find_item(items, "ENTRIES");
   if (!item) {
-    if (!problems.any()) problems.add("the last snapshot has no \"ITEM: ENTRIES\"; write the contacts by `dump local`");
+    if (!problems.any()) problems.add("the last snapshot has no \"ITEM: ENTRIES\"; write the contacts with `dump local`");
     return contacts;
   }
   Table& entries = item->table;

@@ -52,7 +52,7 @@ void apply_box(const SampleOptions& options, RawGrains& grains, Problems& proble
 std::string read_text(const std::filesystem::path& path) {
   std::string text = read_file(path);
   if (text.find('\0') == std::string::npos) return text;
-  refuse(path.string(), "is no text file; results (.h5) are for `arenite show`, or for `arenite export --to csv`, whose tables can be measured");
+  refuse(path.string(), "is not a text file; results (.h5) are for `arenite show`, or for `arenite export --to csv`, whose tables can be measured");
 }
 
 }  // namespace

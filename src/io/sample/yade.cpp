@@ -114,7 +114,7 @@ RawGrains read_yade_spheres(std::string_view text, const SampleOptions& options,
     if (cells.front().starts_with('#')) continue;
     const int at = lines.number();
     if (cells.size() < id_columns + 4 + (material > 0 ? 1 : 0)) {
-      problems.add(at, "expected at least {} values as the #format line says, found {}", id_columns + 4 + (material > 0 ? 1 : 0), cells.size());
+      problems.add(at, "expected at least {} values according to the #format line, found {}", id_columns + 4 + (material > 0 ? 1 : 0), cells.size());
       continue;
     }
     RawGrain g;
@@ -127,7 +127,7 @@ RawGrains read_yade_spheres(std::string_view text, const SampleOptions& options,
     centres.push_back(p);
     grains.rows.push_back(std::move(g));
   }
-  if (centres.empty()) problems.add("the file has no spheres; write them by export.textExt");
+  if (centres.empty()) problems.add("the file has no spheres; write them with export.textExt");
   const auto [a, b] = centres.empty() ? std::array<std::size_t, 2>{0, 1} : plane_of(centres);
   for (std::size_t g = 0; g < centres.size(); ++g) grains.rows[g].centre = {centres[g][a], centres[g][b]};
   return grains;
@@ -155,7 +155,7 @@ RawContacts read_yade_interactions(std::string_view text, const RawGrains& grain
   }
   if (ends.size() != 2 * count || normal.size() != count || shear.size() != count) {
     problems.add(
-        "the vectors normalForce and shearForce are missing; write them by exportInteractions(what={'normalForce': "
+        "the vectors normalForce and shearForce are missing; write them with exportInteractions(what={'normalForce': "
         "'i.phys.normalForce', 'shearForce': 'i.phys.shearForce'})");
     return contacts;
   }
@@ -189,7 +189,7 @@ RawContacts read_yade_interactions(std::string_view text, const RawGrains& grain
     contacts.rows.push_back(row);
   }
   if (not_of_walls > 0) problems.add(not_joined(not_of_walls, count, grains));
-  if (without_grain > 0) contacts.notes.push_back(fmt::format("{} of {} interactions are of no grain in the list and are left out.", without_grain, count));
+  if (without_grain > 0) contacts.notes.push_back(fmt::format("{} of {} interactions belong to no grain in the list and are left out.", without_grain, count));
   return contacts;
 }
 

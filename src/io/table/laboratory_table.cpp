@@ -33,7 +33,7 @@ LaboratoryTable::LaboratoryTable(const std::string& file) : file_(file), text_(r
   Problems problems(file);
   table_ = read_table(text_, "", problems);
   problems.raise();
-  if (table_.rows.empty()) throw InputError(file, table_.header_line, "has a header but no rows; give one row a measurement");
+  if (table_.rows.empty()) throw InputError(file, table_.header_line, "has a header but no rows; give one row per measurement");
 }
 
 std::optional<std::size_t> LaboratoryTable::find(const Quantity& quantity) const {
@@ -50,7 +50,7 @@ std::vector<double> LaboratoryTable::values(std::size_t column, const Quantity& 
   if (unit.empty() && !(quantity.dimension == dimension::none)) {
     unit = quantity.assumed.empty() ? si_unit(quantity.dimension) : std::string(quantity.assumed);
     const std::string note =
-        fmt::format("the file names no unit of {}, so {} was taken; a header such as \"{} [{}]\" says otherwise", title(column), unit, title(column), unit);
+        fmt::format("the file states no unit of {}, so {} was assumed; a header such as \"{} [{}]\" changes this", title(column), unit, title(column), unit);
     if (std::find(notes_.begin(), notes_.end(), note) == notes_.end()) notes_.push_back(note);
   }
   if (quantity.dimension == dimension::temperature && is_celsius(unit)) {

@@ -122,7 +122,7 @@ Table read_table(std::string_view text, const std::string& columns, Problems& pr
     }
     first_row = false;
   }
-  if (table.columns.empty()) problems.add("the file is empty; give a header row and one row an item");
+  if (table.columns.empty()) problems.add("the file is empty; give a header row and one row per item");
   return table;
 }
 

@@ -35,7 +35,7 @@ struct Areas {
 struct CementReport {
   Areas areas;                  ///< exact, in the window
   double saturation = 0;        ///< S_m of these
-  double saturation_error = 0;  ///< S_m less the one asked for; 0 where none was
+  double saturation_error = 0;  ///< S_m minus the prescribed value; 0 where none was
   double parameter = 0;         ///< width, thickness (m) or volume (m^2) used; 0 for none and full
   std::size_t necks = 0;        ///< bridges or menisci made, in the whole packing
   std::size_t ruptured = 0;     ///< menisci too small to span their gap, so not there

@@ -76,7 +76,7 @@ double widest(const CementParameters& p) { return p.full_width ? 2 : 1; }
 void check(const CementParameters& p, const Window& w) {
   Problems problems;
   const auto length = [&](const char* what, double value) {
-    problems.unless(value >= 0 && std::isfinite(value), "{} of {:g} is no length; give at least 0", what, value);
+    problems.unless(value >= 0 && std::isfinite(value), "{} of {:g} is not a length; give at least 0", what, value);
   };
   const bool necks = p.kind == Kind::bridges || p.kind == Kind::menisci;
   if (necks) length("the cement's gap", p.gap.value_or(0));
@@ -89,7 +89,7 @@ void check(const CementParameters& p, const Window& w) {
     const double s = *p.saturation;
     problems.unless(s > 0 && s <= 1, "a matrix saturation of {:g} is out of range; give more than 0, at most 1", s);
     problems.unless(p.kind != Kind::none && (p.kind != Kind::full || s == 1),
-                    "{} cement has no saturation to choose; leave it out or take bridges, coating or menisci", p.kind == Kind::full ? "full" : "no");
+                    "{} cement has no saturation to prescribe; leave it out, or use bridges, coating or menisci", p.kind == Kind::full ? "full" : "no");
   }
   problems.unless(w.width() > 0 && w.height() > 0 && std::isfinite(w.area()), "the cement's window is {:g} x {:g} m; give it positive sides", w.width(),
                   w.height());
@@ -146,7 +146,7 @@ class Maker {
     if (most < -1e-9)
       throw refusal(
           "a matrix saturation of {:g} cannot be reached: this cement fills more than 0, at most {:.4f}, of the space between "
-          "grains; ask for less, widen its gap, or take another kind",
+          "grains; prescribe less, widen its gap, or use another kind",
           saturation, most + saturation);
     if (most <= 0) return high;
     return bracketed_root<double>(excess, 0, -saturation, high, most);

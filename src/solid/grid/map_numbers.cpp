@@ -16,7 +16,7 @@ Numbers volumes(const PhaseMap& map, Cavity kind, const CavityRules& rules, doub
   if (s.count > 1) {
     j["deviation"] = described(s.deviation, "", "Standard deviation of these volumes");
     j["cv"] = described(s.cv, "", "Their standard deviation over their mean");
-    if (s.peak > 0) j["peak"] = described(s.peak, "", "Volume where their density is highest");
+    if (s.peak > 0) j["peak"] = described(s.peak, "", "Volume at the maximum of their density");
     j["tenth"] = described(s.tenth, "", "Volume below which a tenth of them lies");
     j["median"] = described(s.median, "", "Median of these volumes");
     j["pdf"] = {{"edge", s.density.edge}, {"density", s.density.density}, {"error", s.density.error}};
@@ -50,7 +50,7 @@ Numbers map_numbers(const PhaseMap& map, const CavityRules& rules, double refere
   Numbers j;
   j["map"] = {{"width", described(map.width, "", "Nodes along x")},
               {"height", described(map.height, "", "Nodes along y")},
-              {"dx_m", described(map.dx, "m", "Distance of nodes")}};
+              {"dx_m", described(map.dx, "m", "Node spacing")}};
   j["grains"] = grains(map);
   j["phases"] = phases(map);
   const auto fractions = phase_fractions(map);
@@ -62,11 +62,11 @@ Numbers map_numbers(const PhaseMap& map, const CavityRules& rules, double refere
                                {"solid_left_right", through.solid_left_right},
                                {"void_bottom_top", through.void_bottom_top},
                                {"void_left_right", through.void_left_right}},
-                              "", "Whether solid or void joins these two sides");
+                              "", "Whether solid or void connects these two sides");
   j["cavity_rules"] = {{"neighbours", rules.eight_connected ? 8 : 4},
                        {"fewest_nodes", rules.fewest_nodes},
                        {"leave_out_border", rules.leave_out_border},
-                       {"reference_radius_m", described(reference_radius, "m", "Radius that volumes of pores and voids are over")}};
+                       {"reference_radius_m", described(reference_radius, "m", "Reference radius of the volumes of pores and voids")}};
   j["pores"] = volumes(map, Cavity::pore, rules, reference_radius);
   j["voids"] = volumes(map, Cavity::void_, rules, reference_radius);
   return j;

@@ -170,8 +170,8 @@ PhaseMap rasterise(const Packing& packing, const Cement& cement, const GridParam
                    GridReport& report) {
   const std::size_t grains = packing.grains.size(), classes = class_of_grain.size();
   Problems problems;
-  problems.unless(parameters.nodes >= 1 && parameters.nodes <= 32768, "a grid of {} nodes a side is out of range; give 1 to 32768", parameters.nodes);
-  problems.unless(classes == 0 || classes == grains, "{} grains have {} size classes; give one a grain, or none", grains, classes);
+  problems.unless(parameters.nodes >= 1 && parameters.nodes <= 32768, "a grid of {} nodes per side is out of range; give 1 to 32768", parameters.nodes);
+  problems.unless(classes == 0 || classes == grains, "{} grains have {} size classes; give one per grain, or none", grains, classes);
   problems.raise();
   report = {};
   report.window = crop_window(packing, parameters.crop);

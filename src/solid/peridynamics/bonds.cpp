@@ -105,7 +105,7 @@ Bonds make_bonds(const PhaseMap& map, const Stiffness& stiffness, const BondLawC
   check(map);
   check_by_type("Young modulus", "Pa", stiffness.matrix, stiffness.interface, stiffness.particle);
   if (std::min(map.width, map.height) < 2 * horizon + 1)
-    throw refusal("a phase map of {} x {} nodes is narrower than the horizon of a node; give at least {} nodes each way", map.width, map.height,
+    throw refusal("a phase map of {} x {} nodes is narrower than the horizon of a node; give at least {} nodes in each direction", map.width, map.height,
                   2 * horizon + 1);
   Bonds bonds;
   bonds.law = law;

@@ -67,13 +67,13 @@ struct DamageResult : FailureRecord {
 struct DamageEnding {
   const char *word, *phrase;
 };
-inline constexpr DamageEnding damage_endings[] = {{"severed", "the sample came apart"},
-                                                  {"dropped", "the stress fell to the share at which the test ends"},
+inline constexpr DamageEnding damage_endings[] = {{"severed", "the sample was severed"},
+                                                  {"dropped", "the stress fell to the fraction at which the test ends"},
                                                   {"strain_reached", "the largest strain was reached"},
                                                   {"events_reached", "the largest number of rounds was reached"},
                                                   {"not_converged", "a static solve did not converge"},
                                                   {"stopped", "stopped"},
-                                                  {"no_path", "nothing ties the bottom row to the top row"}};
+                                                  {"no_path", "the bottom row is not connected to the top row"}};
 
 /// Moves the top row, quasi-statically, breaking bonds as they reach the critical stretch of their type. Loads are found, not stepped: between two
 /// breaks the response is linear, so the next break is known exactly. Bonds break in stretch only, under compression and shear too; broken faces do

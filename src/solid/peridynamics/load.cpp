@@ -136,7 +136,7 @@ std::string sentence_of(const LoadReport& r, const LoadOptions& o) {
 }
 
 void check(const LoadOptions& o) {
-  if (!(o.strain > 0) || !(o.strain < 1)) throw refusal("the strain is {:g}; give one between 0 and 1 (the loading says its direction)", o.strain);
+  if (!(o.strain > 0) || !(o.strain < 1)) throw refusal("the strain is {:g}; give one between 0 and 1 (the loading sets its direction)", o.strain);
   if (!(o.tolerance > 0) || !(o.tolerance < 1)) throw refusal("the tolerance of the residual is {:g}; give one between 0 and 1", o.tolerance);
 }
 

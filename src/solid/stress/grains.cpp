@@ -47,12 +47,12 @@ TensorEstimate mean_tensor(const Items& items, const std::vector<int>& block_of,
 
 /// Of both over their means.
 Numbers agreement(const std::vector<double>& field, const std::vector<double>& contacts) {
-  Numbers j{{"grains", statistics::described(field.size(), "", "Grains that are compared")}};
+  Numbers j{{"grains", statistics::described(field.size(), "", "Grains compared")}};
   if (field.size() < 3) return j;
   const auto a = statistics::over_mean(field), b = statistics::over_mean(contacts);
   const statistics::Relation relation = statistics::relate(b, a);
-  put(j, "correlation", relation.pearson, "", "Pearson's correlation of both stresses");
-  put(j, "slope", Estimate{relation.line.slope, relation.line.slope_error}, "", "Slope of the field's stress over its mean on that of the contacts");
+  put(j, "correlation", relation.pearson, "", "Pearson correlation of the two stresses");
+  put(j, "slope", Estimate{relation.line.slope, relation.line.slope_error}, "", "Slope of the normalised stress of the field against that of the contacts");
   put(j, "rms", statistics::rms_difference(a, b), "", "Root mean square of their difference");
   return j;
 }
@@ -91,7 +91,7 @@ GrainStresses measure_grains(const PhaseMap& map, const StressField& field, int 
 Numbers numbers(const GrainStresses& g) {
   std::size_t whole = 0;
   for (const auto w : g.whole) whole += w;
-  Numbers j{{"whole", statistics::described(whole, "", "Grains that lie whole in the map, clear of the clamps")}};
+  Numbers j{{"whole", statistics::described(whole, "", "Grains entirely inside the map and away from the clamps")}};
   for (const auto& [name, mean] : g.mean) put(j["mean_stress_Pa"], name, mean, "Pa", "Mean stress of whole grains, tension positive");
   Numbers centres = Numbers::list();
   for (const Vec2 c : g.centre) centres.push_back({c.x, c.y});

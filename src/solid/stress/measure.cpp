@@ -44,9 +44,9 @@ struct Selection {
 void check(const PhaseMap& map, const StressField& field, const StressOptions& options) {
   arenite::check(map);
   Problems problems;
-  problems.unless(!options.components.empty(), "no component of the stress is asked for; name at least one, such as sigma_yy");
+  problems.unless(!options.components.empty(), "no stress component is selected; name at least one, such as sigma_yy");
   problems.unless(options.clamp_rows >= 0, "the number of clamp rows left out is negative; give 0 or more");
-  problems.unless(options.blocks >= 1 && options.blocks <= 64, "errors need between 1 and 64 blocks a side");
+  problems.unless(options.blocks >= 1 && options.blocks <= 64, "errors need between 1 and 64 blocks per side");
   problems.unless(options.clamp_rows < 0 || 2 * options.clamp_rows < map.height,
                   "leaving out {} rows at each clamp leaves none of the map's {}; leave out fewer", options.clamp_rows, map.height);
   const std::size_t n = map.size();
@@ -111,7 +111,7 @@ Selection select(const PhaseMap& map, const StressField& field, const StressOpti
       selection.set[i] = set;
       ++selection.nodes;
     }
-  if (selection.nodes == 0) throw InputError("no node is left to measure stresses in; the map is void, or the options leave out every node that is not");
+  if (selection.nodes == 0) throw InputError("no node is left to measure stresses in; the map is void, or the options exclude all other nodes");
   return selection;
 }
 
@@ -159,7 +159,7 @@ Normaliser normalise(const Selection& selection, const BlockedSample& all, const
   const auto whole = values(total, area);
   const auto e = statistics::with_errors(whole, replicates);
   normaliser.value = whole[2];
-  put(to, "sample_mean_Pa", options.mean_over_area ? e[1] : e[0], "Pa", "The mean that stresses are divided by");
+  put(to, "sample_mean_Pa", options.mean_over_area ? e[1] : e[0], "Pa", "Mean by which stresses are divided");
   put(to, "mean_over_nodes_Pa", e[0], "Pa", "Mean over nodes of particles and matrix");
   put(to, "mean_over_area_Pa", e[1], "Pa", "Mean over the whole area, the void as zero");
   to["normalised_by"] = normaliser.over_mean ? "mean" : "root mean square";

@@ -83,7 +83,7 @@ void put_moments(Numbers& to, const Scaled& s, const Normaliser& normaliser, boo
   put(to, "variance", e[2], "", "Variance of the stress over the sample's mean");
   if (over_own_mean) put(to, "own_variance", e[3], "", "Variance of the stress over the set's own mean");
   put(to, "skewness", e[4], "", "Skewness of the stress");
-  put(to, "excess_kurtosis", e[5], "", "Excess kurtosis of the stress; 0: as a Gaussian");
+  put(to, "excess_kurtosis", e[5], "", "Excess kurtosis of the stress; 0 for a Gaussian");
 }
 
 /// Rounding must not put the nodes of a uniform stress above their mean.
@@ -160,8 +160,8 @@ Numbers describe(const std::string& name, BlockedSample& sigma, const Normaliser
   for (const double v : sigma.x) square += v * v / static_cast<double>(nodes);
   const bool opposite = mean * normaliser.value < 0, own = normaliser.over_mean && !opposite && !near_zero(mean, square);
   if (normaliser.over_mean && !own)
-    notes.push_back(fmt::format("the mean of {} is {}: nothing is given over it", name,
-                                opposite ? "of the other sign than the sample's" : "near zero, below a tenth of its root mean square"));
+    notes.push_back(fmt::format("the mean of {} is {}: values over it are omitted", name,
+                                opposite ? "of opposite sign to the sample's" : "near zero, below a tenth of its root mean square"));
   Normaliser by = normaliser;
   const Scaled s = scale(sigma, own ? normaliser : (by.over_mean = false, by));
   const auto quantiles = statistics::exact_quantiles(sigma.x, mapped(quantile_shares, [](const auto& share) { return share.second; }));
@@ -173,7 +173,7 @@ Numbers describe(const std::string& name, BlockedSample& sigma, const Normaliser
   Numbers j{{"count", statistics::described(nodes, "", "Nodes of the set")}};
   put_moments(j, s, normaliser, own || uniform);
   put_ranks(j, s, counts, quantiles, normaliser);
-  put(j, "minimum", std::min(*low * r, *high * r), "", "Least stress over the sample's mean");
+  put(j, "minimum", std::min(*low * r, *high * r), "", "Smallest stress over the sample's mean");
   put(j, "maximum", std::max(*low * r, *high * r), "", "Largest stress over the sample's mean");
   if (uniform) {
     notes.push_back(fmt::format("{} is equal in all nodes: it has no distribution", name));

@@ -47,7 +47,7 @@ void declare(Visitor& v, Surroundings& around) {
   v.number({"temperature", "Temperature of the sample."}, around.temperature, "K", range::positive);
   v.number({"ambient", "Temperature of the surroundings that the sample reflects."}, around.ambient, "K", range::positive);
   v.number({"background_emissivity", "Emissivity of the background between the grains."}, around.background_emissivity, "", range::above(0, 1));
-  v.number({"container_emissivity", "Of the container.", false, "frame_emissivity"}, around.container_emissivity, "", range::above(0, 1));
+  v.number({"container_emissivity", "Emissivity of the container.", false, "frame_emissivity"}, around.container_emissivity, "", range::above(0, 1));
   v.number({"drift", "Drift rate of the temperature of the whole scene."}, around.drift, "mK/s", range::any);
   v.number({"drift_growth", "Rate of change of the drift rate."}, around.drift_growth, "mK/s^2", range::any);
   v.number({"warm_up", "Amplitude of an additional exponential warm-up of the scene."}, around.warm_up, "K", range::any);
@@ -58,7 +58,7 @@ void declare(Visitor& v, Surroundings& around) {
 
 void declare(Visitor& v, Timing& timing) {
   v.integer({"frames", "Frames that the camera takes."}, timing.frames, {8, 100'000'000});
-  v.number({"frame_rate", "Frames in a second."}, timing.frame_rate, "Hz", range::positive);
+  v.number({"frame_rate", "Frames per second."}, timing.frame_rate, "Hz", range::positive);
   v.number({"integration", "Integration time of a frame."}, timing.integration, "us", range::not_negative);
   v.number({"load_frequency", "Nominal frequency of the load."}, timing.load_frequency, "Hz", range::positive);
   v.number({"frequency_error", "Relative excess of the true frequency over the nominal one."}, timing.frequency_error, "%", range::between(-0.5, 0.5));

@@ -34,7 +34,7 @@ void check_points(const Grains& grains, std::size_t count, const Optics& optics)
   for (std::size_t g = 0; g < count; ++g) points += 4 * (grains.radius[g] / cell) * (grains.radius[g] / cell);
   if (!(points <= most_points))
     throw refusal(
-        "pixels of {:.3g} mm with {} x {} points each lay {:.2g} points over the grains, too many to look at; raise camera.pixel or lower supersampling",
+        "pixels of {:.3g} mm with {} x {} points each give {:.2g} points on the grains, too many to compute; raise camera.pixel or lower supersampling",
         1e3 * optics.pixel, optics.supersampling, optics.supersampling, points);
 }
 
@@ -170,7 +170,7 @@ Scene scene_of_field(const FieldResult& result, const Parameters& parameters) {
   const std::size_t grains = result.map.grain_class.size();
   if (result.field.size() == 0) throw refusal("\"{}\" is not loaded, so its stress does not change; name a load of the cemented sample", result.name);
   if (result.packing.grains.size() < grains || grains == 0)
-    throw refusal("\"{}\" was loaded from a picture, whose grains are no disks; the camera films results of a recipe", result.name);
+    throw refusal("\"{}\" was loaded from a picture, whose grains are not disks; the camera films results of a recipe", result.name);
   check_points(result.packing.grains, grains, parameters.optics);
   Scene scene{result.packing.grains, mean_displacements(result), {}, result.packing.domain, {}, result.packing.materials};
   scene.grains.resize(grains);

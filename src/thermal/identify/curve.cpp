@@ -82,11 +82,10 @@ void check_displacement(const Curve& curve, const std::vector<std::size_t>& poin
     if (most - moved > back) back = most - moved, worst = k;
   }
   if (back > noise_share * (most - least) && back > 8 * noise_of(displacement))  // noise alone reaches about 7 standard deviations from end to end
-    refuse(
-        curve, points[worst],
-        fmt::format(
-            "the displacement runs back by {:.3g} mm while the force goes on; check that force and displacement are the right columns, or remove what slipped",
-            1e3 * back));
+    refuse(curve, points[worst],
+           fmt::format("the displacement reverses by {:.3g} mm while the force continues; check that force and displacement are the right columns, or remove "
+                       "the rows of the slip",
+                       1e3 * back));
 }
 
 Cycle cycle_between(const Curve& curve, const std::vector<double>& f, std::size_t first, std::size_t last, const StiffnessOptions& options) {
@@ -144,7 +143,7 @@ double neighbour_correlation(const std::vector<double>& residuals) {
 }  // namespace
 
 std::vector<Cycle> cycles_of(const Curve& curve, const StiffnessOptions& options) {
-  if (curve.x.empty()) throw InputError(curve.file, 0, "holds no points; give one row a point");
+  if (curve.x.empty()) throw InputError(curve.file, 0, "holds no points; give one row per point");
   const std::vector<double> f = upright(curve.y);
   const auto greatest = std::max_element(f.begin(), f.end());
   if (*greatest <= options.preload)

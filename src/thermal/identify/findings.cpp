@@ -23,7 +23,7 @@ Numbers numbers(const Finding& f) {
 
 Numbers numbers(const Group& group) {
   Numbers j{{"name", group.name}};
-  if (group.count > 0) j["count"] = statistics::described(group.count, "", "Values or points that it rests on");
+  if (group.count > 0) j["count"] = statistics::described(group.count, "", "Number of values or points used");
   for (const auto& f : group.findings) j[f.name] = numbers(f);
   for (const auto& test : group.tests) j["tests"].push_back(numbers(test));
   return j;

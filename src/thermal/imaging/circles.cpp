@@ -19,9 +19,9 @@ namespace {
 void check(const FloatImage& image) {
   if (image.size() == 0 || image.value.size() != image.size()) throw InputError("the picture is empty; give one that shows grains");
   if (!std::all_of(image.value.begin(), image.value.end(), [](float v) { return std::isfinite(v); }))
-    throw InputError("the picture holds values that are no numbers; replace bad pixels first");
+    throw InputError("the picture holds values that are not numbers; replace bad pixels first");
   const auto [low, high] = std::minmax_element(image.value.begin(), image.value.end());
-  if (*low == *high) throw InputError("all pixels of the picture are alike; give one that shows grains");
+  if (*low == *high) throw InputError("all pixels of the picture are equal; give one that shows grains");
 }
 
 /// Mean over the inner half of a disk, that is out to r/sqrt(2).

@@ -10,7 +10,7 @@ namespace arenite::imaging {
 namespace {
 
 void check_errors(const std::vector<double>& errors, std::size_t grains, const char* name) {
-  if (!errors.empty() && errors.size() != grains) throw refusal("there are {} errors of the {} for {} grains; give one a grain", errors.size(), name, grains);
+  if (!errors.empty() && errors.size() != grains) throw refusal("there are {} errors of the {} for {} grains; give one per grain", errors.size(), name, grains);
   if (!std::all_of(errors.begin(), errors.end(), [](double e) { return std::isfinite(e) && e >= 0; }))
     throw refusal("errors of the {} must be numbers of at least 0", name);
 }
@@ -18,11 +18,11 @@ void check_errors(const std::vector<double>& errors, std::size_t grains, const c
 void check(const Grains& grains, const GrainErrors& errors, const ContactTolerance& tolerance) {
   for (std::size_t g = 0; g < grains.size(); ++g)
     if (!is_finite(grains.position[g]) || !(grains.radius[g] > 0) || !std::isfinite(grains.radius[g]))
-      throw refusal("grain {} has no place or no positive radius", grains.id[g]);
+      throw refusal("grain {} has no position or no positive radius", grains.id[g]);
   check_errors(errors.position, grains.size(), "position");
   check_errors(errors.radius, grains.size(), "radius");
   for (const double v : {tolerance.errors, tolerance.floor, tolerance.pixel, tolerance.wall_error})
-    if (!std::isfinite(v) || v < 0) throw InputError("the tolerance of proposed contacts must be made of numbers of at least 0");
+    if (!std::isfinite(v) || v < 0) throw InputError("the tolerances of proposed contacts must be at least 0");
 }
 
 /// Standard error of where a grain's surface is, along a line through its centre.

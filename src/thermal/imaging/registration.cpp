@@ -19,7 +19,7 @@ constexpr double least_matched = 0.5;  // share of the smaller set that must fin
 void check(const PictureGrains& grains, const char* which) {
   if (grains.size() < 3) throw refusal("the {} picture shows {} grains; three are needed to register two pictures", which, grains.size());
   for (std::size_t k = 0; k < grains.size(); ++k)
-    if (!is_finite(grains.centre[k]) || !(grains.radius[k] > 0)) throw refusal("grain {} of the {} picture has no place or no positive radius", k, which);
+    if (!is_finite(grains.centre[k]) || !(grains.radius[k] > 0)) throw refusal("grain {} of the {} picture has no position or no positive radius", k, which);
 }
 
 /// Of the transform, from the distances that it leaves.

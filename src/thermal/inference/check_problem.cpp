@@ -14,7 +14,7 @@ void check_grains(const Packing& packing, Problems& problems) {
   if (!(packing.domain.thickness > 0)) problems.add("the thickness of the sample is not known; give the cylinders' length");
   for (std::size_t g = 0; g < grains.size(); ++g)
     if (!(grains.radius[g] > 0) || !is_finite(grains.position[g])) {
-      problems.add("grain {} has no finite place and positive radius; correct or remove it", grains.id[g]);
+      problems.add("grain {} needs a finite position and a positive radius; correct or remove it", grains.id[g]);
       return;
     }
   const Domain& d = packing.domain;
@@ -35,7 +35,7 @@ void check_contacts(const Packing& packing, Problems& problems) {
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const std::int32_t i = contacts.i[c], j = contacts.j[c];
     if (i < 0 || i >= n || j >= n || is_boundary(j) || i == j)
-      problems.add("contact {} joins {} and {}, of which one is no grain or wall; correct the list of contacts", c, i, j);
+      problems.add("contact {} joins {} and {}, one of which is neither a grain nor a wall; correct the list of contacts", c, i, j);
     else if (!seen.insert({std::min(i, j), std::max(i, j)}).second) problems.add("the contact of {} and {} is listed twice; keep one", i, j);
   }
 }
@@ -62,7 +62,8 @@ void check_walls(const ForceProblem& problem, Problems& problems) {
     bool touched = false;
     for (std::size_t c = 0; c < contacts.size(); ++c) touched |= contacts.is_wall(c) && contacts.wall_side(c) == wall.side;
     if (!touched)
-      problems.add("the {} wall carries a load, but no contact with it is proposed; check the walls' places", side_names[static_cast<std::size_t>(wall.side)]);
+      problems.add("the {} wall carries a load, but no contact with it is proposed; check the positions of the walls",
+                   side_names[static_cast<std::size_t>(wall.side)]);
   }
 }
 

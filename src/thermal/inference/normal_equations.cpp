@@ -59,7 +59,7 @@ std::vector<double> values(const Vector& v) { return {v.data(), v.data() + v.siz
 [[noreturn]] void refuse() {
   throw InputError(
       "the contact forces cannot be solved for: loads, thermoelastic factors and errors of pixels differ by too many orders of "
-      "magnitude, or nothing holds a contact; check their units and the places of grains and walls");
+      "magnitude, or nothing holds a contact; check their units and the positions of grains and walls");
 }
 
 /// Places of grains move by a solution: what is no number must not get there.

@@ -45,7 +45,7 @@ constexpr std::size_t numbers = 8193;
 
 template <class Law> LevelCurve tabulate(const LevelRange& range, Law&& law) {
   LevelCurve curve{range.low, (range.high - range.low) / static_cast<double>(numbers - 1), {}};
-  if (!(curve.step > 0)) throw refusal("levels from {} to {} are no range for a calibration curve; give a lower and a higher one", range.low, range.high);
+  if (!(curve.step > 0)) throw refusal("levels from {} to {} are not a range for a calibration curve; give a lower and a higher one", range.low, range.high);
   for (std::size_t i = 0; i < numbers; ++i) curve.temperature.push_back(static_cast<float>(law(range.low + static_cast<double>(i) * curve.step)));
   return curve;
 }
@@ -54,7 +54,7 @@ void check(const std::vector<LevelPoint>& points) {
   if (points.size() < 2) throw refusal("a calibration curve of {} points is too short; give 2 or more", points.size());
   for (const LevelPoint& p : points)
     if (!std::isfinite(p.level) || !(p.temperature > 0) || !std::isfinite(p.temperature))
-      throw refusal("a calibration curve has the point ({}, {} K), which cannot be; correct it", p.level, p.temperature);
+      throw refusal("a calibration curve has the point ({}, {} K), which is impossible; correct it", p.level, p.temperature);
 }
 
 }  // namespace
@@ -152,8 +152,8 @@ LevelCurve curve_through(std::vector<LevelPoint> points, const radiometry::Band&
 LevelCurve curve_by_references(const radiometry::Band& band, const LevelPoint& cold, const LevelPoint& warm, const radiometry::Surface& surface,
                                const LevelRange& range) {
   if (!(cold.temperature > 0) || !(warm.temperature > cold.temperature) || cold.level == warm.level)
-    throw refusal("references of {} K and {} K at levels {} and {} make no calibration; film a colder and a warmer one", cold.temperature, warm.temperature,
-                  cold.level, warm.level);
+    throw refusal("references of {} K and {} K at levels {} and {} cannot be used for calibration; film a colder and a warmer one", cold.temperature,
+                  warm.temperature, cold.level, warm.level);
   const double low = radiometry::photon_exitance(band, cold.temperature), high = radiometry::photon_exitance(band, warm.temperature);
   return tabulate(range, [&](double level) {
     return radiometry::temperature_of_seen(band, surface, low + (level - cold.level) * (high - low) / (warm.level - cold.level));
@@ -162,7 +162,7 @@ LevelCurve curve_by_references(const radiometry::Band& band, const LevelPoint& c
 
 LevelCurve curve_by_radiometry(const radiometry::Band& band, const LevelPoint& known, const radiometry::Surface& surface, const LevelRange& range) {
   if (!(known.temperature > 0) || !(known.level > 0))
-    throw refusal("a level of {} at {} K makes no calibration; give a level above 0 and a temperature above 0 K", known.level, known.temperature);
+    throw refusal("a level of {} at {} K cannot be used for calibration; give a level above 0 and a temperature above 0 K", known.level, known.temperature);
   const double photons = radiometry::photon_exitance(band, known.temperature) / known.level;
   return tabulate(range, [&](double level) { return radiometry::temperature_of_seen(band, surface, photons * level); });
 }

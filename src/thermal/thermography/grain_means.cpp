@@ -12,7 +12,7 @@ namespace {
 
 void check(const PictureGrains& grains, const GrainMeanOptions& o) {
   Problems problems;
-  problems.unless(o.share > 0 && o.share <= 1, "the share of a grain's area is {}; it must be above 0 and at most 1", o.share);
+  problems.unless(o.share > 0 && o.share <= 1, "the fraction of a grain's area is {}; it must be above 0 and at most 1", o.share);
   std::set<std::int32_t> missing;
   for (const auto m : grains.material) {
     const auto k = static_cast<std::size_t>(m);

@@ -162,7 +162,8 @@ void refuse_too_few_cycles(const HarmonicFit& fit, const SegmentSums& s) {
   if (fit.inflation(s.time.size()) < 50) return;
   const double length = film_length(s.time);
   throw refusal(
-      "the film of {:.4g} s holds {:.3g} cycles of {:.6g} Hz, too few to separate the load from a drift of order {}; ask for less drift, or give a longer film",
+      "the film of {:.4g} s holds {:.3g} cycles of {:.6g} Hz, too few to separate the load from a drift of order {}; use a lower drift order, or give a longer "
+      "film",
       length, length * fit.frequency, fit.frequency, fit.drift - 1);
 }
 

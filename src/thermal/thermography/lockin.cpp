@@ -20,8 +20,8 @@ namespace {
 
 void check(const LockinOptions& o) {
   if (!(o.frequency > 0) || !std::isfinite(o.frequency)) throw InputError("the load frequency must be above 0 Hz");
-  if (o.drift_order < 0 || o.drift_order > 8) throw refusal("the drift's order is {}; it must be 0 to 8", o.drift_order);
-  if (o.harmonics < 1 || o.harmonics > 4) throw refusal("{} harmonics were asked for; it must be 1 to 4", o.harmonics);
+  if (o.drift_order < 0 || o.drift_order > 8) throw refusal("the drift order is {}; it must be 0 to 8", o.drift_order);
+  if (o.harmonics < 1 || o.harmonics > 4) throw refusal("{} harmonics were requested; give 1 to 4", o.harmonics);
 }
 
 /// How many harmonics can be told apart with these frames; throws where not even the load frequency can.
@@ -39,14 +39,14 @@ int possible_harmonics(const std::vector<double>& time, const LockinOptions& o) 
   const int harmonics = std::min(o.harmonics, static_cast<int>(std::ceil(nyquist / o.frequency - 1e-6)) - 1);
   const auto unknowns = static_cast<std::size_t>(o.drift_order + 1 + 2 * harmonics);
   if (time.size() < unknowns + 4)
-    throw refusal("the film has {} frames, too few for {} unknowns a pixel; ask for fewer harmonics or less drift", time.size(), unknowns);
+    throw refusal("the film has {} frames, too few for {} unknowns per pixel; use fewer harmonics or a lower drift order", time.size(), unknowns);
   return std::max(harmonics, 1);
 }
 
 /// Of a pixel that never changes all sums are 0, and of one that is no number none is larger or smaller.
 void refuse_constant(const SegmentSums& s) {
   if (std::ranges::any_of(s.sums, [](float sum) { return std::abs(sum) > 0; })) return;
-  throw InputError("every pixel of the film is constant in time (or is no number); a lock-in needs a film of a loaded sample");
+  throw InputError("every pixel of the film is constant in time (or not a number); a lock-in needs a film of a loaded sample");
 }
 
 /// Fills all maps but those that need the reference; cos and sin of the first harmonic go to `phasor`.

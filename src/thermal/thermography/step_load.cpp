@@ -13,7 +13,7 @@ namespace {
 using statistics::Matrix;
 
 void check(const StepOptions& o) {
-  if (o.drift_order < 0 || o.drift_order > 4) throw refusal("the drift's order is {}; it must be 0 to 4", o.drift_order);
+  if (o.drift_order < 0 || o.drift_order > 4) throw refusal("the drift order is {}; it must be 0 to 4", o.drift_order);
   if (!(o.rise >= 0) || !(o.window >= 0)) throw InputError("the step's rise and window must not be below 0 s");
 }
 
@@ -60,7 +60,7 @@ struct Side {
 /// judged by what polynomials of this order on both sides explain. InputError for too few frames.
 double find_step(const Matrix& series, const std::vector<double>& time, int drift_order) {
   const std::size_t frames = time.size(), size = static_cast<std::size_t>(drift_order) + 1, margin = size + 2;
-  if (frames < 2 * margin) throw InputError("the film has too few frames for a step to be found; give its time, or ask for less drift");
+  if (frames < 2 * margin) throw InputError("the film has too few frames for a step to be found; give its time, or a lower drift order");
   const double middle = (time.front() + time.back()) / 2, half = (time.back() - time.front()) / 2;
   Matrix phi(size, frames);
   for (std::size_t n = 0; n < frames; ++n) legendre((time[n] - middle) / half, size, phi.column(n));
@@ -141,7 +141,7 @@ void fill(StepMaps& maps, const StepSides& sides, const StepSums (&sums)[2]) {
     maps.standard_error[p] = static_cast<float>(static_cast<double>(maps.residual[p]) * spread);
     changes = changes || sums[0].squares(p) > 0 || sums[1].squares(p) > 0 || std::abs(sums[0].base(p) - sums[1].base(p)) > 0;
   }
-  if (!changes) throw InputError("every pixel of the film is constant in time (or is no number); a step needs a film of a loaded sample");
+  if (!changes) throw InputError("every pixel of the film is constant in time (or not a number); a step needs a film of a loaded sample");
 }
 
 }  // namespace
@@ -157,7 +157,7 @@ StepMaps step_load(FilmSource& film, const StepOptions& o) {
     return !stopped;
   });
   if (stopped) return {};
-  if (series.rows() == 0) throw InputError("every pixel of the film is constant in time (or is no number); a step needs a film of a loaded sample");
+  if (series.rows() == 0) throw InputError("every pixel of the film is constant in time (or not a number); a step needs a film of a loaded sample");
   const double step = o.time ? *o.time : find_step(series, time, o.drift_order);
   const StepSides sides = step_sides(series, time, step, o);
   // Jumps that were sought in so many frames are no more than noise makes them once in a hundred films.

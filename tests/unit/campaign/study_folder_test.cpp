@@ -198,7 +198,7 @@ TEST(StudyFolder, RunsOfVersion01AreLeftWithASentence) {
   write_status(place, "fedcba9876543210", {Kind::done, 1, {}});
   const Study study = read_study(file, {}, folder / "out");
   ASSERT_EQ(study.notices.size(), 1u);
-  EXPECT_EQ(study.notices[0], "runs by version 0.1 in " + (folder / "out/runs").string() + " (1) are not taken up; all runs are done anew beside them");
+  EXPECT_EQ(study.notices[0], "runs of version 0.1 in " + (folder / "out/runs").string() + " (1) are not reused; all runs are computed again beside them");
   EXPECT_EQ(result_of(place, study.runs[1]).state.kind, Kind::waiting);
 }
 

@@ -127,10 +127,10 @@ TEST(StudyPage, SaysWhyARunIsNotDrawnAndWhichCurvesAreNotThereYet) {
   page.drawing = [](const std::string&, const Figure&) -> Numbers { throw InputError("/a/folder", 0, "no film of this run was made"); };
   EXPECT_NE(study_page(page).find("\"missing\":\"Not drawn: no film of this run was made.\""), std::string::npos);
   page.figures = figures("kind = \"film\"\nwhere = { gamma = 7 }");
-  EXPECT_NE(study_page(page).find("\"missing\":\"No run of this kind is done yet.\""), std::string::npos);
+  EXPECT_NE(study_page(page).find("\"missing\":\"No run of this kind has finished yet.\""), std::string::npos);
   page.figures = figures("kind = \"rose\"\ncurves = [\"s\", \"film.s\"]\nnames = [\"simulation\", \"film\"]");
   page.numbers = [](const std::string&, const std::string& path, const Figure&) { return test::numbers_of(path == "s" ? R"({"s":[1,2]})" : ""); };
-  EXPECT_NE(study_page(page).find("\"missing\":\"No run has the numbers for it yet: film.\""), std::string::npos);
+  EXPECT_NE(study_page(page).find("\"missing\":\"No finished run has its numbers yet: film.\""), std::string::npos);
 }
 
 TEST(StudyFigures, FilmsAreWantedOfAllRunsThatAFigureOfThemWants) {

@@ -53,7 +53,7 @@ TEST(FilmDoubts, MaterialsTakenForEachOtherAreNamed) {
 
 TEST(FilmDoubts, OneWrongFactorIsNamed) {
   const std::string said = all(film_doubts(two_materials(), wanting(1, 0.7)));
-  EXPECT_NE(said.find("factor of POM against that of HDPE is 1.43 times"), std::string::npos) << said;
+  EXPECT_NE(said.find("ratio of the factors of POM and HDPE is 1.43 times"), std::string::npos) << said;
 }
 
 TEST(FilmDoubts, TheScaleOfForcesIsHeldAgainstTheLoad) {

@@ -18,7 +18,8 @@ TEST(ResultFolder, SaysThatNoRunGoesOnWithResultsOfVersion01) {
     EXPECT_EQ(is_of_version_0_1(folder / "01-packing-0123.h5"), is_old);
     const ResultFolder out(folder.path(), {"01-packing-4567.h5"});
     const std::string sentence = out.what_was_put_aside();
-    EXPECT_EQ(sentence.starts_with(is_old ? "a result of version 0.1, with which no run goes on, moved to " : "a result of other settings moved to "), true)
+    EXPECT_EQ(sentence.starts_with(is_old ? "a result of version 0.1, from which no run can continue, moved to " : "a result of other settings moved to "),
+              true)
         << sentence;
     EXPECT_TRUE(std::filesystem::exists(folder / "earlier/01-packing-0123.h5"));
   }

@@ -56,14 +56,14 @@ void check_shapes(Problems& problems, const Packing& start, const ContactParamet
   for (std::size_t g = 0; g < grains && sound; ++g)
     if (shapes.filled[g]) {
       filled = true;
-      problems.unless(is_convex(shape_of(start.grains, g)), "grain {} must be a convex polygon, corners counter-clockwise, of one rounding",
+      problems.unless(is_convex(shape_of(start.grains, g)), "grain {} must be a convex polygon, corners counter-clockwise, with one rounding",
                       start.grains.id[g]);
     }
-  problems.unless(!filled || !contact.adheres(), "polygons do not adhere yet; leave contact.adhesion at \"none\", or take clumps of disks");
+  problems.unless(!filled || !contact.adheres(), "adhesion of polygons is not implemented; leave contact.adhesion at \"none\", or use clumps of disks");
   problems.unless(!contact.has_bonds(), "bonds join disks only; leave contact.bonds at \"none\"");
-  problems.unless(!contact.is_cohesive(), "grains that are no disks neither stick nor hold liquid yet; leave contact.cohesion at \"none\"");
+  problems.unless(!contact.is_cohesive(), "cohesion is not implemented for grains other than disks; leave contact.cohesion at \"none\"");
   const Integrator& scheme = integrator_of(integration.integrator);
-  problems.unless(scheme.moves_bodies, "grains that are no disks need integration.integrator = {}; {} moves disks only", integrators_of_bodies(),
+  problems.unless(scheme.moves_bodies, "grains other than disks need integration.integrator = {}; {} moves disks only", integrators_of_bodies(),
                   scheme.word.word);
 }
 

@@ -45,7 +45,7 @@ void check_boundaries(Problems& problems, const Domain& domain) {
       fits = fits && norm(way) <= (1 + 1e-9) * shortest;
     }
     problems.unless(n >= least, "boundary \"{}\" needs {} points or more", boundary.name, least);
-    problems.unless(sound, "each point of boundary \"{}\" must be a place other than the one before", boundary.name);
+    problems.unless(sound, "each point of boundary \"{}\" must differ from the one before", boundary.name);
     problems.unless(fits, "no segment of boundary \"{}\" may be longer than the periodic cell, {} m; give it points in between", boundary.name, shortest);
   }
   problems.unless(domain.boundaries.empty() || domain.tilt == 0, "boundaries need a periodic cell that has not been sheared");
@@ -149,7 +149,7 @@ void check_still_cell(const Sample& s, const WallDrives& drives, bool sheared) {
   for (int side = 0; side < sides; ++side)
     if (s.domain.is_periodic(side) && drives[side].kind != WallDrive::Kind::fixed)
       throw InputError(
-          fmt::format("the {} side is periodic and cannot move, for boundaries would not fit the cell any more; leave it fixed", side_names[side]));
+          fmt::format("the {} side is periodic and cannot move, because the boundaries would no longer fit the cell; leave it fixed", side_names[side]));
   if (sheared) throw InputError("a periodic cell with boundaries cannot be sheared; move the boundaries, or a wall");
 }
 

@@ -155,7 +155,7 @@ void check_crossings(const Sample& s) {
     const Boundary& now = boundary_of(s, s.list.j[p]);
     const auto id = s.start.grains.id[s.record[s.list.i[p]].grain];
     throw CannotGoOn(
-        fmt::format("grain {} has gone through the boundary \"{}\" at step {}; a smaller time step or a gentler load is needed", id, now.name, s.step));
+        fmt::format("grain {} has passed through the boundary \"{}\" at step {}; a smaller time step or a gentler load is needed", id, now.name, s.step));
   }
 }
 

@@ -29,7 +29,7 @@ void check_opening(const Sample& s, int side, bool open) {
   std::size_t beyond = 0;
   for (std::size_t k = 0; k < s.count; ++k) beyond += s.domain.depth(side, s.record[k].place) < 0;
   if (!open && beyond > 0)
-    throw InputError(fmt::format("the {} wall cannot come back, for {} grains lie beyond it; leave that side open", side_names[side], beyond));
+    throw InputError(fmt::format("the {} wall cannot be restored, because {} grains are beyond it; leave that side open", side_names[side], beyond));
 }
 
 /// Grains nearer to a rough wall than half their radius go with it from now on; one that was held before stays.
@@ -57,7 +57,7 @@ std::vector<BoundaryMotion> motions_of(const std::vector<Boundary>& boundaries, 
   for (const Boundary& boundary : boundaries) motions.push_back({boundary.name, {}, 0, mean_point(boundary.points)});
   for (const BoundaryMotion& motion : named) {
     const std::size_t at = index_of(boundaries, motion.name);
-    if (at == boundaries.size()) throw InputError(fmt::format("boundary \"{}\" is to move, which there is not", motion.name));
+    if (at == boundaries.size()) throw InputError(fmt::format("boundary \"{}\" is to move, but does not exist", motion.name));
     const auto mean = motions[at].centre;
     motions[at] = motion;
     if (!motion.centre) motions[at].centre = mean;
@@ -76,7 +76,7 @@ BoundaryMotion motion_now(const Sample& s, std::size_t b) {
 void Engine::set_rough(const BySide<bool>& rough) {
   Sample& s = machine_->sample;
   if (std::ranges::equal(rough, s.wall, {}, {}, &WallBody::rough)) return;
-  if (!s.part.empty()) throw InputError("rough walls hold disks only; take smooth walls with friction for clumps and polygons");
+  if (!s.part.empty()) throw InputError("rough walls work with disks only; use smooth walls with friction for clumps and polygons");
   synchronise(s);
   for (int side = 0; side < sides; ++side) s.wall[side].rough = rough[side] && s.domain.wall[side].present;
   hold_nearest(s);
@@ -107,7 +107,7 @@ void Engine::set_boundaries(const std::vector<BoundaryMotion>& named) {
     others_there |= motions[b].absent == boundaries[b].present;
     if (motions[b].mass && !integrator_of(s).moves_bodies)
       throw InputError(
-          fmt::format("boundary \"{}\" has a mass, which {} does not move; take {}", motions[b].name, integrator_of(s).word.word, integrators_of_bodies("")));
+          fmt::format("boundary \"{}\" has a mass, which {} cannot move; use {}", motions[b].name, integrator_of(s).word.word, integrators_of_bodies("")));
   }
   if (!changed) return;
   synchronise(s);
@@ -136,11 +136,11 @@ void Engine::set_programmes(Programmes programmes) {
     sheared |= p.of == Programme::shear_rate;
     if (!p.drives_boundary()) continue;
     const std::size_t at = index_of(boundaries, p.name);
-    if (at == boundaries.size()) throw InputError(fmt::format("a programme drives boundary \"{}\", which there is not", p.name));
+    if (at == boundaries.size()) throw InputError(fmt::format("a programme drives boundary \"{}\", which does not exist", p.name));
     BoundaryBody& body = s.boundary[at];
     if (p.is_of_force() != (body.mass > 0) && p.boundary_axis() < 2)
-      throw InputError(fmt::format("boundary \"{}\" {} a mass; a table can give {}", p.name, body.mass > 0 ? "has" : "has not",
-                                   body.mass > 0 ? "the force on it" : "where it is or how fast"));
+      throw InputError(fmt::format("boundary \"{}\" {} a mass; a table can give {}", p.name, body.mass > 0 ? "has" : "does not have",
+                                   body.mass > 0 ? "the force on it" : "its position or velocity"));
     if (!p.is_of_force()) continue;
     synchronise(s);
     (p.boundary_axis() == 0 ? body.force.x : body.force.y) = p.at(0);

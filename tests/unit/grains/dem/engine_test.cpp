@@ -123,7 +123,7 @@ TEST(Engine, AStepBeyondTheBoundsIsRefusedWithTheStepThatWouldDo) {
   try {
     Engine(p, {}, integration);
     FAIL() << "accepted";
-  } catch (const InputError& error) { EXPECT_NE(std::string(error.what()).find("would do"), std::string::npos) << error.what(); }
+  } catch (const InputError& error) { EXPECT_NE(std::string(error.what()).find("or leave the key out"), std::string::npos) << error.what(); }
 }
 
 TEST(Engine, AGrainThatIsShotThroughAWallEndsInAnError) {

@@ -36,7 +36,7 @@ TEST(Forces, ThatPullAreAnErrorOfMeasurementOnlyWhereTheyAreMeasured) {
     Options options;
     options.pull = pull;
     const auto notes = measure(p, options).notes;
-    const auto it = std::find_if(notes.begin(), notes.end(), [](const std::string& n) { return n.find("normal forces pull") != n.npos; });
+    const auto it = std::find_if(notes.begin(), notes.end(), [](const std::string& n) { return n.find("normal forces are tensile") != n.npos; });
     return it == notes.end() ? std::string() : *it;
   };
   EXPECT_NE(note(Pull::measured).find("an error of measurement"), std::string::npos);

@@ -66,7 +66,7 @@ TEST(BadFilm, PtwThatContradictsItself) {
   expect_refusal(with(23, std::int32_t{21}), "disagree");
   expect_refusal(with(377, std::int16_t{-5}), "disagree");
   expect_refusal(with(27, std::int32_t{0}), "holds no frame");
-  expect_refusal(with(27, std::int32_t{4}), "announces 4 frames of 5 x 4 pixels and holds 3");
+  expect_refusal(with(27, std::int32_t{4}), "declares 4 frames of 5 x 4 pixels and holds 3");
   expect_refusal(with(27, std::int32_t{2000000000}), "cut short");
   expect_refusal(with(11, std::int32_t{-1}), "headers");
   expect_refusal(with(15, std::int32_t{0x7fffffff}), "headers");
@@ -76,8 +76,8 @@ TEST(BadFilm, PtwThatContradictsItself) {
 TEST(BadFilm, SfmovThatContradictsItself) {
   const std::string good = test::sfmov(counted());
   const auto with = [&](const std::string& from, const std::string& to) { return std::string(good).replace(good.find(from), from.size(), to); };
-  expect_refusal(with("NumDPs 3", "NumDPs 4"), "announces 4");
-  expect_refusal(with("NumDPs 3", "NumDPs x"), "does not say NumDPs");
+  expect_refusal(with("NumDPs 3", "NumDPs 4"), "declares 4");
+  expect_refusal(with("NumDPs 3", "NumDPs x"), "does not state NumDPs");
   expect_refusal(with("xPixls 5", "xPixls 99999999999"), "pixels");
   expect_refusal(with("UINT16", "Complex"), "complex");
   expect_refusal(with("DATA", "DUTA"), "ends within its header");
@@ -85,11 +85,11 @@ TEST(BadFilm, SfmovThatContradictsItself) {
 
 TEST(BadFilm, NpyThatIsNoFilm) {
   const std::string data(120, '\1');
-  expect_refusal(test::npy("<u2", "(3, 4, 5)", data, "True"), "columns first");
+  expect_refusal(test::npy("<u2", "(3, 4, 5)", data, "True"), "column order");
   expect_refusal(test::npy("<c8", "(3, 4, 5)", data), "no pixel");
   expect_refusal(test::npy("<u2", "(60,)", data), "dimensions");
   expect_refusal(test::npy("<u2", "(4, 4, 5)", data), "cut short");
-  expect_refusal(test::npy("<u2", "(3, 4, 99999999999999999999)", data), "more than any file");
+  expect_refusal(test::npy("<u2", "(3, 4, 99999999999999999999)", data), "more data than any file");
   expect_refusal(test::npy("<u2", "(99999999999, 100000, 100000)", data), "at most");
 }
 
@@ -98,10 +98,10 @@ TEST(BadFilm, HccWhoseFramesDiffer) {
   std::string bytes = test::hcc(film);
   const std::size_t frame = bytes.size() / 3;
   test::set(bytes, frame + 34, std::uint16_t{5});
-  expect_refusal(bytes, "another size from frame 1");
+  expect_refusal(bytes, "changes its size at frame 1");
   bytes = test::hcc(film);
   bytes[2 * frame + 16] = 3;
-  expect_refusal(bytes, "another scale from frame 2");
+  expect_refusal(bytes, "changes its scale at frame 2");
   bytes = test::hcc(film);
   bytes[frame] = 'X';
   expect_refusal(bytes, "no header before frame 1");
@@ -120,7 +120,7 @@ TEST(BadFilm, SidecarWithEveryMistake) {
   expect_refusal("width = 5\nheight = 4\ntype = \"uint16\"\nframe_rate = \"3 mm\"\n", "frame_rate");
   expect_refusal("width = five\nheight = 4\ntype = \"uint16\"\n", "whole number");
   expect_refusal("width = 5\nwidth = 5\nheight = 4\ntype = \"uint16\"\n", "second time");
-  expect_refusal("width = 50\nheight = 4\ntype = \"uint16\"\n", "no whole number of frames");
+  expect_refusal("width = 50\nheight = 4\ntype = \"uint16\"\n", "not a whole number of frames");
 }
 
 TEST(BadFilm, TooLargeAFrameIsRefusedBeforeMemoryIsAskedFor) {

@@ -49,7 +49,7 @@ TEST_F(Hdf5Image, FindsTheOnlyDatasetThatCanBeAPicture) {
 TEST_F(Hdf5Image, AsksWhichOfTwoAndWhichSlice) {
   write("labels", {1, 2}, H5T_STD_I32LE, {-1, 70000});
   write("stack", {2, 1, 2}, H5T_STD_U16LE, {1, 2, 3, 4});
-  EXPECT_EQ(refusal(), "a.h5: holds 2 datasets that can be meant; choose one with --dataset: labels, stack");
+  EXPECT_EQ(refusal(), "a.h5: holds 2 possible datasets; choose one with --dataset: labels, stack");
   EXPECT_EQ(decode({.slice = {}, .dataset = "labels"}).value, (Values{-1, 70000}));
   EXPECT_NE(refusal({.slice = {}, .dataset = "stack"}).find("stack of 2 slices"), std::string::npos);
   EXPECT_EQ(decode({.slice = 1, .dataset = "stack"}).value, (Values{3, 4}));

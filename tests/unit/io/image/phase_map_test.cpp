@@ -31,10 +31,10 @@ PhaseMapOptions with(const io::PhaseTable& table) {
 TEST(PhaseTable, ReadsValuesAndNamesAndTellsWhatIsWrong) {
   EXPECT_EQ(io::parse_phase_table("0=void,85=particle,170=matrix"), electrode);
   EXPECT_EQ(complaint([] { io::parse_phase_table("0=void,85=partikle"); }),
-            "\"partikle\" is no phase; did you mean \"particle\"?; phases are void, matrix and particle");
-  EXPECT_NE(complaint([] { io::parse_phase_table("0:void"); }).find("\"0:void\" says no phase"), std::string::npos);
-  EXPECT_NE(complaint([] { io::parse_phase_table("x=void"); }).find("says no phase"), std::string::npos);
-  EXPECT_NE(complaint([] { io::parse_phase_table("1=void,1=matrix"); }).find("1 is given a phase twice"), std::string::npos);
+            "\"partikle\" is not a phase; did you mean \"particle\"?; phases are void, matrix and particle");
+  EXPECT_NE(complaint([] { io::parse_phase_table("0:void"); }).find("\"0:void\" does not assign a phase"), std::string::npos);
+  EXPECT_NE(complaint([] { io::parse_phase_table("x=void"); }).find("does not assign a phase"), std::string::npos);
+  EXPECT_NE(complaint([] { io::parse_phase_table("1=void,1=matrix"); }).find("1 is assigned a phase twice"), std::string::npos);
   EXPECT_NE(complaint([] { io::parse_phase_table(""); }).find("no phase"), std::string::npos);
 }
 
@@ -54,7 +54,7 @@ TEST(PhaseMapImage, GuessesTwoValuesAndSaysSo) {
 
 TEST(PhaseMapImage, AsksForThePhasesOfThreeValues) {
   EXPECT_EQ(refusal({4, 1, {0, 85, 170, 170}}),
-            "map.png: has the values 0 (25 %), 85 (25 %), 170 (50 %); say which phase each is, for example with --phases "
+            "map.png: has the values 0 (25 %), 85 (25 %), 170 (50 %); state the phase of each, for example with --phases "
             "0=void,85=matrix,170=particle");
   EXPECT_NE(refusal({9, 1, {0, 1, 2, 3, 4, 5, 6, 7, 8}}).find("has 9 values"), std::string::npos);
 }
@@ -87,7 +87,7 @@ TEST(PhaseMapImage, CutsOutARectangleCountedFromTheUpperLeft) {
     EXPECT_NE(refusal({3, 3, {0, 85, 170, 85, 0, 85, 0, 0, 0}}, options).find("does not lie inside"), std::string::npos) << outside;
   }
   for (const char* wrong : {"", "1,2,3", "1,2,3,4,5", "a,2,3,4", "1;2;3;4"})
-    EXPECT_NE(complaint([&] { io::parse_crop(wrong); }).find("is no rectangle"), std::string::npos) << wrong;
+    EXPECT_NE(complaint([&] { io::parse_crop(wrong); }).find("is not a rectangle"), std::string::npos) << wrong;
   PhaseMapOptions no_length = with(electrode);
   no_length.dx = 0;
   EXPECT_NE(refusal({2, 1, {0, 85}}, no_length).find("positive length"), std::string::npos);
@@ -107,10 +107,10 @@ TEST(PhaseMapImage, NamesLabelsThatDoNotFitTheMap) {
   const Image few{3, 1, {4, 0, 0}}, many{3, 1, {4, 4, 4}}, both{3, 1, {0, 4, 4}}, narrow{2, 1, {4, 4}};
   EXPECT_EQ(refusal(picture, with(electrode), &few),
             "labels.png: has no label for 1 particle pixels, the first at 1, 0; label them, or "
-            "leave the labels out and let grains be found");
+            "leave the labels out so that grains are found");
   EXPECT_EQ(refusal(picture, with(electrode), &many),
-            "labels.png: labels 1 pixels that are no particle, the first at 2, 0; write 0 "
-            "there, or say with --phases that they are particle");
+            "labels.png: labels 1 pixels that are not particle, the first at 2, 0; write 0 "
+            "there, or state with --phases that they are particle");
   const std::string two_problems = refusal(picture, with(electrode), &both);
   EXPECT_EQ(std::count(two_problems.begin(), two_problems.end(), '\n'), 1) << two_problems;
   EXPECT_NE(refusal(picture, with(electrode), &narrow).find("has 2 x 1 pixels and the phase map 3 x 1"), std::string::npos);

@@ -29,7 +29,7 @@ TEST(PngImage, TakesAGreyPaletteAsWhatItShowsAndRefusesColour) {
   EXPECT_EQ(decode_png(png(3, 1, 8, palette, {std::string("\2\1\0", 3)}, greys)).value, (Values{255, 85, 0}));
   EXPECT_EQ(decode_png(png(3, 1, 8, palette, {std::string("\0\0\0", 3)}, red)).value, (Values{0, 0, 0}));  // no pixel is red
   EXPECT_EQ(png_refusal(png(3, 1, 8, palette, {std::string("\0\0\1", 3)}, red)),
-            "a.png: is in colour (pixel 2, 0), and a colour is no phase; save it as greyscale with one value a phase");
+            "a.png: is in colour (pixel 2, 0), and colours are not phases; save it as greyscale with one value per phase");
   EXPECT_NE(png_refusal(png(1, 1, 8, palette, {"\x07"}, greys)).find("not in its palette"), std::string::npos);
 }
 

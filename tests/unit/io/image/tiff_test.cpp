@@ -98,7 +98,7 @@ TEST(TiffImage, RefusesFractionsColourTransparencyAndOddDepths) {
   EXPECT_NE(tiff_refusal(tiff({clear})).find("transparent"), std::string::npos);
   TiffPage deep = page(1, 1, {0, 0, 0, 0, 0, 0, 0, 0});
   deep.bits = 64;
-  EXPECT_NE(tiff_refusal(tiff({deep})).find("64 bits a sample"), std::string::npos);
+  EXPECT_NE(tiff_refusal(tiff({deep})).find("64 bits per sample"), std::string::npos);
 }
 
 TEST(TiffImage, RefusesAFileCutShortAtAnyByte) {

@@ -237,7 +237,7 @@ TEST(SampleLammps, ColumnsThatNobodyCanTellApartAreOneProblemWithWhatToWrite) {
 
 TEST(SampleLammps, TakesTheWholeForceWhereTheUserNamesItAlone) {
   const Files files(lammps_atoms, lammps_pairs("c_1[1] c_1[2] c_2[1] c_2[2]", "1 2 -3 -1"));
-  expect_part(files.problems(), "name them in their order by --columns");
+  expect_part(files.problems(), "name them in their order with --columns");
   SampleOptions named;
   named.contact_columns = "i,j,fx,fy";
   EXPECT_DOUBLE_EQ(files.read(named).packing.contacts.fn.at(0), 3);

@@ -43,7 +43,7 @@ TEST(LaboratoryTable, AnAssumedUnitIsNoted) {
   LaboratoryTable t(file.path);
   EXPECT_EQ(t.values(*t.find(force), force), std::vector<double>{2.5});
   ASSERT_EQ(t.notes().size(), 1U);
-  EXPECT_NE(t.notes()[0].find("names no unit of F, so N was taken"), std::string::npos);
+  EXPECT_NE(t.notes()[0].find("states no unit of F, so N was assumed"), std::string::npos);
 }
 
 TEST(LaboratoryTable, DegreesCelsius) {

@@ -90,7 +90,7 @@ TEST(Stiffness, BadRecordsAreOneSentenceWithTheirLine) {
   EXPECT_NE(stiffness_complaint(slipped).find("test.csv:122: the force falls from"), std::string::npos) << stiffness_complaint(slipped);
   Curve back = record({6000});
   back.x[150] -= 0.1e-3;
-  EXPECT_NE(stiffness_complaint(back).find("test.csv:152: the displacement runs back by 0.09"), std::string::npos) << stiffness_complaint(back);
+  EXPECT_NE(stiffness_complaint(back).find("test.csv:152: the displacement reverses by 0.09"), std::string::npos) << stiffness_complaint(back);
   Curve still = record({6000});
   for (double& x : still.x) x = 1e-3;
   EXPECT_NE(stiffness_complaint(still).find("does not change with the force"), std::string::npos);

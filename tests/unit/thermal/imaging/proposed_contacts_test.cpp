@@ -159,9 +159,9 @@ TEST(ProposedContacts, HoldAllOfAnotherCodesInAShearedCell) {
 
 TEST(ProposedContacts, RefuseErrorsThatDoNotFit) {
   const Grains grains = grains_at({{1, 1}, {3, 1}}, {1, 1});
-  EXPECT_EQ(test::complaint([&] { propose_contacts(grains, box(4, 4), {{0.1}, {}}); }), "there are 1 errors of the position for 2 grains; give one a grain");
+  EXPECT_EQ(test::complaint([&] { propose_contacts(grains, box(4, 4), {{0.1}, {}}); }), "there are 1 errors of the position for 2 grains; give one per grain");
   EXPECT_NE(test::complaint([&] { propose_contacts(grains, box(4, 4), {{}, {0.1, -1}}); }).find("errors of the radius"), std::string::npos);
-  EXPECT_NE(test::complaint([&] { propose_contacts(grains_at({{1, std::nan("")}}, {1}), box(4, 4)); }).find("grain 0 has no place"), std::string::npos);
+  EXPECT_NE(test::complaint([&] { propose_contacts(grains_at({{1, std::nan("")}}, {1}), box(4, 4)); }).find("grain 0 has no position"), std::string::npos);
   EXPECT_EQ(propose_contacts({}, box(4, 4)).size(), 0u);
 }
 
