@@ -65,7 +65,7 @@ struct Truth {
 
 Packing last_state(const fs::path& states, const std::string& stage) {
   for (const auto& file : io::stage_files(states))
-    if (file.filename().string().find("-" + stage + "-") != std::string::npos) return io::read_stage(file).frames.back().packing;
+    if (file.filename().string().find("-" + stage + "-") != std::string::npos) return io::read_stage(file).snapshots.back().packing;
   throw std::runtime_error("no stage " + stage);
 }
 

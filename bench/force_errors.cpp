@@ -101,7 +101,7 @@ void report(const char* name, const Packing& low, const Packing& high, const Sou
 }
 
 int run(const char* low_file, const char* high_file) {
-  const Packing low = io::read_stage(low_file).frames.back().packing, high = io::read_stage(high_file).frames.back().packing;
+  const Packing low = io::read_stage(low_file).snapshots.back().packing, high = io::read_stage(high_file).snapshots.back().packing;
   std::printf("%zu grains, %zu contacts\n", high.grains.size(), high.contacts.size());
   std::printf("| source | fn, %% | ft, %% | share above the mean | error over standard error | spurious kept |\n|---|---|---|---|---|---|\n");
   const auto with = [&](const char* name, const std::function<void(Sources&)>& change) {

@@ -12,7 +12,7 @@ def width(packing):
 
 def measure(path):
     stage = arenite.open(path).stages[-1]
-    history, first = stage.history, stage.frames[0].packing
+    history, first = stage.history, stage.snapshots[0].packing
     height = history["top_position"][0]
     strain = 1 - history["top_position"] / height
     stress = history["top_force"] / (width(first) * first.domain["thickness"])
@@ -22,7 +22,7 @@ def measure(path):
     tenth, half = (np.argmax(stress > share * stress[peak]) for share in (0.1, 0.5))
     modulus = (stress[half] - stress[tenth]) / (strain[half] - strain[tenth])
     # The grains of the middle half, from the first state to the last one before half of the strength.
-    then = [f.packing for f in stage.frames if f.time < history["time"][half]][-1]
+    then = [f.packing for f in stage.snapshots if f.time < history["time"][half]][-1]
     middle = np.abs(first.y - 0.5 * height) < 0.25 * height
     along, across = (np.polyfit(a[middle], (b - a)[middle], 1)[0] for a, b in ((first.y, then.y), (first.x, then.x)))
     poisson = -across / along

@@ -51,11 +51,11 @@ void stretch(const Packing& packing) {
 
 int main() try {
   const recipe::Recipe recipe = small_recipe();
-  Packing packing = workflow::make_packing(recipe).frames.back().packing;
+  Packing packing = workflow::make_packing(recipe).snapshots.back().packing;
   StageResult result;
   for (const auto& stage : recipe.stages) {
     result = run_stage(packing, recipe, stage);
-    packing = result.frames.back().packing;
+    packing = result.snapshots.back().packing;
     std::printf("%s: %s\n", stage.name.c_str(), result.outcome.c_str());
   }
   const texture::Texture texture = texture::measure(packing);
@@ -63,7 +63,7 @@ int main() try {
   std::printf("%zu grains, z = %.2f +- %.2f\n", packing.grains.size(), z["value"].get<double>(), z["error"].get<double>());
 
   io::write_stage("compacted.h5", result);
-  stretch(io::read_stage("compacted.h5").frames.back().packing);
+  stretch(io::read_stage("compacted.h5").snapshots.back().packing);
 } catch (const InputError& error) {
   std::fprintf(stderr, "%s\n", error.what());
   return 2;

@@ -43,7 +43,7 @@ def stage(self):
     rows = [("stage", self.name), ("outcome", self.outcome)]
     if texture:
         rows += [("solid fraction", _measured(texture.get("solid_fraction"))), ("coordination", _measured(texture.get("coordination", {}).get("all")))]
-    return _table(rows) + (_picture("draw_packing", self.packing) if self.frames else "")
+    return _table(rows) + (_picture("draw_packing", self.packing) if self.snapshots else "")
 
 
 def field(self):

@@ -40,12 +40,12 @@ def find_test(result, stage=None):
     if not found:
         names = ", ".join(part.name for part in stages)
         raise ValueError(f"there is no stage {stage} with a history; there are {names}" if stage else "this result holds no loading stage with a history")
-    earlier = [frame.packing for part in stages[:found[-1]] for frame in part.frames[-1:]]
+    earlier = [snapshot.packing for part in stages[:found[-1]] for snapshot in part.snapshots[-1:]]
     return Test(stages[found[-1]], earlier[-1] if earlier else None)
 
 
 def has_history(stage):
-    return len(stage.history.get("time", [])) > 1 and len(stage.frames) > 0
+    return len(stage.history.get("time", [])) > 1 and len(stage.snapshots) > 0
 
 
 def along(result, stage=None):
@@ -60,7 +60,7 @@ def along(result, stage=None):
 
 def curves_of(test):
     """As `along`, of a Test."""
-    history, packing = test.stage.history, test.stage.frames[-1].packing
+    history, packing = test.stage.history, test.stage.snapshots[-1].packing
     found = {"time": Curve(history["time"] - history["time"][0], "s"), **strains(test)}
     found.update(stresses(test))
     area = extent(history, "x") * extent(history, "y")
@@ -77,18 +77,18 @@ def extent(history, axis):
     return history[f"{high}_position"] - history[f"{low}_position"]
 
 
-def strains(test, frames=None):
+def strains(test, snapshots=None):
     """{name: Curve} of the strains of a stage's history, or of stored states of it."""
     history = test.stage.history
     first, last = ({axis: extent(history, axis)[row] for axis in "xy"} for row in (0, -1))
     start = {"x": test.before.domain["width"], "y": test.before.domain["height"]} if test.before else first
     is_upright = last["y"] / start["y"] <= last["x"] / start["x"]
     shear = sheared_by(test)
-    if frames is None:
+    if snapshots is None:
         size = {axis: extent(history, axis) for axis in "xy"}
     else:
-        size = {axis: np.array([frame.packing.domain[name] for frame in frames]) for axis, name in (("x", "width"), ("y", "height"))}
-        shear = None if shear is None else np.interp([frame.time for frame in frames], history["time"], shear)
+        size = {axis: np.array([snapshot.packing.domain[name] for snapshot in snapshots]) for axis, name in (("x", "width"), ("y", "height"))}
+        shear = None if shear is None else np.interp([snapshot.time for snapshot in snapshots], history["time"], shear)
     x, y = (1 - size[axis] / start[axis] for axis in "xy")
     axial, lateral = (y, x) if is_upright else (x, y)
     named = {"strain_x": x, "strain_y": y, "axial_strain": axial, "volumetric_strain": 1 - (1 - x) * (1 - y), "shear_strain": axial - lateral if shear is None else shear}
@@ -144,7 +144,7 @@ def speed_of(text):
 
 def stresses(test):
     """{name: Curve} of the mean stresses on the sides, or of a periodic cell."""
-    history, thickness = test.stage.history, test.stage.frames[-1].packing.domain["thickness"]
+    history, thickness = test.stage.history, test.stage.snapshots[-1].packing.domain["thickness"]
     over = {"x": extent(history, "y") * thickness, "y": extent(history, "x") * thickness}
     xx = 0.5 * (history["left_force"] + history["right_force"]) / over["x"]
     yy = 0.5 * (history["bottom_force"] + history["top_force"]) / over["y"]
@@ -227,9 +227,9 @@ def of_states(result, stage=None):
 
 def states_of(test):
     """As `of_states`, of a Test."""
-    frames = test.stage.frames
-    found = {"time": Curve(np.array([frame.time for frame in frames]) - test.stage.history["time"][0], "s"), **strains(test, frames)}
-    measured = [measure(frame.packing, curves=False) if len(frame.packing.contacts) > 0 else {} for frame in frames]
+    snapshots = test.stage.snapshots
+    found = {"time": Curve(np.array([snapshot.time for snapshot in snapshots]) - test.stage.history["time"][0], "s"), **strains(test, snapshots)}
+    measured = [measure(snapshot.packing, curves=False) if len(snapshot.packing.contacts) > 0 else {} for snapshot in snapshots]
     for (name, unit), path in textures.items():
         values, errors = np.array([statistic(about, path) for about in measured], float).reshape(-1, 2).T
         if np.any(np.isfinite(values)):
@@ -259,7 +259,7 @@ def of_cycles(result, stage=None):
 
 def whole_cycles(stage):
     """{number: (place of the maximum, place of the minimum)} of the stored states of whole cycles."""
-    labels = [re.fullmatch(r"cycle (\d+) (maximum|minimum)", frame.label) for frame in stage.frames]
+    labels = [re.fullmatch(r"cycle (\d+) (maximum|minimum)", snapshot.label) for snapshot in stage.snapshots]
     place = {(int(found[1]), found[2]): k for k, found in enumerate(labels) if found}
     return {n: (place[n, "maximum"], k) for (n, end), k in sorted(place.items()) if end == "minimum" and (n, "maximum") in place}
 
@@ -294,7 +294,7 @@ def every_cycle_of(test):
     if not table:
         raise ValueError(f"the stage {test.stage.name} has no complete cycle")
     before = test.before or types.SimpleNamespace(domain={"width": extent(history, "x")[0], "height": extent(history, "y")[0]})
-    rows = types.SimpleNamespace(name=test.stage.name, history=table, frames=test.stage.frames, provenance=test.stage.provenance)
+    rows = types.SimpleNamespace(name=test.stage.name, history=table, snapshots=test.stage.snapshots, provenance=test.stage.provenance)
     of_rows = curves_of(Test(rows, before))
     if "shear_strain" in table:
         of_rows["shear_strain"] = Curve(table["shear_strain"] - history["shear_strain"][0], "1")
@@ -314,8 +314,8 @@ def every_cycle_of(test):
 
 def ends_of(stage, cycles):
     """Time of the state before the first cycle, or of the first row, and of the ends of all cycles."""
-    before = [frame.time for frame in stage.frames if not frame.label.startswith("cycle")]
-    return np.array([before[-1] if before else stage.history["time"][0]] + [stage.frames[low].time for _, low in cycles.values()])
+    before = [snapshot.time for snapshot in stage.snapshots if not snapshot.label.startswith("cycle")]
+    return np.array([before[-1] if before else stage.history["time"][0]] + [stage.snapshots[low].time for _, low in cycles.values()])
 
 
 def steady(values):

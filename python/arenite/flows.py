@@ -52,7 +52,7 @@ def silo_state(result):
     """Of a silo whose floor sinks: [height of the filling, force on the floor with its error, weight, wall friction mobilised, ratio
     K = <sigma_xx>/<sigma_yy>, width, depth], means over the second half of the last stage."""
     stage = list(result.stages)[-1]
-    history, packing = stage.history, stage.frames[-1].packing
+    history, packing = stage.history, stage.snapshots[-1].packing
     floor, error = late_mean(history["bottom_force"])
     half = slice(len(history["bottom_force"]) // 2, None)
     density = np.array([material.density for material in packing.materials])[packing.material]
@@ -60,7 +60,7 @@ def silo_state(result):
     weight = 9.81 * np.pi * thickness * np.sum(density * packing.radius**2)
     surface = free_surface(packing)
     sides = np.mean(history["left_force"][half]) + np.mean(history["right_force"][half])
-    states = [frame.packing for frame in stage.frames[len(stage.frames) // 2:]]
+    states = [snapshot.packing for snapshot in stage.snapshots[len(stage.snapshots) // 2:]]
     sigma = sum(mean_stress(state) for state in states)
     return [np.mean(surface["height"]) - surface["bottom"], floor, error, weight, (weight - floor) / sides, sigma[0] / sigma[1], width, thickness]
 

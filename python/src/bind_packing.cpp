@@ -15,8 +15,8 @@
 namespace arenite::python {
 namespace {
 
-/// The frame of a packing of one's own.
-struct OwnFrame {
+/// The container of a packing of one's own.
+struct OwnContainer {
   Vec2 corner;                                  ///< lower left, m
   double width = 0, height = 0, thickness = 0;  ///< m
   std::string periodic;
@@ -24,23 +24,23 @@ struct OwnFrame {
 
 constexpr std::int32_t most_index = std::numeric_limits<std::int32_t>::max() - 1;
 
-void check_frame(const OwnFrame& frame) {
+void check_container(const OwnContainer& container) {
   const auto positive = [](double value, const char* name, bool or_zero) {
     if (!std::isfinite(value) || value < 0 || (value == 0 && !or_zero)) throw InputError(fmt::format("{} is {} m; give a length above 0", name, value));
   };
-  positive(frame.width, "width", false);
-  positive(frame.height, "height", false);
-  positive(frame.thickness, "thickness", true);
+  positive(container.width, "width", false);
+  positive(container.height, "height", false);
+  positive(container.thickness, "thickness", true);
 }
 
-io::RawGrains rows_of(const ArrayLike& x, const ArrayLike& y, const ArrayLike& radius, const OwnFrame& frame) {
+io::RawGrains rows_of(const ArrayLike& x, const ArrayLike& y, const ArrayLike& radius, const OwnContainer& container) {
   const auto centre_x = finite_numbers(x, "x"), centre_y = finite_numbers(y, "y"), radii = finite_numbers(radius, "radius");
   if (centre_y.size() != centre_x.size() || radii.size() != centre_x.size()) throw InputError("x, y, radius and material must have equal lengths");
   io::RawGrains grains;
-  const Vec2 low = frame.corner, high = frame.corner + Vec2{frame.width, frame.height};
+  const Vec2 low = container.corner, high = container.corner + Vec2{container.width, container.height};
   grains.lay_box(low, high);
   auto& periodic = grains.cell.periodic;
-  std::tie(periodic[0], periodic[1]) = periodic_directions(frame.periodic);
+  std::tie(periodic[0], periodic[1]) = periodic_directions(container.periodic);
   for (std::size_t k = 0; k < radii.size(); ++k) {
     const Vec2 centre{centre_x[k], centre_y[k]};
     const bool outside_x = !periodic[0] && (centre.x < low.x || centre.x > high.x), outside_y = !periodic[1] && (centre.y < low.y || centre.y > high.y);
@@ -111,13 +111,13 @@ void take_materials(Packing& packing, const std::optional<ArrayLike>& material, 
 /// A packing of arrays. `contacts` is None, or anything with columns i and j, and perhaps fn, ft, nx, ny: a dict, a table of
 /// pandas, Contacts. Throws InputError with every row that cannot be meant.
 Packing own_packing(const ArrayLike& x, const ArrayLike& y, const ArrayLike& radius, const std::optional<ArrayLike>& material, std::vector<Material> materials,
-                    const OwnFrame& frame, const py::object& contacts) {
-  check_frame(frame);
+                    const OwnContainer& container, const py::object& contacts) {
+  check_container(container);
   io::SampleOptions options;
-  options.thickness = frame.thickness;
+  options.thickness = container.thickness;
   io::Sample sample;
   Problems of_grains, of_contacts("contacts");
-  io::assemble(rows_of(x, y, radius, frame), contacts.is_none() ? io::RawContacts{} : rows_of(contacts), options, sample, of_grains, of_contacts);
+  io::assemble(rows_of(x, y, radius, container), contacts.is_none() ? io::RawContacts{} : rows_of(contacts), options, sample, of_grains, of_contacts);
   take_materials(sample.packing, material, std::move(materials));
   return std::move(sample.packing);
 }
@@ -125,12 +125,12 @@ Packing own_packing(const ArrayLike& x, const ArrayLike& y, const ArrayLike& rad
 Packing make(const ArrayLike& x, const ArrayLike& y, const ArrayLike& radius, const std::optional<ArrayLike>& material, std::vector<Material> materials,
              const Quantity& width, const Quantity& height, const Quantity& thickness, const std::string& periodic, const py::object& contacts,
              const std::pair<Quantity, Quantity>& origin) {
-  const OwnFrame frame{{origin.first.si(dimension::length, "origin"), origin.second.si(dimension::length, "origin")},
-                       width.si(dimension::length, "width"),
-                       height.si(dimension::length, "height"),
-                       thickness.si(dimension::length, "thickness"),
-                       periodic};
-  return own_packing(x, y, radius, material, std::move(materials), frame, contacts);
+  const OwnContainer container{{origin.first.si(dimension::length, "origin"), origin.second.si(dimension::length, "origin")},
+                               width.si(dimension::length, "width"),
+                               height.si(dimension::length, "height"),
+                               thickness.si(dimension::length, "thickness"),
+                               periodic};
+  return own_packing(x, y, radius, material, std::move(materials), container, contacts);
 }
 
 Material material(std::string name, const Quantity& density, const Quantity& stiffness, const Quantity& factor) {

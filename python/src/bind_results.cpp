@@ -35,43 +35,46 @@ py::dict provenance_of(const Provenance& p) {
   return d;
 }
 
-py::dict energies_of(const Frame& frame) {
+py::dict energies_of(const Snapshot& snapshot) {
   py::dict d;
-  for (const EnergyTerm& term : energy_terms) d[term.name] = frame.energies.*term.value;
+  for (const EnergyTerm& term : energy_terms) d[term.name] = snapshot.energies.*term.value;
   return d;
 }
 
 void bind_stage_results(py::module_& m) {
-  py::class_<Frame>(m, "Frame", "One stored state of a stage.")
-      .def_readonly("time", &Frame::time, "s since the start of the run.")
-      .def_readonly("step", &Frame::step, "Time steps since the start of the run.")
-      .def_readonly("label", &Frame::label, "\"increment 3 of 10\", \"cycle 2 maximum\".")
+  py::class_<Snapshot>(m, "Snapshot", "One stored state of a stage.")
+      .def_readonly("time", &Snapshot::time, "s since the start of the run.")
+      .def_readonly("step", &Snapshot::step, "Time steps since the start of the run.")
+      .def_readonly("label", &Snapshot::label, "\"increment 3 of 10\", \"cycle 2 maximum\".")
       .def_property_readonly(
-          "packing", [](const Frame& f) -> const Packing& { return f.packing; }, py::return_value_policy::reference_internal,
+          "packing", [](const Snapshot& f) -> const Packing& { return f.packing; }, py::return_value_policy::reference_internal,
           "Grains and contacts in this state.")
       .def_property_readonly("energies", &energies_of, "By name, J.")
       .def_property_readonly(
-          "unbalanced_ratio", [](const Frame& f) { return f.equilibrium.unbalanced_ratio; }, "Mean resultant force on a grain over the mean contact force.")
+          "unbalanced_ratio", [](const Snapshot& f) { return f.equilibrium.unbalanced_ratio; }, "Mean resultant force on a grain over the mean contact force.")
       .def_property_readonly(
-          "kinetic_ratio", [](const Frame& f) { return f.equilibrium.kinetic_ratio; }, "Kinetic over elastic energy.")
-      .def("__repr__", [](const Frame& f) { return "<arenite.Frame \"" + f.label + "\">"; });
+          "kinetic_ratio", [](const Snapshot& f) { return f.equilibrium.kinetic_ratio; }, "Kinetic over elastic energy.")
+      .def("__repr__", [](const Snapshot& f) { return "<arenite.Snapshot \"" + f.label + "\">"; });
   py::class_<StageResult>(m, "Stage", "The result of one stage of packing or loading.")
       .def_readonly("name", &StageResult::name, "Name in the recipe.")
       .def_readonly("converged", &StageResult::converged, "Equilibrium was reached in every increment.")
       .def_readonly("outcome", &StageResult::outcome, "Outcome in a sentence.")
       .def_property_readonly(
-          "frames",
+          "snapshots",
           [](const py::object& self) {
-            py::list frames;
-            for (const auto& frame : self.cast<const StageResult&>().frames) frames.append(py::cast(&frame, py::return_value_policy::reference_internal, self));
-            return frames;
+            py::list snapshots;
+            for (const auto& snapshot : self.cast<const StageResult&>().snapshots)
+              snapshots.append(py::cast(&snapshot, py::return_value_policy::reference_internal, self));
+            return snapshots;
           },
           "Stored states in time order.")
       .def_property_readonly(
+          "frames", [](const py::object& self) { return self.attr("snapshots"); }, "Former name of `snapshots`.")
+      .def_property_readonly(
           "packing",
           [](const StageResult& s) -> const Packing& {
-            if (s.frames.empty()) throw InputError("this stage stored no state");
-            return s.frames.back().packing;
+            if (s.snapshots.empty()) throw InputError("this stage stored no state");
+            return s.snapshots.back().packing;
           },
           py::return_value_policy::reference_internal, "The final state, passed to the next stage.")
       .def_property_readonly(

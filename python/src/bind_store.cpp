@@ -195,7 +195,7 @@ void bind_stages(py::module_& m) {
       "pack",
       [](const Recipe& recipe) {
         Call call;
-        return call.without_lock([&] { return workflow::make_packing(recipe).frames.back().packing; });
+        return call.without_lock([&] { return workflow::make_packing(recipe).snapshots.back().packing; });
       },
       py::arg("recipe"), "The grains in their container before any loading: drawn, placed and relaxed, or read from a file ([packing] of the recipe).");
   m.def("load_stage", &load_stage, py::arg("packing"), py::arg("recipe"), py::arg("stage") = 0, py::kw_only(), py::arg("threads") = 1,

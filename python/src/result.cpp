@@ -22,9 +22,9 @@ StageResult stage_of(const Packing& packing) {
   stage.name = stage.provenance.stage = "packing";
   stage.provenance.version = version;
   stage.outcome = "a single packing";
-  stage.frames.emplace_back();
-  stage.frames.back().label = "packing";
-  stage.frames.back().packing = packing;
+  stage.snapshots.emplace_back();
+  stage.snapshots.back().label = "packing";
+  stage.snapshots.back().packing = packing;
   return stage;
 }
 

@@ -52,7 +52,7 @@ struct Equilibrium {
 };
 
 /// One stored state of a stage.
-struct Frame {
+struct Snapshot {
   double time = 0;  ///< s since the start of the run
   std::int64_t step = 0;
   std::string label;  ///< "increment 3 of 10", "cycle 2 maximum"
@@ -97,7 +97,7 @@ struct ResultHead {
 
 /// The result of one stage: one file in the store.
 struct StageResult : ResultHead {
-  std::vector<Frame> frames;  ///< in time order; the last is the state handed on
+  std::vector<Snapshot> snapshots;  ///< in time order; the last is the state handed on
   History history;
   History cycles;                          ///< of a stage with cycles: a row at the end of each half, as in the history, behind "cycle" and "at_maximum"
   Numbers texture;                         ///< texture of the last state, as `show --json` gives it; empty if not measured

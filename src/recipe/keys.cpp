@@ -42,14 +42,14 @@ void require_known_material(Visitor& v, const Population& population, const Mate
             fmt::format("there is no section [materials.{}]; {}", population.material, near.empty() ? "add it" : fmt::format("did you mean \"{}\"?", near)));
 }
 
-void declare(Visitor& v, ContainerParameters& frame, PackingParameters::Method method) {
+void declare(Visitor& v, ContainerParameters& container, PackingParameters::Method method) {
   v.when(method != PackingParameters::Method::poisson, "packing.method other than \"poisson\", which makes its own box", [&](Visitor& inner) {
-    inner.number({"width", "Inner width of the container, or of the periodic cell.", true}, frame.width, "mm", range::positive);
-    inner.number_above_0({"height", "Inner height at the start; if not given, it follows from packing.solid_fraction."}, frame.height, "mm");
+    inner.number({"width", "Inner width of the container, or of the periodic cell.", true}, container.width, "mm", range::positive);
+    inner.number_above_0({"height", "Inner height at the start; if not given, it follows from packing.solid_fraction."}, container.height, "mm");
   });
-  v.number({"thickness", "Length of the cylinders, out of the plane.", true}, frame.thickness, "mm", range::positive);
-  v.flag({"periodic_x", "Periodic in x: no walls on the left and right."}, frame.periodic[0]);
-  v.flag({"periodic_y", "Periodic in y: no walls at the bottom and top."}, frame.periodic[1]);
+  v.number({"thickness", "Length of the cylinders, out of the plane.", true}, container.thickness, "mm", range::positive);
+  v.flag({"periodic_x", "Periodic in x: no walls on the left and right."}, container.periodic[0]);
+  v.flag({"periodic_y", "Periodic in y: no walls at the bottom and top."}, container.periodic[1]);
 }
 
 void declare_fill_area(Visitor& v, std::optional<FillArea>& area) {
@@ -112,16 +112,16 @@ void require_grains(Visitor& v, const Recipe& recipe) {
 }
 
 void require_fill_area(Visitor& v, const Recipe& recipe) {
-  const ContainerParameters& frame = recipe.container;
+  const ContainerParameters& container = recipe.container;
   const auto& area = recipe.packing.area;
   if (!area) return;
-  v.require(frame.height > 0, {"container", "packing"}, "a part of it can be filled only if its height is given; write height = \"... mm\"");
-  v.require((!frame.periodic[0] || (!area->left && !area->right)) && (!frame.periodic[1] || (!area->bottom && !area->top)), {"packing"},
+  v.require(container.height > 0, {"container", "packing"}, "a part of it can be filled only if its height is given; write height = \"... mm\"");
+  v.require((!container.periodic[0] || (!area->left && !area->right)) && (!container.periodic[1] || (!area->bottom && !area->top)), {"packing"},
             "packing.area cannot end before a periodic side; leave out its edges there");
   const auto fits = [](std::optional<double> low, std::optional<double> high, double size) {
     return low.value_or(0) < high.value_or(size) && high.value_or(size) <= size;
   };
-  v.require(fits(area->left, area->right, frame.width) && fits(area->bottom, area->top, frame.height), {"packing"},
+  v.require(fits(area->left, area->right, container.width) && fits(area->bottom, area->top, container.height), {"packing"},
             "packing.area must lie in the container, left before right and bottom below top");
 }
 

@@ -83,16 +83,16 @@ void begin_with(const Programme& p, Stage& stage) {
 }
 
 void require_place(Visitor& v, const Programme& p, const Stage& stage, const Recipe& recipe) {
-  const auto& frame = recipe.container;
+  const auto& container = recipe.container;
   if (p.drives_side()) {
     const auto kind = stage.side[static_cast<std::size_t>(p.side())].kind;
     v.require(kind == SideDrive::Kind::fixed || static_cast<int>(kind) == 1 + p.drive(), {"of"},
               fmt::format("the {} side is already driven in this stage; leave out \"{}\" there", side_names[p.side()], side_names[p.side()]));
   } else if (p.of < Programme::shear_rate) {
     const int side = p.of - Programme::slide;
-    v.require(!frame.is_periodic(side), {"of"}, fmt::format("there is no wall at the {}: the container is periodic there", side_names[side]));
+    v.require(!container.is_periodic(side), {"of"}, fmt::format("there is no wall at the {}: the container is periodic there", side_names[side]));
   } else if (p.of == Programme::shear_rate) {
-    v.require(frame.periodic[0] && frame.periodic[1], {"of"}, "only a cell periodic in both directions can be sheared in this way");
+    v.require(container.periodic[0] && container.periodic[1], {"of"}, "only a cell periodic in both directions can be sheared in this way");
   } else if (!p.drives_boundary()) {
     v.require(stage.gravity, {"of"}, "there is no gravity in this stage; write gravity = true");
   }
@@ -139,17 +139,17 @@ void declare_openings(Visitor& v, Stage& stage, const Recipe& recipe) {
            stage.count_below, "mm", range::any);
 }
 
-void require_usable_sides(Visitor& v, const Stage& stage, const ContainerParameters& frame) {
+void require_usable_sides(Visitor& v, const Stage& stage, const ContainerParameters& container) {
   using Kind = SideDrive::Kind;
-  require_one_pressing_edge(v, stage, left, frame.periodic[0]);
-  require_one_pressing_edge(v, stage, bottom, frame.periodic[1]);
-  v.require(!stage.gravity || !frame.periodic[1], {"gravity"}, "grains would fall for ever through periodic sides; set container.periodic_y = false");
+  require_one_pressing_edge(v, stage, left, container.periodic[0]);
+  require_one_pressing_edge(v, stage, bottom, container.periodic[1]);
+  v.require(!stage.gravity || !container.periodic[1], {"gravity"}, "grains would fall for ever through periodic sides; set container.periodic_y = false");
   const bool moves = std::ranges::count(stage.side, Kind::velocity, &SideDrive::kind) > 0 || stage.slide != std::array<double, 4>{} || stage.shear_rate != 0 ||
                      std::ranges::any_of(stage.boundaries, [](const auto& b) { return b.velocity != Vec2{} || b.spin != 0; });
-  v.require(stage.shear_rate == 0 || (frame.periodic[0] && frame.periodic[1]), {"shear_rate"},
+  v.require(stage.shear_rate == 0 || (container.periodic[0] && container.periodic[1]), {"shear_rate"},
             "only a cell periodic in both directions can be sheared in this way; set container.periodic_x and periodic_y, or let a wall slide");
   for (std::size_t side = 0; side < 4; ++side)
-    v.require((stage.slide[side] == 0 && !stage.rough[side]) || !frame.is_periodic(side), {"slide", "rough"},
+    v.require((stage.slide[side] == 0 && !stage.rough[side]) || !container.is_periodic(side), {"slide", "rough"},
               fmt::format("there is no wall at the {}: the container is periodic there", side_names[side]));
   v.require(!moves || stage.duration, {"duration", "left", "right", "bottom", "top", "boundaries"},
             "a stage with a moving side or boundary never reaches equilibrium; give it a duration, for example duration = \"1 s\"");

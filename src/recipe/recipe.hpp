@@ -173,7 +173,7 @@ void declare_programmes(ParameterVisitor& visitor, Stage& stage, const Recipe& r
 void declare_openings(ParameterVisitor& visitor, Stage& stage, const Recipe& recipe);
 void declare_strain_cycles(ParameterVisitor& visitor, Stage& stage, const Recipe& recipe);
 void require_boundary_loads(ParameterVisitor& visitor, const Stage& stage, const Recipe& recipe);
-void require_usable_sides(ParameterVisitor& visitor, const Stage& stage, const ContainerParameters& frame);
+void require_usable_sides(ParameterVisitor& visitor, const Stage& stage, const ContainerParameters& container);
 /// Cement, grid and loads: what comes after loading by discrete elements.
 void declare_field(ParameterVisitor& visitor, Recipe& recipe);
 

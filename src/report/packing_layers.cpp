@@ -132,17 +132,17 @@ Numbers pairs_of(const Packing& packing, NumberBlock& block) {
   return {{"i", block.add_indices(contacts.i)}, {"j", block.add_indices(partner)}};
 }
 
-Numbers frame_of(const Frame& frame, std::size_t stage, const texture::Texture* texture, const Numbers& also_known, NumberBlock& block) {
+Numbers snapshot_of(const Snapshot& snapshot, std::size_t stage, const texture::Texture* texture, const Numbers& also_known, NumberBlock& block) {
   Numbers out{{"stage", stage},
-              {"label", frame.label},
-              {"time", frame.time},
-              {"step", frame.step},
-              {"domain", domain_of(frame.packing.domain, block)},
-              {"contacts", contacts_of(frame.packing, block)}};
+              {"label", snapshot.label},
+              {"time", snapshot.time},
+              {"step", snapshot.step},
+              {"domain", domain_of(snapshot.packing.domain, block)},
+              {"contacts", contacts_of(snapshot.packing, block)}};
   const bool known = texture && !texture->per_grain.sigma.empty();
-  add_grain_values(out, frame.packing, known ? texture->per_grain.sigma : texture::grain_stresses(frame.packing), block);
-  if (!frame.packing.bonds.empty()) out["bonds"] = bonds_of(frame.packing, block);
-  if (!frame.packing.cohesive.empty()) out["cohesive"] = cohesive_of(frame.packing, block);
+  add_grain_values(out, snapshot.packing, known ? texture->per_grain.sigma : texture::grain_stresses(snapshot.packing), block);
+  if (!snapshot.packing.bonds.empty()) out["bonds"] = bonds_of(snapshot.packing, block);
+  if (!snapshot.packing.cohesive.empty()) out["cohesive"] = cohesive_of(snapshot.packing, block);
   if (texture) out["texture"] = texture_of(*texture, also_known, block);
   return out;
 }

@@ -97,9 +97,9 @@ std::vector<ShownStage> stages_of(const PageData& data, const std::deque<std::op
   return shown;
 }
 
-const Frame* last_frame(const std::vector<ShownStage>& stages) {
+const Snapshot* last_snapshot(const std::vector<ShownStage>& stages) {
   for (auto stage = stages.rbegin(); stage != stages.rend(); ++stage)
-    if (!stage->result->frames.empty()) return &stage->result->frames.back();
+    if (!stage->result->snapshots.empty()) return &stage->result->snapshots.back();
   return nullptr;
 }
 
@@ -108,14 +108,14 @@ std::size_t states_per_fields(const std::vector<ShownStage>& stages) {
   constexpr std::size_t most = 60'000;  // cells
   std::size_t cells = 0;
   for (const ShownStage& stage : stages)
-    for (const Frame& frame : stage.result->frames) cells += std::min<std::size_t>(frame.packing.grains.size(), 2500);
+    for (const Snapshot& snapshot : stage.result->snapshots) cells += std::min<std::size_t>(snapshot.packing.grains.size(), 2500);
   return 1 + cells / most;
 }
 
 /// The states of one stage that have as many grains as the last one of all, with the textures of all in a small sample, and fields of some.
-void add_states(Numbers& frames, Numbers& meanings, const ShownStage& stage, std::size_t s, std::size_t grains, std::size_t every, NumberBlock& block) {
+void add_states(Numbers& snapshots, Numbers& meanings, const ShownStage& stage, std::size_t s, std::size_t grains, std::size_t every, NumberBlock& block) {
   constexpr std::size_t small = 10'000;
-  const auto& states = stage.result->frames;
+  const auto& states = stage.result->snapshots;
   for (std::size_t f = 0; f < states.size(); ++f) {
     const Packing& packing = states[f].packing;
     if (packing.grains.size() != grains) continue;
@@ -123,11 +123,11 @@ void add_states(Numbers& frames, Numbers& meanings, const ShownStage& stage, std
     std::optional<texture::Texture> now;
     const texture::Texture* texture = is_last ? stage.last : nullptr;
     if (!texture && (is_last || grains <= small)) texture = &now.emplace(texture::measure(packing, stage.options));
-    frames.push_back(frame_of(states[f], s, texture, is_last ? stage.result->texture : Numbers::tree(), block));
-    if (is_last) meanings.update(meanings_of(frames.back()["texture"]));
+    snapshots.push_back(snapshot_of(states[f], s, texture, is_last ? stage.result->texture : Numbers::tree(), block));
+    if (is_last) meanings.update(meanings_of(snapshots.back()["texture"]));
     if (!is_last && f % every != 0) continue;
     const double rate = fields::shear_rate_at(stage.result->history, states[f].time);
-    if (Numbers fields = coarse_fields_of(packing, rate, block); fields.is_known()) frames.back()["fields"] = std::move(fields);
+    if (Numbers fields = coarse_fields_of(packing, rate, block); fields.is_known()) snapshots.back()["fields"] = std::move(fields);
   }
 }
 
@@ -160,10 +160,10 @@ Numbers shortened(Numbers numbers) {
 PageDocument page_document(const PageData& data) {
   NumberBlock block;
   Numbers document{{"title", data.title}};
-  Numbers stages = Numbers::list(), frames = Numbers::list();
+  Numbers stages = Numbers::list(), snapshots = Numbers::list();
   const auto films = films_of(data);  // stay in place while the stages point at them
   const auto shown = stages_of(data, films);
-  const Frame* last = last_frame(shown);
+  const Snapshot* last = last_snapshot(shown);
   if (last) {
     document["materials"] = materials_of(last->packing.materials);
     document["grains"] = grains_of(last->packing.grains, block);
@@ -171,12 +171,12 @@ PageDocument page_document(const PageData& data) {
   const std::size_t every = states_per_fields(shown);
   for (std::size_t s = 0; s < shown.size(); ++s) {
     stages.push_back(stage_of(*shown[s].result, block));
-    if (last) add_states(frames, document["meanings"], shown[s], s, last->packing.grains.size(), every, block);
+    if (last) add_states(snapshots, document["meanings"], shown[s], s, last->packing.grains.size(), every, block);
   }
   if (last)
     if (Numbers sizes = size_curves_of(last->packing, shown.back().result->provenance.recipe, block); sizes.is_known()) document["sizes"] = std::move(sizes);
   document["stages"] = std::move(stages);
-  document["frames"] = std::move(frames);
+  document["snapshots"] = std::move(snapshots);
   if (!data.fields.empty()) add_fields(document, data, block);
   for (std::size_t f = 0; f < films.size(); ++f) add_film(document, data.films[f], films[f] ? films[f]->texture : nullptr, block);
   return {to_json(document), block.text()};

@@ -80,7 +80,7 @@ Numbers materials_of(const Materials& materials);
 Numbers grains_of(const Grains& grains, NumberBlock& block);
 
 /// One state: its container, grains, contacts, bonds and pulls, and its texture, where that is known, with what else is.
-Numbers frame_of(const Frame& frame, std::size_t stage, const texture::Texture* texture, const Numbers& also_known, NumberBlock& block);
+Numbers snapshot_of(const Snapshot& snapshot, std::size_t stage, const texture::Texture* texture, const Numbers& also_known, NumberBlock& block);
 
 /// The coarse-grained fields of a state on a grid over its box: {bounds, columns, rows, width of the kernel} and arrays of solid fraction,
 /// density, velocity, pressure and deviator of the whole stress, its shear and the kinetic pressure. The kernel is as wide as the mean grain,

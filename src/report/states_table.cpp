@@ -40,11 +40,11 @@ std::string heads_of(const Numbers& texture) {
 }
 
 /// Strains are compression positive since the state before the stage; those of the volume are negative where the sample dilates.
-std::vector<double> row_of(const Frame& frame, const Domain& start, const Numbers& texture) {
-  const Domain& now = frame.packing.domain;
-  std::vector<double> row{frame.time, 1 - now.width() / start.width(), 1 - now.height() / start.height(), 1 - now.area() / start.area()};
+std::vector<double> row_of(const Snapshot& snapshot, const Domain& start, const Numbers& texture) {
+  const Domain& now = snapshot.packing.domain;
+  std::vector<double> row{snapshot.time, 1 - now.width() / start.width(), 1 - now.height() / start.height(), 1 - now.area() / start.area()};
   for (const auto& [head, name] : columns) row.push_back(*name ? number_at(texture, name) : row.back() / row[row.size() - 2]);
-  row.push_back(frame.equilibrium.mobilisation);
+  row.push_back(snapshot.equilibrium.mobilisation);
   return row;
 }
 
@@ -66,17 +66,17 @@ std::string states_table(const std::filesystem::path& result) {
   const auto stages = stages_of(result);
   const Domain* before = nullptr;  // of the first stage the reference is its own first state
   for (const StageResult& stage : stages) {
-    if (stage.frames.empty()) continue;
+    if (stage.snapshots.empty()) continue;
     texture::Options options = workflow::texture_options(stage.provenance);
     options.rev_sizes = options.rev_places = 1;
-    const Domain& start = before ? *before : stage.frames.front().packing.domain;
-    for (const Frame& frame : stage.frames) {
-      last = texture::numbers(texture::measure(frame.packing, options));
-      rows += fmt::format("{},{}", stage.name, frame.label);
-      for (const double value : row_of(frame, start, last)) rows += std::isfinite(value) ? fmt::format(",{:.6g}", value + 0.0) : ",";
+    const Domain& start = before ? *before : stage.snapshots.front().packing.domain;
+    for (const Snapshot& snapshot : stage.snapshots) {
+      last = texture::numbers(texture::measure(snapshot.packing, options));
+      rows += fmt::format("{},{}", stage.name, snapshot.label);
+      for (const double value : row_of(snapshot, start, last)) rows += std::isfinite(value) ? fmt::format(",{:.6g}", value + 0.0) : ",";
       rows += "\n";
     }
-    before = &stage.frames.back().packing.domain;
+    before = &stage.snapshots.back().packing.domain;
   }
   return heads_of(last) + rows;
 }

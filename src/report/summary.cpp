@@ -63,16 +63,16 @@ Numbers boundaries(const Domain& domain) {
   return j;
 }
 
-Numbers state(const Frame& frame) {
+Numbers state(const Snapshot& snapshot) {
   Numbers energies = Numbers::tree();
-  for (const EnergyTerm& term : energy_terms) energies[term.name] = described(frame.energies.*term.value, "J", term.phrase);
-  Numbers j{{"label", frame.label},
-            {"time_s", described(frame.time, "s", "Time since the run began")},
-            {"step", described(frame.step, "", "Steps since the run began")},
-            {"walls", walls(frame.packing.domain)},
-            {"equilibrium", equilibrium(frame.equilibrium)},
+  for (const EnergyTerm& term : energy_terms) energies[term.name] = described(snapshot.energies.*term.value, "J", term.phrase);
+  Numbers j{{"label", snapshot.label},
+            {"time_s", described(snapshot.time, "s", "Time since the run began")},
+            {"step", described(snapshot.step, "", "Steps since the run began")},
+            {"walls", walls(snapshot.packing.domain)},
+            {"equilibrium", equilibrium(snapshot.equilibrium)},
             {"energies_J", energies}};
-  if (!frame.packing.domain.boundaries.empty()) j["boundaries"] = boundaries(frame.packing.domain);
+  if (!snapshot.packing.domain.boundaries.empty()) j["boundaries"] = boundaries(snapshot.packing.domain);
   return j;
 }
 
@@ -86,8 +86,8 @@ Numbers entry(const ResultHead& head, const std::string& file) {
 /// As stored, or measured now.
 Numbers last_texture(const StageResult& last) {
   if (!last.texture.empty()) return last.texture;
-  if (last.frames.empty()) return Numbers::tree();
-  return texture::numbers(texture::measure(last.frames.back().packing, workflow::texture_options(last.provenance)));
+  if (last.snapshots.empty()) return Numbers::tree();
+  return texture::numbers(texture::measure(last.snapshots.back().packing, workflow::texture_options(last.provenance)));
 }
 
 std::string grains_of(const Packing& packing) {
@@ -121,21 +121,21 @@ dem::EquilibriumCriterion criterion_of(const Provenance& made) {
 }
 
 std::string state_of(const StageResult& last) {
-  const Equilibrium& now = last.frames.back().equilibrium;
+  const Equilibrium& now = last.snapshots.back().equilibrium;
   const bool rests = last.converged && dem::is_at_rest(now, criterion_of(last.provenance));
   return fmt::format("{}: {}", rests ? "in equilibrium" : "NOT IN EQUILIBRIUM", dem::describe(now));
 }
 
 /// How the last state of a stage stands: its balance, its grains by material, the forces on its walls.
 std::string state_text(const StageResult& last) {
-  const Frame& frame = last.frames.back();
-  std::string text = fmt::format("\nLast state: {} of {}\n", frame.label, last.name);
+  const Snapshot& snapshot = last.snapshots.back();
+  std::string text = fmt::format("\nLast state: {} of {}\n", snapshot.label, last.name);
   const auto add = [&](const char* name, const std::string& value) {
     if (!value.empty()) text += fmt::format("  {:<32} {}\n", name, value);
   };
   if (!last.provenance.kernel.empty()) add("state", state_of(last));
-  add("grains", grains_of(frame.packing));
-  add("forces on the walls", forces_on_sides(frame.packing.domain));
+  add("grains", grains_of(snapshot.packing));
+  add("forces on the walls", forces_on_sides(snapshot.packing.domain));
   return text;
 }
 
@@ -168,8 +168,8 @@ Summary::Summary(const workflow::RunOutcome& outcome) {
 
 void Summary::add(const std::filesystem::path& file, const StageResult& stage) {
   StageResult kept{stage, {}, stage.history, {}, stage.texture, {}};
-  if (!stage.frames.empty()) kept.frames.push_back(stage.frames.back());
-  stages_.push_back({file.filename().string(), std::move(kept), stage.frames.size()});
+  if (!stage.snapshots.empty()) kept.snapshots.push_back(stage.snapshots.back());
+  stages_.push_back({file.filename().string(), std::move(kept), stage.snapshots.size()});
 }
 
 void Summary::add(const std::filesystem::path& file, const FieldResult& field) { fields_.push_back({file.filename().string(), field, field.numbers}); }
@@ -185,7 +185,7 @@ Numbers Summary::numbers() const {
   for (const Stage& stage : stages_) {
     Numbers one = entry(stage.result, stage.file);
     one["states"] = described(stage.states, "", "Stored states");
-    if (!stage.result.frames.empty()) one["last_state"] = state(stage.result.frames.back());
+    if (!stage.result.snapshots.empty()) one["last_state"] = state(stage.result.snapshots.back());
     if (const auto curves = test_curves(stage.result))
       if (const auto critical = critical_state(*curves)) one["critical_state"] = j["critical_state"] = numbers_of(*curves, *critical);
     j["stages"].push_back(one);
@@ -210,7 +210,7 @@ std::string Summary::how_stages_ended() const {
 
 std::string Summary::text() const {
   if (!films_.empty()) return all();
-  const bool has_state = fields_.empty() && !stages_.back().result.frames.empty();
+  const bool has_state = fields_.empty() && !stages_.back().result.snapshots.empty();
   if (fields_.empty() && !has_state) return how_stages_ended();
   return how_stages_ended() + (has_state ? state_text(stages_.back().result) : "") + "\nNumbers, each +- its standard error\n" + headlines(numbers()) +
          "\n`arenite show RESULT --all` prints every number, `--json` the same for programs.\n";
@@ -219,7 +219,7 @@ std::string Summary::text() const {
 std::string Summary::all() const {
   if (!films_.empty()) return made_by(films_.back().provenance) + film_text(films_.back());
   std::string text = how_stages_ended();
-  if (fields_.empty() && !stages_.back().result.frames.empty()) text += "\nLast state\n" + to_text(state(stages_.back().result.frames.back()));
+  if (fields_.empty() && !stages_.back().result.snapshots.empty()) text += "\nLast state\n" + to_text(state(stages_.back().result.snapshots.back()));
   return text + "\nNumbers, each +- its standard error\n" + to_text(numbers(), {"provenance"});
 }
 

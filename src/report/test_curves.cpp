@@ -140,16 +140,16 @@ Numbers with_interval(const statistics::Measured& m, const char* sentence) {
 
 std::optional<TestCurves> test_curves(const StageResult& stage) {
   const auto s = sides_of(stage.history);
-  if (!s || stage.frames.empty() || !(s->width.front() > 0) || !(s->height.front() > 0)) return {};
+  if (!s || stage.snapshots.empty() || !(s->width.front() > 0) || !(s->height.front() > 0)) return {};
   TestCurves curves;
   if (!strain_by_shear(curves, stage, *s)) {
-    auto stress = uniaxial_stress(*s, stage.frames.back().packing.domain.thickness);
+    auto stress = uniaxial_stress(*s, stage.snapshots.back().packing.domain.thickness);
     curves.confined = !stress;
     strain_by_sides(curves, *s);
     curves.ratio = stress ? std::move(*stress) : q_over_p(*s);
   }
   if (std::ranges::none_of(curves.strain, [](double v) { return std::abs(v) >= least_strain; })) return {};
-  const double grains = stage.frames.back().packing.grains.area(), start = s->width.front() * s->height.front();
+  const double grains = stage.snapshots.back().packing.grains.area(), start = s->width.front() * s->height.front();
   for (std::size_t k = 0; k < s->time.size(); ++k) {
     const double area = s->width[k] * s->height[k];
     curves.volume.push_back(1 - area / start);

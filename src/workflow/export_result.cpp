@@ -90,7 +90,7 @@ class ExportFolder {
     if (made_) fs::remove(folder_, ignored);
   }
 
-  /// Files of one frame: those of the frame before that are not among them are complete.
+  /// Files of one snapshot: those of the snapshot before that are not among them are complete.
   void add(std::vector<io::NamedBytes> files) {
     const auto named = [](auto& list, const std::string& name) {
       return std::find_if(list.begin(), list.end(), [&](const auto& f) { return f.name == name; });
@@ -156,19 +156,19 @@ class Loading {
   /// A stage begins with the state that the one before it ended with, which is there already.
   bool has(double time) const { return !times_.empty() && time == times_.back(); }
 
-  void add(const std::string& stage, Frame frame, std::vector<io::GrainField> fields, std::vector<io::GrainField> of_contacts, double shear_rate = 0) {
-    times_.push_back(frame.time);
-    move_to(frame.packing);
-    frames_.push_back(std::move(frame));
-    io::ExportFrame one{static_cast<int>(times_.size()) - 1, stage, &frames_.back(), std::move(fields), std::move(of_contacts)};
+  void add(const std::string& stage, Snapshot snapshot, std::vector<io::GrainField> fields, std::vector<io::GrainField> of_contacts, double shear_rate = 0) {
+    times_.push_back(snapshot.time);
+    move_to(snapshot.packing);
+    snapshots_.push_back(std::move(snapshot));
+    io::ExportSnapshot one{static_cast<int>(times_.size()) - 1, stage, &snapshots_.back(), std::move(fields), std::move(of_contacts)};
     if (times_.size() > 1) one.displacement = displacement_;
-    if (format_.wants_grid) one.grid = grid_fields(frames_.back().packing, shear_rate);
+    if (format_.wants_grid) one.grid = grid_fields(snapshots_.back().packing, shear_rate);
     if (format_.of_loading) {
       all_.push_back(std::move(one));
       return;
     }
-    out().add(format_.of_frame(one));
-    frames_.clear();
+    out().add(format_.of_snapshot(one));
+    snapshots_.clear();
   }
 
   bool is_empty() const { return times_.empty(); }
@@ -199,8 +199,8 @@ class Loading {
   std::vector<double> times_;
   std::vector<Vec2> displacement_;
   Grains last_;
-  std::deque<Frame> frames_;  // frames stay where they are
-  std::vector<io::ExportFrame> all_;
+  std::deque<Snapshot> snapshots_;  // snapshots stay where they are
+  std::vector<io::ExportSnapshot> all_;
 };
 
 }  // namespace
@@ -227,17 +227,17 @@ std::vector<fs::path> export_result(const fs::path& result, const io::ExportForm
     if (io::stored_kind(file) == "film") {
       const FilmResult film = io::read_film_result(file);
       last = film.provenance;
-      loading.add(film.name, std::move(measured_stage(film).frames.front()), derived_fields(film), fields_of_contacts(film));
+      loading.add(film.name, std::move(measured_stage(film).snapshots.front()), derived_fields(film), fields_of_contacts(film));
       continue;
     }
     StageResult stage = io::read_stage(file);
     last = stage.provenance;
-    if (last_only && stage.frames.size() > 1) stage.frames.erase(stage.frames.begin(), stage.frames.end() - 1);
-    for (Frame& frame : stage.frames) {
-      if (loading.has(frame.time)) continue;
-      const double rate = fields::shear_rate_at(stage.history, frame.time);
-      auto fields = derived_fields(frame.packing);
-      loading.add(stage.name, std::move(frame), std::move(fields), {}, rate);
+    if (last_only && stage.snapshots.size() > 1) stage.snapshots.erase(stage.snapshots.begin(), stage.snapshots.end() - 1);
+    for (Snapshot& snapshot : stage.snapshots) {
+      if (loading.has(snapshot.time)) continue;
+      const double rate = fields::shear_rate_at(stage.history, snapshot.time);
+      auto fields = derived_fields(snapshot.packing);
+      loading.add(stage.name, std::move(snapshot), std::move(fields), {}, rate);
     }
   }
   if (loading.is_empty() && !has_field) throw InputError(result.string(), 0, "holds no state to export; run the recipe to its end first");

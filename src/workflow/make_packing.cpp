@@ -19,26 +19,26 @@ namespace {
 
 using Method = recipe::PackingParameters::Method;
 
-Domain frame_of(const recipe::Recipe& recipe) {
-  const recipe::ContainerParameters& frame = recipe.container;
+Domain container_of(const recipe::Recipe& recipe) {
+  const recipe::ContainerParameters& container = recipe.container;
   Domain domain;
-  domain.thickness = frame.thickness;
-  domain.periodic[0] = frame.periodic[0];
-  domain.periodic[1] = frame.periodic[1];
-  for (int side = 0; side < sides; ++side) domain.wall[side].present = !frame.is_periodic(side);
-  domain.wall[right].position = frame.width;
-  domain.wall[top].position = frame.height;
+  domain.thickness = container.thickness;
+  domain.periodic[0] = container.periodic[0];
+  domain.periodic[1] = container.periodic[1];
+  for (int side = 0; side < sides; ++side) domain.wall[side].present = !container.is_periodic(side);
+  domain.wall[right].position = container.width;
+  domain.wall[top].position = container.height;
   domain.boundaries = recipe.boundaries;
   for (Boundary& boundary : domain.boundaries) boundary.centre = mean_point(boundary.points);
   return domain;
 }
 
-/// The part of a frame that is filled; the frame itself unless a recipe names one.
-Domain area_of(const Domain& frame, const std::optional<recipe::FillArea>& area) {
-  Domain part = frame;
+/// The part of a container that is filled; the container itself unless a recipe names one.
+Domain area_of(const Domain& container, const std::optional<recipe::FillArea>& area) {
+  Domain part = container;
   if (!area) return part;
   const std::optional<double> edges[] = {area->left, area->right, area->bottom, area->top};
-  for (int side = 0; side < sides; ++side) part.wall[side].position = edges[side].value_or(frame.wall[side].position);
+  for (int side = 0; side < sides; ++side) part.wall[side].position = edges[side].value_or(container.wall[side].position);
   return part;
 }
 
@@ -120,14 +120,14 @@ std::string sample(const recipe::Recipe& recipe, Packing& packing) {
 StageResult make_packing(const recipe::Recipe& recipe) {
   StageResult result;
   result.name = "packing";
-  Frame& frame = result.frames.emplace_back();
-  frame.label = "start";
-  frame.packing.materials = recipe.materials;
-  frame.packing.domain = frame_of(recipe);
-  if (recipe.packing.method == Method::file) result.outcome = read(recipe, frame.packing);
-  else if (recipe.packing.method == Method::poisson) result.outcome = sample(recipe, frame.packing);
-  else result.outcome = fill(recipe, frame.packing);
-  if (recipe.glued) packing::mark_region(frame.packing.grains, frame.packing.domain, *recipe.glued);
+  Snapshot& snapshot = result.snapshots.emplace_back();
+  snapshot.label = "start";
+  snapshot.packing.materials = recipe.materials;
+  snapshot.packing.domain = container_of(recipe);
+  if (recipe.packing.method == Method::file) result.outcome = read(recipe, snapshot.packing);
+  else if (recipe.packing.method == Method::poisson) result.outcome = sample(recipe, snapshot.packing);
+  else result.outcome = fill(recipe, snapshot.packing);
+  if (recipe.glued) packing::mark_region(snapshot.packing.grains, snapshot.packing.domain, *recipe.glued);
   return result;
 }
 

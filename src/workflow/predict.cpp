@@ -190,7 +190,7 @@ Prediction predict(const recipe::Recipe& recipe) {
   Prediction p;
   const std::size_t expected = count_of(recipe);
   const double share = expected > most_grains ? static_cast<double>(few_grains) / static_cast<double>(expected) : 1.0;
-  const Packing start = make_packing(share < 1 ? with_fewer(recipe, share) : recipe).frames.back().packing;
+  const Packing start = make_packing(share < 1 ? with_fewer(recipe, share) : recipe).snapshots.back().packing;
   p.sample = start.grains.size();
   p.grains = share < 1 ? expected : p.sample;
   dem::Engine engine(start, recipe.contact, recipe.integration);

@@ -104,7 +104,7 @@ const recipe::Load& load_of(const recipe::Recipe& recipe, const fs::path& run, c
 
 std::optional<Packing> last_state(const fs::path& result, const std::string& stage) {
   auto read = stage_named(result, stage);
-  return read && !read->frames.empty() ? std::optional(std::move(read->frames.back().packing)) : std::nullopt;
+  return read && !read->snapshots.empty() ? std::optional(std::move(read->snapshots.back().packing)) : std::nullopt;
 }
 
 std::optional<FieldResult> load_named(const fs::path& result, const std::string& name) {
@@ -116,7 +116,7 @@ std::optional<FieldResult> load_named(const fs::path& result, const std::string&
 void refuse_stage(const fs::path& result, const std::string& name) {
   std::set<std::string> names;
   for (const auto& file : files_of(result, "result"))
-    if (const auto stage = io::read_stage(file); !stage.frames.empty()) names.insert(stage.name);
+    if (const auto stage = io::read_stage(file); !stage.snapshots.empty()) names.insert(stage.name);
   if (names.empty()) refuse(result.string(), "holds no simulated states; give the folder of an `arenite run`");
   refuse(result.string(), "has no stage \"{}\"; those there are: {}", name, list_of(names));
 }
@@ -144,12 +144,12 @@ FinalState final_state(const fs::path& run, const StateOptions& wanted) {
   auto result = stage_named(run, wanted.stage);
   if (!result && wanted.stage.empty()) refuse(run.string(), "there are no stage files of this run; remove its folder and run the study again");
   if (!result) refuse(run.string(), "there is no stage \"{}\" of this run; name one of its recipe, or run the study again", wanted.stage);
-  if (result->frames.empty()) refuse(run.string(), "stage {} holds no state; remove its file and run the study again", result->name);
+  if (result->snapshots.empty()) refuse(run.string(), "stage {} holds no state; remove its file and run the study again", result->name);
   texture::Options options = texture_options(result->provenance);
   if (!wanted.rev) options.rev_sizes = 0;
   options.sectors = wanted.sectors;
   options.border = wanted.border.value_or(options.border);
-  Packing& packing = result->frames.back().packing;
+  Packing& packing = result->snapshots.back().packing;
   texture::Texture texture = texture::measure(packing, options);
   return {std::move(packing), std::move(texture)};
 }

@@ -61,8 +61,8 @@ class Run {
   }
 
   template <class Make> bool add_stage(std::size_t s, Make make) {
-    const bool has_before = s > 0 && !outcome_.stages.back().frames.empty();
-    const Packing* const before = has_before ? &outcome_.stages.back().frames.back().packing : nullptr;
+    const bool has_before = s > 0 && !outcome_.stages.back().snapshots.empty();
+    const Packing* const before = has_before ? &outcome_.stages.back().snapshots.back().packing : nullptr;
     const GrainStage stage{recipe_, s, plan_[s].hash, before, &outcome_.measured.stages.emplace_back()};
     const auto made = [&](const fs::path& checkpoint) { return make(stage, checkpoint); };
     auto result = carry_out_stage<StageResult>({plan_[s], folder_ / plan_[s].file, made, io::write_stage, io::read_stage});
@@ -114,7 +114,7 @@ class Run {
 
   /// All stages of loading by discrete elements; true if the run may go on.
   bool load_grains() {
-    const Packing start = outcome_.stages[0].frames.back().packing;
+    const Packing start = outcome_.stages[0].snapshots.back().packing;
     std::optional<dem::Engine> engine;
     for (std::size_t s = 1; s <= recipe_.stages.size(); ++s) {
       begin(s);
@@ -134,7 +134,7 @@ class Run {
   /// The cemented sample and its loads.
   void load_nodes() {
     const std::size_t first = recipe_.stages.size() + 1;
-    const Packing& packing = outcome_.stages.back().frames.back().packing;
+    const Packing& packing = outcome_.stages.back().snapshots.back().packing;
     if (!add_field(first, [&](const fs::path&) { return std::optional(make_cemented_sample(recipe_, packing)); })) return;
     const auto& texture = outcome_.measured.stages.back();
     const auto contacts = contact_stresses(outcome_.fields.front(), packing, texture ? texture->per_grain.sigma : std::vector<Tensor2>{});
@@ -163,8 +163,8 @@ class Run {
 StageResult measure_stage(const GrainStage& stage, StageResult made, const std::string& kernel) {
   const auto& [recipe, place, hash, before, known] = stage;
   made.provenance = {version, made.name, hash, to_toml(part_of(recipe, place)), recipe.seed, kernel, {}};
-  if (made.frames.empty()) return made;
-  texture::Texture texture = texture::measure(made.frames.back().packing, texture_options(recipe, place));
+  if (made.snapshots.empty()) return made;
+  texture::Texture texture = texture::measure(made.snapshots.back().packing, texture_options(recipe, place));
   made.texture = fields::stage_numbers({made, place > 0 ? recipe.stages[place - 1] : dem::Stage{}, place > 1 ? before : nullptr, texture});
   if (known) *known = std::move(texture);
   return made;

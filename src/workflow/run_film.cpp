@@ -91,7 +91,7 @@ bool add_companion(const recipe::FilmRecipe& recipe, const FilmRunOptions& optio
   if (outcome.interrupted) return false;
   const auto& stages = outcome.stages;
   if (const auto ends = compared_stages(outcome, *recipe.simulation))
-    film.simulation = stresses_of(stages[ends->first].frames.back().packing, stages[ends->second].frames.back().packing);
+    film.simulation = stresses_of(stages[ends->first].snapshots.back().packing, stages[ends->second].snapshots.back().packing);
   if (!outcome.converged) options.notice("the companion simulation did not reach equilibrium: " + (stages.empty() ? std::string() : stages.back().outcome));
   return true;
 }
@@ -103,7 +103,7 @@ void measure_grains(const recipe::FilmRecipe& recipe, FilmOutcome& outcome, Film
   if (recipe.simulation)
     if (const auto ends = compared_stages(outcome.simulation, *recipe.simulation)) {
       simulation = outcome.simulation.measured.stages[ends->second];
-      if (!simulation) simulation = texture::measure(outcome.simulation.stages[ends->second].frames.back().packing, {.rev_sizes = 0});
+      if (!simulation) simulation = texture::measure(outcome.simulation.stages[ends->second].snapshots.back().packing, {.rev_sizes = 0});
     }
   film.numbers = film_numbers(film, *texture, simulation ? &*simulation : nullptr);
 }
@@ -146,9 +146,9 @@ StageResult measured_stage(const FilmResult& film) {
   stage.name = "measured peak to peak";
   stage.provenance = film.provenance;
   stage.outcome = film.outcome;
-  Frame& frame = stage.frames.emplace_back();
-  frame.label = "change between the smallest and the largest load";
-  frame.packing = film.packing;
+  Snapshot& snapshot = stage.snapshots.emplace_back();
+  snapshot.label = "change between the smallest and the largest load";
+  snapshot.packing = film.packing;
   return stage;
 }
 

@@ -21,7 +21,7 @@ std::string python(const std::string& script) { return "/usr/bin/python3 " ARENI
 
 class Export : public testing::Test {
  protected:
-  Export() { io::write_stage(file, test::two_frames(6)); }
+  Export() { io::write_stage(file, test::two_snapshots(6)); }
   TemporaryFolder folder;
   const std::filesystem::path file = folder / "01-compact.h5";
 };
@@ -35,7 +35,7 @@ TEST_F(Export, VtkItselfReadsBackEveryValueAndTime) {
 }
 
 TEST_F(Export, VtkReadsArraysOfMoreThanOneCompressedBlock) {
-  io::write_stage(file, test::two_frames(6000));
+  io::write_stage(file, test::two_snapshots(6000));
   ASSERT_EQ(arenite("export " + file.string() + " --to vtk").status, 0);
   const auto read = shell(python("compare_vtk.py") + file.string() + " " + (folder / "vtk").string());
   EXPECT_EQ(read.status, 0) << read.err;
@@ -50,8 +50,8 @@ void give_shapes(Grains& grains) {
 }
 
 TEST_F(Export, VtkReadsTheRimsOfGrainsThatAreNoDisks) {
-  StageResult result = test::two_frames(6);
-  for (Frame& frame : result.frames) give_shapes(frame.packing.grains);
+  StageResult result = test::two_snapshots(6);
+  for (Snapshot& snapshot : result.snapshots) give_shapes(snapshot.packing.grains);
   io::write_stage(file, result);
   ASSERT_EQ(arenite("export " + file.string() + " --to vtk").status, 0);
   const auto read = shell(python("compare_outlines.py") + file.string() + " " + (folder / "vtk").string());
@@ -68,8 +68,8 @@ TEST_F(Export, XarrayOpensALoadingAsArraysOverTimeAndGrain) {
 }
 
 TEST_F(Export, ALoadingWhoseGrainsChangeFitsInNoArray) {
-  auto result = test::two_frames(6);
-  result.frames[1].packing.grains.id[2] = 77;
+  auto result = test::two_snapshots(6);
+  result.snapshots[1].packing.grains.id[2] = 77;
   io::write_stage(file, result);
   const auto refused = arenite("export " + file.string() + " --to netcdf");
   EXPECT_EQ(refused.status, 2);
@@ -84,7 +84,7 @@ TEST_F(Export, LammpsItselfReadsTheDumpAtItsStep) {
                                   "write_dump all custom out.dump type x y vy modify sort id format float %.17g\n";
   const auto run = shell("cd " + folder.path().string() + " && lmp -in in -log none");
   ASSERT_EQ(run.status, 0) << run.out << run.err;
-  const auto grains = test::two_frames(6).frames[1].packing.grains;
+  const auto grains = test::two_snapshots(6).snapshots[1].packing.grains;
   std::istringstream dump(io::read_file(folder / "out.dump"));
   std::string line;
   while (std::getline(dump, line) && !line.starts_with("ITEM: ATOMS")) {}
@@ -126,9 +126,9 @@ std::size_t compare_numbers(const nlohmann::json& a, const nlohmann::json& b, co
 }
 
 TEST_F(Export, MeasureReadsTheTablesAndTheDumpsAndFindsTheTextureThatShowTells) {
-  auto result = test::two_frames(6);
+  auto result = test::two_snapshots(6);
   result.texture = {};
-  result.frames.pop_back();
+  result.snapshots.pop_back();
   io::write_stage(file, result);
   const auto shown = nlohmann::json::parse(arenite("show --json " + file.string()).out);
   ASSERT_EQ(arenite("export --last --to csv " + file.string()).status, 0);
@@ -146,9 +146,9 @@ TEST_F(Export, MeasureReadsTheTablesAndTheDumpsAndFindsTheTextureThatShowTells) 
 }
 
 TEST_F(Export, AFolderOfStagesIsOneLoadingAndASharedStateIsWrittenOnce) {
-  auto next = test::two_frames(6);
-  next.frames[0] = test::two_frames(6).frames[1];
-  next.frames[1].time = 1.5;
+  auto next = test::two_snapshots(6);
+  next.snapshots[0] = test::two_snapshots(6).snapshots[1];
+  next.snapshots[1].time = 1.5;
   io::write_stage(folder / "02-shear.h5", next);
   const auto done = arenite("export " + folder.path().string() + " --to vtk");
   ASSERT_EQ(done.status, 0) << done.err;

@@ -151,7 +151,7 @@ TEST(FilmCommand, PutsASimulationOfTheSameGrainsBesideTheFilm) {
   const FilmResult film = of.result();
   for (const auto& file : io::stage_files(of.at("result/simulation")))
     if (file.filename().string().find("-high-") != std::string::npos) {
-      const auto loaded = test::stress_by_forces(io::read_stage(file).frames.back().packing);
+      const auto loaded = test::stress_by_forces(io::read_stage(file).snapshots.back().packing);
       ASSERT_EQ(film.simulation.state.size(), loaded.size());
       for (std::size_t i = 0; i < loaded.size(); ++i) EXPECT_NEAR(film.simulation.state[i], loaded[i], 1e-9 * std::abs(loaded[i])) << i;
     }

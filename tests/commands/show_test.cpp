@@ -17,7 +17,7 @@ using test::TemporaryFolder;
 using Json = nlohmann::json;
 
 StageResult sample() {
-  auto result = test::two_frames(6);
+  auto result = test::two_snapshots(6);
   result.texture = {};
   return result;
 }
@@ -30,7 +30,7 @@ TEST(Show, JsonHasProvenanceStagesAndTheTextureOfTheLastState) {
   const Json j = Json::parse(shown.out);
   EXPECT_EQ(j["provenance"]["seed"], 7);
   EXPECT_EQ(j["provenance"]["kernel"], "portable");
-  EXPECT_EQ(j["provenance"]["recipe"], "title = \"two frames\"\n");
+  EXPECT_EQ(j["provenance"]["recipe"], "title = \"two snapshots\"\n");
   ASSERT_EQ(j["stages"].size(), 1u);
   EXPECT_EQ(j["stages"][0]["states"], 2);
   EXPECT_EQ(j["stages"][0]["last_state"]["walls"]["top"]["force_N"], 103.0);
@@ -140,7 +140,7 @@ TEST(Figures, SayWhatBuildsTheModuleWhereOnlyItsPythonFilesAre) {
 
 TEST(Show, IsShortAndSaysWhatItsSymbolsMean) {
   const TemporaryFolder folder;
-  auto result = test::two_frames(600);
+  auto result = test::two_snapshots(600);
   result.texture = {};
   io::write_stage(folder / "r.h5", result);
   const std::string file = (folder / "r.h5").string();
@@ -159,12 +159,12 @@ TEST(Show, SaysThatAStateMovesThoughItsStageEndedByItsTime) {
   const TemporaryFolder folder;
   auto result = sample();
   result.outcome = "0.5 s passed";
-  result.frames.back().equilibrium.unbalanced_ratio = 1e-5;
-  result.frames.back().equilibrium.kinetic_ratio = 69;
+  result.snapshots.back().equilibrium.unbalanced_ratio = 1e-5;
+  result.snapshots.back().equilibrium.kinetic_ratio = 69;
   io::write_stage(folder / "r.h5", result);
   const auto moving = arenite("show " + (folder / "r.h5").string());
   EXPECT_NE(moving.out.find("NOT IN EQUILIBRIUM: unbalanced force ratio 1.0e-05, kinetic over elastic energy 6.9e+01"), std::string::npos) << moving.out;
-  result.frames.back().equilibrium.kinetic_ratio = 1e-9;
+  result.snapshots.back().equilibrium.kinetic_ratio = 1e-9;
   io::write_stage(folder / "r.h5", result);
   EXPECT_NE(arenite("show " + (folder / "r.h5").string()).out.find("in equilibrium: "), std::string::npos);
 }

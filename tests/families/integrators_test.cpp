@@ -19,7 +19,7 @@ struct Swing {
 /// One disk squeezed between two walls swings as x'' = -2 (k/m) x - 2 (alpha/m) x' for ever.
 double error_of(const Swing& c, int steps) {
   const double r = 0.005, k = 27.35e6, amplitude = 1e-6;
-  Packing p = testing::empty_frame(2 * r - 1e-5, 0.1);
+  Packing p = testing::empty_container(2 * r - 1e-5, 0.1);
   testing::add_grain(p, 0.5 * p.domain.width() + amplitude, 0.05, r);
   const double m = 1410 * std::numbers::pi * r * r * 0.06;
   const double omega = std::sqrt(2 * k / m), decay = c.damping * omega;

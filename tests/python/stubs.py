@@ -26,7 +26,7 @@ words = [
     (r"\bdict\b", "Dict[str, Any]"),
     (r"\bobject\b", "Any"),
 ]
-exact = {"Stage.frames": "List[Frame]", "FilmResult.origin": "Tuple[float, float]"}
+exact = {"Stage.snapshots": "List[Snapshot]", "Stage.frames": "List[Snapshot]", "FilmResult.origin": "Tuple[float, float]"}
 
 
 def typed(text):

@@ -40,7 +40,7 @@ def a_result(*packings, recipe="", **history):
     n = len(packings)
     frames = [types.SimpleNamespace(time=float(k), label=f"{k + 1} of {n}", packing=packing) for k, packing in enumerate(packings)]
     columns = {"time": np.arange(n, dtype=float), **{name: np.array(values, float) for name, values in history.items()}}
-    return types.SimpleNamespace(stages=[types.SimpleNamespace(name="shear", frames=frames, history=columns, history_units={name: "1" for name in columns}, provenance={"recipe": recipe})])
+    return types.SimpleNamespace(stages=[types.SimpleNamespace(name="shear", snapshots=frames, history=columns, history_units={name: "1" for name in columns}, provenance={"recipe": recipe})])
 
 
 def test_stresses_and_contacts_of_grains_are_those_of_the_module(result):
@@ -115,7 +115,7 @@ def test_a_mark_moves_along_the_curve():
     beside = moving.Beside(None, ("time", "load"))
     beside.axes, beside.stage, beside.columns = saving.Canvas().add_subplot(), None, {"shear": [(np.array([0.0, 1.0]), "time, s"), (np.array([5.0, 7.0]), "load")]}
     for k, load in enumerate((5.0, 7.0)):
-        beside.show(types.SimpleNamespace(stage=stage, frame=stage.frames[k]))
+        beside.show(types.SimpleNamespace(stage=stage, snapshot=stage.snapshots[k]))
         assert [float(v[0]) for v in beside.mark.get_data()] == [k, load]
 
 

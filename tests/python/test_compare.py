@@ -12,7 +12,7 @@ from arenite import _compare_page, compare
 
 def a_result(texture, name="load", title="a sample"):
     packing = arenite.Packing([1, 2, 3], [1, 1, 1], [0.5, 0.5, 0.5], width=4, height=2)
-    stage = types.SimpleNamespace(name=name, texture=texture, packing=packing, history={}, frames=[], provenance={"recipe": f'title = "{title}"\n[contact]\nfriction = 0.{len(title)}\n'})
+    stage = types.SimpleNamespace(name=name, texture=texture, packing=packing, history={}, snapshots=[], provenance={"recipe": f'title = "{title}"\n[contact]\nfriction = 0.{len(title)}\n'})
     return types.SimpleNamespace(stages=[stage], fields=[], films=[], path="", title=title)
 
 

@@ -22,7 +22,7 @@ def a_stage(width, height, forces=None, shear=None, name="test", recipe="", labe
         history[f"{side}_shear_force"] = np.broadcast_to((shear or {}).get(side, 0.0), n).astype(float)
     history.update({key: np.array(values, float) for key, values in columns.items()})
     frames = [types.SimpleNamespace(time=float(k), label=(labels or ["state"] * n)[k], packing=a_box(width[k], height[k])) for k in range(n)]
-    return types.SimpleNamespace(name=name, history=history, frames=frames, provenance={"recipe": recipe})
+    return types.SimpleNamespace(name=name, history=history, snapshots=frames, provenance={"recipe": recipe})
 
 
 def a_box(width, height):
@@ -35,7 +35,7 @@ def alone(stage, *before):
 
 
 def test_strains_are_those_since_the_state_before():
-    before = types.SimpleNamespace(name="packing", history={}, frames=[types.SimpleNamespace(time=-1.0, label="start", packing=a_box(4, 4))])
+    before = types.SimpleNamespace(name="packing", history={}, snapshots=[types.SimpleNamespace(time=-1.0, label="start", packing=a_box(4, 4))])
     found = curves.along(alone(a_stage([4.0, 4.2, 4.4], [4.0, 3.8, 3.6]), before))
     assert found["axial_strain"].values == pytest.approx([0, 0.05, 0.1])
     assert found["strain_x"].values == pytest.approx([0, -0.05, -0.1])

@@ -115,7 +115,7 @@ def test_any_stage_and_any_stored_state_may_be_asked_for(result):
     assert shown[0][1].packing.x == pytest.approx(stage.packing.x)
     first = [part for _, part in figures.figures_of(result, state=1) if isinstance(part, figures.State)]
     assert {part.name for part in first} == {f"{result.stages[0].name}-1"}
-    assert first[0].packing.x == pytest.approx(result.stages[0].frames[0].packing.x)
+    assert first[0].packing.x == pytest.approx(result.stages[0].snapshots[0].packing.x)
 
 
 def test_libraries_are_quiet_within_the_style_and_as_before_after_it():
@@ -311,9 +311,9 @@ def test_broken_bonds_are_counted_by_type_up_to_each_step():
 def test_stored_states_lie_on_the_travel_of_the_wall(result):
     stage = next(part for part in result.stages[::-1] if histories.moving_wall(part.history))
     shown = axes()
-    figures.draw_travel(shown, stage.history, stage.frames)
+    figures.draw_travel(shown, stage.history, stage.snapshots)
     line, states = shown.lines
-    assert len(states.get_xdata()) == len(stage.frames) and states.get_xdata()[-1] == pytest.approx(line.get_xdata()[-1], abs=1e-3 * np.ptp(line.get_xdata()))
+    assert len(states.get_xdata()) == len(stage.snapshots) and states.get_xdata()[-1] == pytest.approx(line.get_xdata()[-1], abs=1e-3 * np.ptp(line.get_xdata()))
 
 
 def test_the_mass_that_has_passed_is_drawn_over_the_time():

@@ -61,7 +61,7 @@ def test_a_silo_tells_what_its_walls_carry():
     packing = arenite.Packing(0.01 * x.ravel(), 0.01 * y.ravel(), np.full(24, 0.005), materials=[material], width=0.04, height=0.1, thickness=0.1)
     weight = 9.81 * 1000 * 0.1 * 24 * np.pi * 0.005**2
     history = {"bottom_force": 0.6 * weight + 1e-3 * np.cos(np.arange(200.0) * 2.1), "left_force": np.full(200, 0.5 * weight), "right_force": np.full(200, 0.5 * weight)}
-    stage = types.SimpleNamespace(history=history, frames=[types.SimpleNamespace(packing=packing)])
+    stage = types.SimpleNamespace(history=history, snapshots=[types.SimpleNamespace(packing=packing)])
     with pytest.warns(RuntimeWarning):  # no contact tells the ratio of stresses
         found = flows.silos([types.SimpleNamespace(stages=[stage])])
     assert found["height"].values == pytest.approx([0.06], rel=1e-6)

@@ -10,7 +10,7 @@ struct Disk {
   double x, y, r;
 };
 
-/// Disks in a frame from (-half, -half) to (half, half), walls or periodic.
+/// Disks in a container from (-half, -half) to (half, half), walls or periodic.
 inline Packing disks(const std::vector<Disk>& all, double half, bool periodic = false) {
   Packing packing;
   packing.grains.resize(all.size());

@@ -23,7 +23,7 @@ struct FilmPageSample {
 
   explicit FilmPageSample(std::size_t grains = 260, double pixel = 1.6e-3) {
     const PageSample run(grains);
-    truth_ = run.stage.frames[3].packing;
+    truth_ = run.stage.snapshots[3].packing;
     film.name = "film";
     film.outcome = "Every grain of the container was found.";
     film.provenance = {"0.1.0", "film", "89ab0123456789ab", "title = \"<film> of a frame\"\n", 5, "portable", {}};

@@ -39,7 +39,7 @@ inline void load_walls(Packing& packing) {
 
 /// A run of five states as it might come from the store; the first contact of the last state pulls.
 struct PageSample {
-  static constexpr const char* recipe = R"(title = "<two> materials & a frame"
+  static constexpr const char* recipe = R"(title = "<two> materials & a snapshot"
 [materials.POM]
 density = "1410 kg/m^3"
 stiffness = "27.35 kN/mm"
@@ -100,10 +100,10 @@ bottom = { pressure = "1 kPa" }
       for (std::size_t g = 0; g < count; ++g)
         grains.position[g].y += (domain.wall[bottom].position - before) * (1 - grains.position[g].y / domain.wall[top].position);
       packing::relax(grains, domain, 1e-9, 4000);
-      stage.frames.push_back(state(grains, domain, k));
-      record(history, stage.frames.back());
+      stage.snapshots.push_back(state(grains, domain, k));
+      record(history, stage.snapshots.back());
     }
-    Contacts& last = stage.frames.back().packing.contacts;
+    Contacts& last = stage.snapshots.back().packing.contacts;
     const auto between_grains = std::find_if(last.j.begin(), last.j.end(), [](std::int32_t j) { return j >= 0; });
     const auto pulling = static_cast<std::size_t>(between_grains - last.j.begin());
     last.fn[pulling] = -2 * *std::max_element(last.fn.begin(), last.fn.end()) / 3;
@@ -112,7 +112,7 @@ bottom = { pressure = "1 kPa" }
     stage.outcome = "Equilibrium in all 5 increments.";
     stage.history = history;
     stage.provenance = {"0.1.0", "load", "0123456789abcdef", recipe, 7, "portable", {}};
-    data.title = "Two materials <in> a frame";
+    data.title = "Two materials <in> a snapshot";
     data.stages = {&stage, 1};
   }
 
@@ -120,27 +120,27 @@ bottom = { pressure = "1 kPa" }
   PageSample& operator=(const PageSample&) = delete;
 
  private:
-  static Frame state(const Grains& grains, const Domain& domain, int k) {
-    Frame frame;
-    frame.time = 0.1 * (k + 1);
-    frame.step = 10000 * (k + 1);
-    frame.label = "increment " + std::to_string(k + 1) + " of 5";
-    frame.packing = {{{"POM", 1410, 27.35e6, 0.015e-6}, {"HDPE", 950, 6.43e6, 0.0258e-6}}, domain, grains, elastic_contacts(grains, domain, 6e6), {}, {}};
-    load_walls(frame.packing);
+  static Snapshot state(const Grains& grains, const Domain& domain, int k) {
+    Snapshot snapshot;
+    snapshot.time = 0.1 * (k + 1);
+    snapshot.step = 10000 * (k + 1);
+    snapshot.label = "increment " + std::to_string(k + 1) + " of 5";
+    snapshot.packing = {{{"POM", 1410, 27.35e6, 0.015e-6}, {"HDPE", 950, 6.43e6, 0.0258e-6}}, domain, grains, elastic_contacts(grains, domain, 6e6), {}, {}};
+    load_walls(snapshot.packing);
     // Moves to the right the faster the higher, and turns clockwise.
     for (std::size_t g = 0; g < grains.size(); ++g) {
-      frame.packing.grains.velocity[g].x = 0.1 * grains.position[g].y;
-      frame.packing.grains.omega[g] = -0.05 * k;
+      snapshot.packing.grains.velocity[g].x = 0.1 * grains.position[g].y;
+      snapshot.packing.grains.omega[g] = -0.05 * k;
     }
-    return frame;
+    return snapshot;
   }
 
-  static void record(History& history, const Frame& frame) {
-    const auto& wall = frame.packing.domain.wall;
+  static void record(History& history, const Snapshot& snapshot) {
+    const auto& wall = snapshot.packing.domain.wall;
     double elastic = 0;
-    for (const double fn : frame.packing.contacts.fn) elastic += fn * fn / (2 * 6e6);
-    const double row[] = {frame.time, wall[bottom].position, wall[bottom].force, wall[top].force,     wall[left].force,    wall[right].force,
-                          elastic,    1e-6 * elastic,        wall[top].position, wall[left].position, wall[right].position};
+    for (const double fn : snapshot.packing.contacts.fn) elastic += fn * fn / (2 * 6e6);
+    const double row[] = {snapshot.time, wall[bottom].position, wall[bottom].force, wall[top].force,     wall[left].force,    wall[right].force,
+                          elastic,       1e-6 * elastic,        wall[top].position, wall[left].position, wall[right].position};
     for (std::size_t c = 0; c < history.columns.size(); ++c) history.columns[c].values.push_back(row[c]);
   }
 };

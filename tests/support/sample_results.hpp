@@ -45,20 +45,20 @@ inline Packing row_of_grains(int n, double shift = 0) {
   return packing;
 }
 
-inline StageResult two_frames(int n = 5) {
+inline StageResult two_snapshots(int n = 5) {
   StageResult result;
-  result.provenance = {"0.1.0", "load", "0123456789abcdef0123456789abcdef", "title = \"two frames\"\n", 7, "portable", {{"threads", "1"}}};
+  result.provenance = {"0.1.0", "load", "0123456789abcdef0123456789abcdef", "title = \"two snapshots\"\n", 7, "portable", {{"threads", "1"}}};
   result.name = "compact";
   result.outcome = "at rest after 2 increments";
   for (int f = 0; f < 2; ++f) {
-    Frame frame;
-    frame.time = 0.125 + 0.25 * f;
-    frame.step = 1000 * (f + 1);
-    frame.label = "increment " + std::to_string(f + 1) + " of 2";
-    frame.packing = row_of_grains(n, 1e-4 * f);
-    frame.energies = {1, 2, -3, 4, 5, 6, 7, 8, 9.5 + f};
-    frame.equilibrium = {1e-5, 1e-7, 0.21, 1e-6};
-    result.frames.push_back(frame);
+    Snapshot snapshot;
+    snapshot.time = 0.125 + 0.25 * f;
+    snapshot.step = 1000 * (f + 1);
+    snapshot.label = "increment " + std::to_string(f + 1) + " of 2";
+    snapshot.packing = row_of_grains(n, 1e-4 * f);
+    snapshot.energies = {1, 2, -3, 4, 5, 6, 7, 8, 9.5 + f};
+    snapshot.equilibrium = {1e-5, 1e-7, 0.21, 1e-6};
+    result.snapshots.push_back(snapshot);
   }
   result.history.columns = {{"time", "s", {0.125, 0.25, 0.375}}, {"bottom_force", "N", {1, 2, 3}}, {"age", "1", {0, 0, 0}}};
   result.texture = test::numbers_of("{\"grains\": 5}");

@@ -48,7 +48,7 @@ class VirtualFilm {
   /// Last state of a simulated stage.
   Packing state(const std::string& stage) const {
     for (const auto& file : io::stage_files(states()))
-      if (file.filename().string().find("-" + stage + "-") != std::string::npos) return io::read_stage(file).frames.back().packing;
+      if (file.filename().string().find("-" + stage + "-") != std::string::npos) return io::read_stage(file).snapshots.back().packing;
     return {};
   }
 

@@ -16,7 +16,7 @@ constexpr const char* example = ARENITE_SOURCE_DIR "/examples/16-shapes/recipe.t
 
 /// The texture of a recipe's last state.
 texture::Texture texture_of(const recipe::Recipe& recipe) {
-  dem::Engine engine(workflow::make_packing(recipe).frames.back().packing, recipe.contact, recipe.integration);
+  dem::Engine engine(workflow::make_packing(recipe).snapshots.back().packing, recipe.contact, recipe.integration);
   for (const dem::Stage& stage : recipe.stages) {
     dem::StageRun run = dem::begin_stage(engine, stage);
     while (!run.finished) dem::continue_stage(engine, stage, run);

@@ -136,7 +136,7 @@ TEST(Silo, CarriesMostOfATallFillingByItsWalls) {
   EXPECT_GT(mobilised, 0.5 * friction);
   EXPECT_LT(floor, 0.6 * all);
   Vec2 moments;
-  for (std::size_t k = 4; k < run.result.frames.size(); ++k) moments += sum_of_moments(run.result.frames[k].packing);
+  for (std::size_t k = 4; k < run.result.snapshots.size(); ++k) moments += sum_of_moments(run.result.snapshots[k].packing);
   const auto surface = fields::find_free_surface(engine.packing(), {0, -1});
   double height = -surface.bottom;
   for (const double h : surface.height) height += h / static_cast<double>(surface.height.size());

@@ -35,7 +35,7 @@ const isGroup = (v) => v !== null && typeof v === "object" && !Array.isArray(v) 
 export const valueOf = (number) => number?.value ?? number;
 
 /** What is told elsewhere on the page, or is drawn. */
-const hidden = new Set(["provenance", "stages", "notes", "curves", "pdf", "histogram", "own_histogram", "cumulative", "recipe", "window", "frame", "contact_orientations"]);
+const hidden = new Set(["provenance", "stages", "notes", "curves", "pdf", "histogram", "own_histogram", "cumulative", "recipe", "window", "snapshot", "contact_orientations"]);
 
 /** Numbers as statistics declare them: a group of a tree, with unit and sentence of each by its dotted name in the whole tree (`meanings` of the
     document). Whatever is shown of them is noted, so that what no row names can stand at the end. */

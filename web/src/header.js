@@ -26,10 +26,10 @@ function filmSubtitle({ count, about: { film: { camera, width, height, frames, f
 }
 
 function subtitle(sample) {
-  const frame = sample.frame(sample.frameCount - 1), box = sample.box(frame);
+  const snapshot = sample.snapshot(sample.snapshotCount - 1), box = sample.box(snapshot);
   const counts = sample.materials.map((material, m) => `${text.count(sample.materialCounts[m])} ${material.name}`);
   const size = `${text.number(1e3 * (box.right - box.left), 4)} \u00d7 ${text.number(1e3 * (box.top - box.bottom), 4)}\u202fmm`;
-  const force = Math.max(...frame.domain.walls.map((wall) => wall.force));
+  const force = Math.max(...snapshot.domain.walls.map((wall) => wall.force));
   return [...counts, size, ...(force > 0 ? [`largest wall force ${text.quantity(force, "N")}`] : [])];
 }
 

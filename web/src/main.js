@@ -15,7 +15,7 @@ import { followTheme, preferredTheme, themeOf } from "./theme.js";
 
 /** The packing if there is one, then every result on a grid, then every film. */
 function partsOf(sample, fields, films, state) {
-  const packing = sample.frameCount > 0 ? [{ name: "packing", title: "Packing", make: () => packingSection(sample, state) }] : [];
+  const packing = sample.snapshotCount > 0 ? [{ name: "packing", title: "Packing", make: () => packingSection(sample, state) }] : [];
   return [...packing, ...fields.map((result, k) => ({ name: `field-${k}`, title: titleOf(result), make: () => fieldSection(result, state) })),
     ...films.map((film, k) => ({ name: `film-${k}`, title: titleOf(film), make: () => filmSection(film, state) }))];
 }

@@ -1,10 +1,10 @@
 import { unpack, unpacked } from "./block.js";
 import { text } from "./text.js";
 
-/** The data of the page: grains, materials, stages and frames; arrays of a frame are unpacked when first asked for. */
+/** The data of the page: grains, materials, stages and snapshots; arrays of a snapshot are unpacked when first asked for. */
 export class Sample {
   #block;
-  #frames = new Map();
+  #snapshots = new Map();
 
   constructor(about, block) {
     this.#block = block;
@@ -13,7 +13,7 @@ export class Sample {
     this.materials = about.materials ?? [];
     this.stages = unpacked(block, about.stages);
     this.sizes = unpacked(block, about.sizes ?? null);
-    this.frameCount = about.frames.length;
+    this.snapshotCount = about.snapshots.length;
     this.count = about.grains?.count ?? 0;
     const { id, radius, material, zone, shapes } = unpacked(block, about.grains ?? {});
     Object.assign(this, { id, radius, material, zone, shapes });
@@ -23,52 +23,52 @@ export class Sample {
     this.hasZones = this.count > 0 && this.zone.some((z) => z > 0);
   }
 
-  frame(k) {
-    if (!this.#frames.has(k)) {
-      if (this.#frames.size > 24) this.#frames.clear();
-      this.#frames.set(k, this.#unpackFrame(k));
+  snapshot(k) {
+    if (!this.#snapshots.has(k)) {
+      if (this.#snapshots.size > 24) this.#snapshots.clear();
+      this.#snapshots.set(k, this.#unpackSnapshot(k));
     }
-    return this.#frames.get(k);
+    return this.#snapshots.get(k);
   }
 
-  #unpackFrame(k) {
-    const { texture = null, fields: _, ...about } = this.about.frames[k];
-    const frame = { ...unpacked(this.#block, about), index: k, texture };
-    for (const name of ["deviator", "vx", "vy", "omega"]) frame[name] ??= new Float32Array(this.count);
-    frame.boundaries = frame.domain.boundaries ?? [];
-    frame.contacts.type = this.#typesOf(frame.contacts);
-    frame.meanForce = frame.texture?.force?.mean_N?.value ?? meanOfPositive(frame.contacts.fn);
+  #unpackSnapshot(k) {
+    const { texture = null, fields: _, ...about } = this.about.snapshots[k];
+    const snapshot = { ...unpacked(this.#block, about), index: k, texture };
+    for (const name of ["deviator", "vx", "vy", "omega"]) snapshot[name] ??= new Float32Array(this.count);
+    snapshot.boundaries = snapshot.domain.boundaries ?? [];
+    snapshot.contacts.type = this.#typesOf(snapshot.contacts);
+    snapshot.meanForce = snapshot.texture?.force?.mean_N?.value ?? meanOfPositive(snapshot.contacts.fn);
     // In equilibrium the dashpots leave traces of tension that mean nothing.
-    frame.tensile = -1e-3 * frame.meanForce;
-    frame.hasTension = frame.contacts.fn.some((force) => force < frame.tensile);
-    frame.sigmaNorm = this.#sigmaNorm(frame);
-    return frame;
+    snapshot.tensile = -1e-3 * snapshot.meanForce;
+    snapshot.hasTension = snapshot.contacts.fn.some((force) => force < snapshot.tensile);
+    snapshot.sigmaNorm = this.#sigmaNorm(snapshot);
+    return snapshot;
   }
 
-  /** The texture that belongs to a frame: its own, or else that of the nearest frame that has one. */
+  /** The texture that belongs to a snapshot: its own, or else that of the nearest snapshot that has one. */
   texture(k) {
-    const known = this.about.frames.map((frame, f) => (frame.texture ? f : -1)).filter((f) => f >= 0);
+    const known = this.about.snapshots.map((snapshot, f) => (snapshot.texture ? f : -1)).filter((f) => f >= 0);
     if (known.length === 0) return null;
     const nearest = known.reduce((best, f) => (Math.abs(f - k) < Math.abs(best - k) ? f : best));
-    return { ...this.about.frames[nearest].texture, frame: nearest };
+    return { ...this.about.snapshots[nearest].texture, snapshot: nearest };
   }
 
   /** Unit of an array by grain that any of the states has, or that all share; empty: it has none. */
-  unitOf(name) { return this.about.grains[name]?.unit ?? this.about.frames.find((frame) => frame[name])?.[name].unit ?? ""; }
+  unitOf(name) { return this.about.grains[name]?.unit ?? this.about.snapshots.find((snapshot) => snapshot[name])?.[name].unit ?? ""; }
 
-  /** The coarse-grained fields of a frame, or of the nearest that has them; null where none has. */
+  /** The coarse-grained fields of a snapshot, or of the nearest that has them; null where none has. */
   fields(k) {
-    const known = this.about.frames.map((frame, f) => (frame.fields ? f : -1)).filter((f) => f >= 0);
+    const known = this.about.snapshots.map((snapshot, f) => (snapshot.fields ? f : -1)).filter((f) => f >= 0);
     if (known.length === 0) return null;
-    const nearest = known.reduce((best, f) => (Math.abs(f - k) < Math.abs(best - k) ? f : best)), about = this.about.frames[nearest];
-    return (about.unpackedFields ??= { ...unpacked(this.#block, about.fields), frame: nearest });
+    const nearest = known.reduce((best, f) => (Math.abs(f - k) < Math.abs(best - k) ? f : best)), about = this.about.snapshots[nearest];
+    return (about.unpackedFields ??= { ...unpacked(this.#block, about.fields), snapshot: nearest });
   }
 
   /** Hydrostatic stress of each grain over the mean of the grains that the texture considers (of all without texture). */
-  #sigmaNorm(frame) {
-    if (frame.texture?.grain_sigma_norm) return unpack(this.#block, frame.texture.grain_sigma_norm);
-    const average = mean(frame.pressure) || 1;
-    return frame.pressure.map((p) => p / average);
+  #sigmaNorm(snapshot) {
+    if (snapshot.texture?.grain_sigma_norm) return unpack(this.#block, snapshot.texture.grain_sigma_norm);
+    const average = mean(snapshot.pressure) || 1;
+    return snapshot.pressure.map((p) => p / average);
   }
 
   #typesOf({ i, j }) {
@@ -84,9 +84,9 @@ export class Sample {
   }
 
   /** Contacts of each grain as a list in rows: contacts of grain g are list[start[g]] .. list[start[g + 1] - 1]. */
-  contactsByGrain(frame) {
-    if (frame.byGrain) return frame.byGrain;
-    const { i, j } = frame.contacts;
+  contactsByGrain(snapshot) {
+    if (snapshot.byGrain) return snapshot.byGrain;
+    const { i, j } = snapshot.contacts;
     const start = new Uint32Array(this.count + 1);
     for (let c = 0; c < i.length; ++c) {
       ++start[i[c] + 1];
@@ -99,17 +99,17 @@ export class Sample {
       list[next[i[c]]++] = c;
       if (j[c] < this.count) list[next[j[c]]++] = c;
     }
-    return (frame.byGrain = { start, list });
+    return (snapshot.byGrain = { start, list });
   }
 
-  coordination(frame, grain) {
-    const { start } = this.contactsByGrain(frame);
+  coordination(snapshot, grain) {
+    const { start } = this.contactsByGrain(snapshot);
     return start[grain + 1] - start[grain];
   }
 
-  /** Rectangle of the frame: what the walls or the periodic cell enclose. */
-  box(frame) {
-    const [left, right, bottom, top] = frame.domain.walls.map((wall) => wall.position);
+  /** Rectangle of the snapshot: what the walls or the periodic cell enclose. */
+  box(snapshot) {
+    const [left, right, bottom, top] = snapshot.domain.walls.map((wall) => wall.position);
     return { left, right, bottom, top };
   }
 

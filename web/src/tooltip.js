@@ -13,9 +13,9 @@ export class Tooltip {
 
   hide() { this.box.hidden = true; }
 
-  show(picked, sample, frame, theme, [px, py]) {
+  show(picked, sample, snapshot, theme, [px, py]) {
     const numbers = picked.grain !== undefined
-      ? grainNumbers(picked.grain, sample, frame, theme) : contactNumbers(picked.contact, sample, frame, theme);
+      ? grainNumbers(picked.grain, sample, snapshot, theme) : contactNumbers(picked.contact, sample, snapshot, theme);
     this.write(numbers, [px, py]);
   }
 
@@ -32,30 +32,30 @@ export class Tooltip {
   }
 }
 
-function grainNumbers(g, sample, frame, theme) {
+function grainNumbers(g, sample, snapshot, theme) {
   const rows = [
     ["diameter", text.millimetres(2 * sample.radius[g])],
-    ["\u03c3_{hyd}", text.quantity(-frame.pressure[g], frame.pressure.unit)],
-    ["\u03c3_{norm}", text.number(frame.sigmaNorm[g])],
-    ["contacts z", String(sample.coordination(frame, g))],
+    ["\u03c3_{hyd}", text.quantity(-snapshot.pressure[g], snapshot.pressure.unit)],
+    ["\u03c3_{norm}", text.number(snapshot.sigmaNorm[g])],
+    ["contacts z", String(sample.coordination(snapshot, g))],
   ];
   if (sample.zone[g]) rows.push(["zone", String(sample.zone[g])]);
   return { title: `Grain ${sample.id[g]}, ${sample.name(g)}`, colour: materialColour(theme, sample.material[g]), rows };
 }
 
 /** A wall, or behind the four of them a boundary by the number of its element. */
-function sideName(frame, side) {
-  return side > 3 ? boundaryElement(frame, side - 4).boundary.name : `${["left", "right", "bottom", "top"][side]} wall`;
+function sideName(snapshot, side) {
+  return side > 3 ? boundaryElement(snapshot, side - 4).boundary.name : `${["left", "right", "bottom", "top"][side]} wall`;
 }
 
-function contactNumbers(c, sample, frame, theme) {
-  const { i, j, fn, ft, type, glued } = frame.contacts;
+function contactNumbers(c, sample, snapshot, theme) {
+  const { i, j, fn, ft, type, glued } = snapshot.contacts;
   const kind = sample.types[type[c]];
-  const partner = kind.wall ? sideName(frame, j[c] - sample.count) : String(sample.id[j[c]]);
+  const partner = kind.wall ? sideName(snapshot, j[c] - sample.count) : String(sample.id[j[c]]);
   const rows = [
     ["F_{n}", text.quantity(fn[c], fn.unit)],
     ["F_{t}", text.quantity(ft[c], ft.unit)],
-    ["F_{n}/\u27e8F_{n}\u27e9", text.number(fn[c] / frame.meanForce)],
+    ["F_{n}/\u27e8F_{n}\u27e9", text.number(fn[c] / snapshot.meanForce)],
     ["|F_{t}|/F_{n}", text.number(Math.abs(ft[c] / fn[c]), 2)],
   ];
   if (glued[c]) rows.push(["bond", "glued"]);

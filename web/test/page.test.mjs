@@ -12,17 +12,17 @@ const click = (page, group, value) => page.click(`[data-choice="${group}"] [data
 /** Place of grain g on the page, its radius in pixels, and its material. */
 const grain = (page, g) => page.evaluate((k) => {
   const { view, sample } = window.arenite, box = view.canvas.getBoundingClientRect();
-  const [x, y] = view.camera.toScreen(view.frame.x[k], view.frame.y[k]);
+  const [x, y] = view.camera.toScreen(view.snapshot.x[k], view.snapshot.y[k]);
   return { x: x + box.left, y: y + box.top, radius: sample.radius[k] * view.camera.scale, material: sample.material[k], id: sample.id[k] };
 }, g);
 
 /** Middle of the strongest chain between two grains of these types, and what it says. */
 const chain = (page, pick) => page.evaluate((which) => {
-  const { view, sample } = window.arenite, box = view.canvas.getBoundingClientRect(), { frame } = view;
-  const { i, j, fn } = frame.contacts;
+  const { view, sample } = window.arenite, box = view.canvas.getBoundingClientRect(), { snapshot } = view;
+  const { i, j, fn } = snapshot.contacts;
   const inside = [...fn.keys()].filter((c) => j[c] < sample.count && (which === "tension" ? fn[c] < 0 : fn[c] > 0));
   const c = inside.reduce((best, k) => (Math.abs(fn[k]) > Math.abs(fn[best]) ? k : best));
-  const [x, y] = view.camera.toScreen((frame.x[i[c]] + frame.x[j[c]]) / 2, (frame.y[i[c]] + frame.y[j[c]]) / 2);
+  const [x, y] = view.camera.toScreen((snapshot.x[i[c]] + snapshot.x[j[c]]) / 2, (snapshot.y[i[c]] + snapshot.y[j[c]]) / 2);
   return { x: x + box.left, y: y + box.top, ids: [sample.id[i[c]], sample.id[j[c]]], fn: fn[c] };
 }, pick);
 
@@ -58,7 +58,7 @@ test("another colouring paints other colours", async (page) => {
 
 /** A grain of the row nearest to a height, as a share of the sample's. */
 const grainAt = (page, share) => page.evaluate((wanted) => {
-  const { view } = window.arenite, { y } = view.frame, high = Math.max(...y);
+  const { view } = window.arenite, { y } = view.snapshot, high = Math.max(...y);
   return y.reduce((best, v, g) => (Math.abs(v / high - wanted) < Math.abs(y[best] / high - wanted) ? g : best), 0);
 }, share);
 
@@ -76,7 +76,7 @@ test("velocity, rotation, pressure and deviator have colours of their own, and t
   const top = await page.locator('[data-range="high"]').inputValue(), picture = await painted(page);
   for (const share of [0.2, 0.5, 0.8]) {
     const g = await grainAt(page, share), { x, y } = await grain(page, g);
-    const speed = await page.evaluate((k) => window.arenite.view.frame.vx[k], g), unit = await page.locator(".colour-range .name").last().innerText();
+    const speed = await page.evaluate((k) => window.arenite.view.snapshot.vx[k], g), unit = await page.locator(".colour-range .name").last().innerText();
     const faded = (await viridis(page, Math.min(1, speed / (Number(top) * (unit === "mm/s" ? 1e-3 : 1)))));
     assert.ok(difference(await picture(x, y), faded) <= 5, `${share}: ${await picture(x, y)} is not ${faded}`);
   }
@@ -152,7 +152,7 @@ test("the table of grains and the figures are saved as tables of numbers", async
   assert.equal(table.length - 1, await page.evaluate(() => window.arenite.sample.count));
   assert.ok(["id", "material", "size_m", "pressure_Pa", "deviator_Pa", "vx_m_s", "spin_rad_s"].every((head) => heads.includes(head)), heads.join());
   const row = table[1].split(","), g = await page.evaluate((id) => window.arenite.sample.id.indexOf(id), Number(row[0]));
-  assert.equal(Number(row[heads.indexOf("vx_m_s")]), await page.evaluate((k) => window.arenite.view.frame.vx[k], g));
+  assert.equal(Number(row[heads.indexOf("vx_m_s")]), await page.evaluate((k) => window.arenite.view.snapshot.vx[k], g));
   const curve = (await saved(page, '[data-figure="size-curve"] [data-save="csv"]')).toString("utf8").trim().split("\n");
   assert.equal(curve[0], 'of,"diameter, mm","passing, %"');
   const last = curve.filter((line) => line.startsWith("measured")).at(-1).split(",");
@@ -391,11 +391,11 @@ test("the slider moves the grains and the numbers with it", async (page) => {
 
 test("a number that the page knows nothing of stands at the end of its card with its unit and sentence", async (page) => {
   await page.evaluate(() => {
-    const { sample, state } = window.arenite, last = sample.frameCount - 1;
-    sample.about.frames[last].texture.branch_length_m = { value: 0.01234, error: 0.00056 };
+    const { sample, state } = window.arenite, last = sample.snapshotCount - 1;
+    sample.about.snapshots[last].texture.branch_length_m = { value: 0.01234, error: 0.00056 };
     sample.about.meanings.branch_length_m = ["m", "Mean distance of touching grains"];
-    state.set({ frame: 0 });
-    state.set({ frame: last });
+    state.set({ snapshot: 0 });
+    state.set({ snapshot: last });
   });
   const more = page.locator(".numbers details.remainder");
   await more.locator("summary").click();
@@ -407,7 +407,7 @@ test("a number that the page knows nothing of stands at the end of its card with
 test("every number that is declared of a state is in a row", async (page) => {
   const lost = await page.evaluate(() => {
     const { sample, state } = window.arenite, cells = document.querySelectorAll(".numbers td, .numbers th").length;
-    const known = Object.keys(sample.about.meanings).filter((name) => name.split(".").reduce((tree, step) => tree?.[step], sample.texture(state.get("frame"))) !== undefined);
+    const known = Object.keys(sample.about.meanings).filter((name) => name.split(".").reduce((tree, step) => tree?.[step], sample.texture(state.get("snapshot"))) !== undefined);
     return { known: known.length, cells };
   });
   assert.ok(lost.known > 100 && lost.cells > lost.known, `${lost.cells} cells for ${lost.known} numbers`);

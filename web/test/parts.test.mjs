@@ -30,9 +30,9 @@ test("a value without an error keeps four digits and says no error", () => {
 test("a stage without curves of its own shows those of the stage before it, or of the next", () => {
   const test = { strain_name: "shear strain", ratio_name: "mu", strain: [0, 1], ratio: [0, 0.3], volume: [0, 0.01] };
   const stages = [{ name: "rest" }, { name: "press", test }, { name: "shear", test }, { name: "relax" }];
-  const sample = { stages, about: { frames: stages.map((_, stage) => ({ stage })) } };
-  const shown = (frame, of = sample) => stageWithCurves(of, { get: () => frame })?.name;
-  assert.deepEqual([0, 1, 2, 3].map((frame) => shown(frame)), ["press", "press", "shear", "shear"]);
+  const sample = { stages, about: { snapshots: stages.map((_, stage) => ({ stage })) } };
+  const shown = (snapshot, of = sample) => stageWithCurves(of, { get: () => snapshot })?.name;
+  assert.deepEqual([0, 1, 2, 3].map((snapshot) => shown(snapshot)), ["press", "press", "shear", "shear"]);
   assert.equal(shown(0, { ...sample, stages: [stages[0]] }), undefined);
 });
 
@@ -98,60 +98,60 @@ test("a state tells only those who watch what changed", () => {
 /** Two grains at the left and the right edge of a cell 1 m wide that touch through its periodic side, and one at a wall. */
 function cell(periodic) {
   const sample = { count: 2, meanRadius: 0.1, box: () => ({ left: 0, right: 1, bottom: 0, top: 1 }) };
-  const frame = {
+  const snapshot = {
     x: [0.05, 0.95], y: [0.5, 0.5], meanForce: 2, contacts: { i: [0, 1], j: [1, 2 + 1], fn: [4, 2] },
     domain: { periodic: [periodic, false], tilt: 0, walls: [{ position: 0 }, { position: 1 }, { position: 0 }, { position: 1 }] },
   };
-  return { sample, frame };
+  return { sample, snapshot };
 }
 
 const near = (a, b) => a.forEach((v, k) => assert.ok(Math.abs(v - b[k]) < 1e-12, `${a} is not ${b}`));
 
 test("a chain through a periodic side is drawn at both sides, by the nearest image", () => {
-  const { sample, frame } = cell(true);
-  const [first, second, ...more] = segmentsOf(sample, frame, 0);
+  const { sample, snapshot } = cell(true);
+  const [first, second, ...more] = segmentsOf(sample, snapshot, 0);
   near(first, [0.05, 0.5, -0.05, 0.5]);
   near(second, [1.05, 0.5, 0.95, 0.5]);
   assert.equal(more.length, 0);
 });
 
 test("without periodic sides a chain goes from centre to centre", () => {
-  const { sample, frame } = cell(false);
-  near(segmentsOf(sample, frame, 0)[0], [0.05, 0.5, 0.95, 0.5]);
+  const { sample, snapshot } = cell(false);
+  near(segmentsOf(sample, snapshot, 0)[0], [0.05, 0.5, 0.95, 0.5]);
 });
 
 test("a chain to a wall is level and its round end touches the wall", () => {
-  const { sample, frame } = cell(false);
-  near(segmentsOf(sample, frame, 1)[0], [0.95, 0.5, 1 - chainWidth(sample, frame, 2) / 2, 0.5]);
+  const { sample, snapshot } = cell(false);
+  near(segmentsOf(sample, snapshot, 1)[0], [0.95, 0.5, 1 - chainWidth(sample, snapshot, 2) / 2, 0.5]);
 });
 
 test("a chain to a boundary ends where the grain touches it", () => {
-  const { sample, frame } = cell(false);
-  frame.boundaries = [
+  const { sample, snapshot } = cell(false);
+  snapshot.boundaries = [
     { name: "gate", closed: false, x: [0, 1], y: [0, 0] },
     { name: "drum", closed: true, x: [0, 1, 1], y: [0.6, 0.6, 2] },
   ];
   const ends = (element, at) => {
-    frame.contacts.j[1] = 2 + 4 + element;
-    near(segmentsOf(sample, frame, 1)[0], [0.95, 0.5, ...at]);
+    snapshot.contacts.j[1] = 2 + 4 + element;
+    near(segmentsOf(sample, snapshot, 1)[0], [0.95, 0.5, ...at]);
   };
   ends(1, [0.95, 0]);
   ends(2, [1, 0]);
   ends(4 + 1, [0.95, 0.6]);
   ends(4 + 4, [1, 2]);
   ends(4 + 5, [0.95 + (1.4 * (1.4 * 0.95 - 0.5 + 0.6) * -1) / (1 + 1.4 * 1.4), 0.5 + (1.4 * 0.95 - 0.5 + 0.6) / (1 + 1.4 * 1.4)]);
-  assert.equal(boundaryElement(frame, 4 + 5).boundary.name, "drum");
+  assert.equal(boundaryElement(snapshot, 4 + 5).boundary.name, "drum");
 });
 
 test("a chain to a boundary goes to the nearest image through a periodic side, and is drawn at both", () => {
-  const { sample, frame } = cell(true);
-  frame.boundaries = [
+  const { sample, snapshot } = cell(true);
+  snapshot.boundaries = [
     { name: "paddle", closed: false, x: [1.02, 1.02], y: [0, 1] },
     { name: "floor", closed: false, x: [0.1, 0.98], y: [0.4, 0.4] },
   ];
   const ends = (grain, element, expected) => {
-    Object.assign(frame.contacts, { i: [grain], j: [2 + 4 + element], fn: [2] });
-    const segments = segmentsOf(sample, frame, 0);
+    Object.assign(snapshot.contacts, { i: [grain], j: [2 + 4 + element], fn: [2] });
+    const segments = segmentsOf(sample, snapshot, 0);
     assert.equal(segments.length, expected.length);
     expected.forEach((segment, k) => near(segments[k], segment));
   };
@@ -162,8 +162,8 @@ test("a chain to a boundary goes to the nearest image through a periodic side, a
 });
 
 test("the width of a chain is proportional to its force", () => {
-  const { sample, frame } = cell(false);
-  assert.ok(Math.abs(chainWidth(sample, frame, 4) - 2 * chainWidth(sample, frame, 2)) < 1e-15);
+  const { sample, snapshot } = cell(false);
+  assert.ok(Math.abs(chainWidth(sample, snapshot, 4) - 2 * chainWidth(sample, snapshot, 2)) < 1e-15);
 });
 
 test("keys of numbers become words of the field, without the unit that is declared", () => {

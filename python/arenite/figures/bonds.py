@@ -5,7 +5,7 @@ from matplotlib.collections import LineCollection
 from matplotlib.lines import Line2D
 
 from .histories import moving_wall, sides
-from .packings import circles, frame
+from .packings import circles, container
 from .style import key_below, labelled, pale, tension, weak
 
 kinds = {1: ("tension", tension), 2: ("bending", "#e69f00"), 3: ("shear", "#0072b2")}  # as `broken` counts them
@@ -60,7 +60,7 @@ def draw_cracks(axes, packing):
     """Grains with intact bonds, and a crack for each broken bond, by kind."""
     broken = packing.bonds["broken"]
     axes.add_collection(circles(packing.x, packing.y, packing.radius, linewidth=0.2, edgecolor=pale, facecolor="#f4f4f4"))
-    frame(axes, packing)
+    container(axes, packing)
     axes.add_collection(LineCollection(segments(packing, broken == 0, False), colors=weak, linewidths=0.35))
     handles = [Line2D([], [], color=weak, linewidth=0.6, label=f"holds {np.sum(broken == 0)}")]
     for kind, (name, colour) in kinds.items():

@@ -54,7 +54,7 @@ def coordination(figure, state):
 
 
 def travel(figure, state):
-    histories.draw_travel(figure.add_subplot(), state.history, state.stage.frames, state.stage.history_units)
+    histories.draw_travel(figure.add_subplot(), state.history, state.stage.snapshots, state.stage.history_units)
 
 
 def has_contacts(state):
@@ -118,7 +118,7 @@ figures = [
     Figure("contact-numbers", "stage", one(textures.draw_contact_numbers, lambda s: s.texture["coordination"]), has("coordination", "histogram")),
     Figure("rev", "stage", one(textures.draw_rev, lambda s: s.texture), has("rev")),
     Figure("threshold", "stage", one(textures.draw_threshold, lambda s: s.texture["fabric"]["threshold"]), has("fabric", "threshold")),
-    Figure("stress-path", "stage", panels.stress_path, lambda s: sum(len(frame.packing.contacts) > 10 for frame in s.frames) > 2, 0.4, True),
+    Figure("stress-path", "stage", panels.stress_path, lambda s: sum(len(snapshot.packing.contacts) > 10 for snapshot in s.snapshots) > 2, 0.4, True),
     Figure("wall-forces", "stage", of_history(histories.draw_wall_forces), has_time(*(f"{side}_force" for side in histories.sides))),
     Figure("travel", "stage", travel, lambda s: histories.moving_wall(s.history) is not None),
     Figure("energies", "stage", of_history(histories.draw_energies), has_time("elastic")),

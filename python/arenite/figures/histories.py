@@ -37,13 +37,13 @@ def moving_wall(history):
     return side if side and ways[side] > 1e-9 else None
 
 
-def draw_travel(axes, history, frames=(), units={}):
-    """Force on the wall that moves farthest against its displacement into the sample; dots: the stored states `frames`."""
+def draw_travel(axes, history, snapshots=(), units={}):
+    """Force on the wall that moves farthest against its displacement into the sample; dots: the stored states `snapshots`."""
     side = moving_wall(history)
     start, force = history[f"{side}_position"][0], history[f"{side}_force"]
     factor, label = labelled("force", force, units.get(f"{side}_force"))
-    axes.plot(1e3 * sides[side] * (history[f"{side}_position"] - start), force / factor, color=soft if len(frames) else colours[0])
-    walls = [frame.packing.domain[side] for frame in frames]
+    axes.plot(1e3 * sides[side] * (history[f"{side}_position"] - start), force / factor, color=soft if len(snapshots) else colours[0])
+    walls = [snapshot.packing.domain[side] for snapshot in snapshots]
     axes.plot([1e3 * sides[side] * (w["position"] - start) for w in walls], [w["force"] / factor for w in walls], "o", color=strong, label="stored states")
     axes.set(xlabel=f"displacement of the {side} wall, mm", ylabel=label)
     if walls:

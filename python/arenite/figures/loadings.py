@@ -17,7 +17,7 @@ many = 400  # rows of a history that are drawn as they are; of more a running me
 def test_of(state):
     """The stage of a State with the packing before it; the same object as long as the state exists."""
     if not hasattr(state, "_test"):
-        before = [frame.packing for frame in state.frames if curves.has_history(state.stage) and frame.time < state.stage.history["time"][0]]
+        before = [snapshot.packing for snapshot in state.snapshots if curves.has_history(state.stage) and snapshot.time < state.stage.history["time"][0]]
         state._test = curves.Test(state.stage, before[-1] if before else None)
     return state._test
 

@@ -19,12 +19,12 @@ class Shot:
     """A stored state and its stage; `sheared` is the shear strain of a sheared cell at that time, 0 in others."""
 
     stage: typing.Any
-    frame: typing.Any
+    snapshot: typing.Any
     sheared: float = 0.0
 
     @property
     def packing(self):
-        return self.frame.packing
+        return self.snapshot.packing
 
 
 def shots_of(result, stage=None):
@@ -32,7 +32,7 @@ def shots_of(result, stage=None):
     stages = list(result.stages)
     if stage is not None and stage not in [part.name for part in stages]:
         raise ValueError(f"there is no stage {stage}; there are {', '.join(part.name for part in stages)}")
-    shots = [Shot(part, frame, sheared_at(part, frame.time)) for part in stages if stage in (None, part.name) for frame in part.frames]
+    shots = [Shot(part, snapshot, sheared_at(part, snapshot.time)) for part in stages if stage in (None, part.name) for snapshot in part.snapshots]
     if len(shots) < 2:
         what = f"the stage {stage}" if stage else "this result"
         raise ValueError(f"{what} holds {['no', 'one'][len(shots)]} stored state of a loading, too few for an animation; `snapshots` or `increments` of a stage store more")

@@ -42,7 +42,7 @@ class Pictures:
             artist.remove()
         shot = self.shots[k]
         self.drawn = motion.draw_shot(self.axes, shot, self.values[k], **self.style)
-        self.heading.set_text(f"{shot.stage.name}, {shot.frame.label}, {shot.frame.time:.4g} s")
+        self.heading.set_text(f"{shot.stage.name}, {shot.snapshot.label}, {shot.snapshot.time:.4g} s")
         if self.beside:
             self.beside.show(shot)
         self.figure.canvas.draw()
@@ -120,7 +120,7 @@ class Beside:
             self.change(shot.stage)
         if self.mark:
             time = shot.stage.history["time"]
-            self.mark.set_data(*([np.interp(shot.frame.time, time, values)] for values, _ in self.columns[self.stage]))
+            self.mark.set_data(*([np.interp(shot.snapshot.time, time, values)] for values, _ in self.columns[self.stage]))
 
     def change(self, stage):
         self.axes.clear()

@@ -8,7 +8,7 @@ from .._core import measure_grains
 from .style import bare, chain_width, colours, force_symbols, key_below, length_bar, most_stress, pale, patch, scaled, stress_map, strong, tension, weak, widest_chain
 
 
-def frame(axes, packing):
+def container(axes, packing):
     """The walls or the edges of the cell, and space around them; returns the position for a line of text below, (x, y)."""
     d = packing.domain
     x, y = d["left"]["position"], d["bottom"]["position"]
@@ -39,7 +39,7 @@ def draw_packing(axes, packing, by="material", colour_map=stress_map, most=most_
     """Grains coloured `by` "material" or "sigma_norm" (pressure over its mean, up to `most`); returns what a colour bar needs."""
     disks = circles(packing.x, packing.y, packing.radius, linewidth=0.25, edgecolor=strong)
     axes.add_collection(disks)
-    frame(axes, packing)
+    container(axes, packing)
     if by == "sigma_norm" and len(packing.contacts) > 0:
         disks.set(array=measure_grains(packing)["sigma_norm"], clim=(0, most), cmap=colour_map)
     else:
@@ -53,7 +53,7 @@ def draw_forces(axes, packing, mean=None, uncertain=None):
     """Normal forces as bars between centres: width in proportion to force, strong ones (above `mean`, by default that of the compressive ones)
     dark, tensile ones red; those of `uncertain` (one flag per contact) are pale."""
     axes.add_collection(circles(packing.x, packing.y, packing.radius, linewidth=0.2, edgecolor=pale, facecolor="none"))
-    at = frame(axes, packing)
+    at = container(axes, packing)
     c = packing.contacts
     if len(c) == 0:
         return

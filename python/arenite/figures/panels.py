@@ -70,7 +70,7 @@ def film_roses(figure, film):
 
 def stress_path(figure, state):
     """Over all stored states of the run that have contacts, numbered from the first."""
-    measured = [(k, measure(frame.packing, curves=False)) for k, frame in enumerate(state.frames, 1) if len(frame.packing.contacts) > 0]
+    measured = [(k, measure(snapshot.packing, curves=False)) for k, snapshot in enumerate(state.snapshots, 1) if len(snapshot.packing.contacts) > 0]
     known = [(k, texture) for k, texture in measured if "a_c" in texture.get("fabric", {})]
     side_by_side(figure, [lambda axes, of=of: textures.draw_stress_path(axes, [texture for _, texture in known], of, [k for k, _ in known]) for of in ("coordination", "anisotropy")])
 

@@ -34,7 +34,7 @@ def draw_grains_against(axes, shot, x="diameter", y="pressure"):
 
 
 def grain_scatter(figure, state):
-    draw_grains_against(figure.add_subplot(), Shot(state.stage, state.frame))
+    draw_grains_against(figure.add_subplot(), Shot(state.stage, state.snapshot))
 
 
 def recipe_of(state):
@@ -100,7 +100,7 @@ def fields_of(state):
     packing, history = state.packing, state.history
     area = packing.domain["width"] * packing.domain["height"]
     width = max(2 * np.mean(packing.radius), np.sqrt(area / 2500))
-    rate = np.interp(state.frame.time, history["time"], np.gradient(history["shear_strain"], history["time"])) if "shear_strain" in history else None
+    rate = np.interp(state.snapshot.time, history["time"], np.gradient(history["shear_strain"], history["time"])) if "shear_strain" in history else None
     return coarse_grained(packing, width, tilt_rate=None if rate is None else float(rate * packing.domain["height"]))
 
 

@@ -102,8 +102,8 @@ void note(const Engine& engine, const Stage& stage, bool wanted, StageRun& run) 
   run.sample_every *= 2;
 }
 
-void store_frame(const Engine& engine, const Equilibrium& now, std::string label, StageResult& result) {
-  result.frames.push_back({engine.time(), engine.step(), std::move(label), engine.packing(), engine.energies(), now});
+void store_snapshot(const Engine& engine, const Equilibrium& now, std::string label, StageResult& result) {
+  result.snapshots.push_back({engine.time(), engine.step(), std::move(label), engine.packing(), engine.energies(), now});
 }
 
 /// The same with what the pressing sides still lack, relative to their aim; nothing on that where none presses.
@@ -130,14 +130,14 @@ void end_leg(const Engine& engine, const Stage& stage, const Leg& leg, StageRun&
     append(run.result.cycles, "at_maximum", "1", leg.at_maximum ? 1.0 : 0.0);
     sample(run.result.cycles, engine, stage, run.latest, run.increment);
   }
-  if (leg.stored) store_frame(engine, run.latest, leg.label, run.result);
+  if (leg.stored) store_snapshot(engine, run.latest, leg.label, run.result);
   if (!leg.is_whole) return;
   run.steps_in_increment = 0;
   ++run.increment;
 }
 
 void give_up(const Engine& engine, const Stage& stage, const Leg& leg, const WallDrives& drives, StageRun& run) {
-  store_frame(engine, run.latest, leg.label, run.result);
+  store_snapshot(engine, run.latest, leg.label, run.result);
   run.result.converged = false;
   run.result.outcome = fmt::format("no equilibrium within {} steps{} (equilibrium.max_steps): {}", run.steps_in_increment,
                                    increment_count(stage) > 1 ? " of " + leg.label : "", describe_pressed(run.latest, drives, engine.domain()));
@@ -168,7 +168,7 @@ StageRun begin_stage(Engine& engine, const Stage& stage) {
 }
 
 void continue_stage(Engine& engine, const Stage& stage, StageRun& run) {
-  const Leg leg = leg_at(stage, run.start, run.increment, static_cast<std::int64_t>(run.result.frames.size()), engine.time_step());
+  const Leg leg = leg_at(stage, run.start, run.increment, static_cast<std::int64_t>(run.result.snapshots.size()), engine.time_step());
   if (leg.shear_rate) engine.set_shear_rate(*leg.shear_rate);
   const WallDrives drives = drives_for(stage, leg, engine.domain());
   engine.set_drives(drives);
@@ -189,8 +189,8 @@ void continue_stage(Engine& engine, const Stage& stage, StageRun& run) {
 double share_done(const Stage& stage, const StageRun& run) {
   if (run.finished) return 1;
   if (stage.duration) {
-    const double frames = static_cast<double>(std::max<std::int64_t>(1, stage.snapshots));
-    return std::min(1.0, static_cast<double>(run.result.frames.size()) / frames);
+    const double snapshots = static_cast<double>(std::max<std::int64_t>(1, stage.snapshots));
+    return std::min(1.0, static_cast<double>(run.result.snapshots.size()) / snapshots);
   }
   const auto total = static_cast<double>(increment_count(stage));
   if (stage.strain_cycles) return static_cast<double>(run.increment) / total;

@@ -17,7 +17,7 @@ struct StageRun {
   std::int64_t checks = 0;
   bool finished = false;
   Equilibrium latest;  ///< what the last look at the sample found
-  StageResult result;  ///< frames and history so far
+  StageResult result;  ///< snapshots and history so far
 };
 
 /// Whether grains rest by a stage's criterion; what the forces on the sides must reach besides is the stage's to judge.
@@ -29,7 +29,7 @@ std::string describe(const Equilibrium& now);
 /// Sets gravity, friction, drag and glue of the stage and notes the walls' forces.
 StageRun begin_stage(Engine& engine, const Stage& stage);
 
-/// Goes on for one check interval: moves the sample, looks whether the increment is at rest (or its time is over), stores a frame at its end and
+/// Goes on for one check interval: moves the sample, looks whether the increment is at rest (or its time is over), stores a snapshot at its end and
 /// takes up the next. Sets `run.finished` after the last, or when an increment cannot come to rest within `equilibrium.max_steps` (result.converged is then
 /// false and result.outcome says what was reached).
 void continue_stage(Engine& engine, const Stage& stage, StageRun& run);

@@ -61,12 +61,12 @@ void add_half_cycle_of_strain(Leg& leg, const StrainCycles& cycles, const StageS
   leg.stored = is_stored(cycles, leg.cycle);
 }
 
-void add_time(Leg& leg, const Stage& stage, std::int64_t frame, double time_step) {
-  const std::int64_t frames = std::max<std::int64_t>(1, stage.snapshots);
-  leg.until = steps_of(*stage.duration, time_step) * (frame + 1) / frames;
-  leg.label = frames == 1 ? std::string("end") : fmt::format("{} of {}", frame + 1, frames);
+void add_time(Leg& leg, const Stage& stage, std::int64_t snapshot, double time_step) {
+  const std::int64_t snapshots = std::max<std::int64_t>(1, stage.snapshots);
+  leg.until = steps_of(*stage.duration, time_step) * (snapshot + 1) / snapshots;
+  leg.label = snapshots == 1 ? std::string("end") : fmt::format("{} of {}", snapshot + 1, snapshots);
   leg.is_whole = false;
-  leg.is_last = frame + 1 >= frames;
+  leg.is_last = snapshot + 1 >= snapshots;
 }
 
 }  // namespace
@@ -86,7 +86,7 @@ StrainHalf strain_half(const StrainCycles& cycles, std::int64_t half, double tim
   return h;
 }
 
-Leg leg_at(const Stage& stage, const StageStart& start, std::int64_t k, std::int64_t frame, double time_step) {
+Leg leg_at(const Stage& stage, const StageStart& start, std::int64_t k, std::int64_t snapshot, double time_step) {
   const bool timed = stage.strain_cycles || stage.duration;
   const std::int64_t ramp = ramp_increments(stage);
   Leg leg;
@@ -94,7 +94,7 @@ Leg leg_at(const Stage& stage, const StageStart& start, std::int64_t k, std::int
   leg.label = ramp == 1 ? std::string("equilibrium") : fmt::format("increment {} of {}", k + 1, ramp);
   leg.is_last = k + 1 == increment_count(stage);
   if (stage.strain_cycles) add_half_cycle_of_strain(leg, *stage.strain_cycles, start, k, time_step);
-  else if (stage.duration) add_time(leg, stage, frame, time_step);
+  else if (stage.duration) add_time(leg, stage, snapshot, time_step);
   else if (k >= ramp) add_half_cycle(leg, stage, start, k - ramp);
   return leg;
 }

@@ -166,8 +166,8 @@ struct Leg {
   bool is_last = false;
 };
 
-/// Increment `k` of a stage, counted from 0; `frame` of its states comes next.
-Leg leg_at(const Stage& stage, const StageStart& start, std::int64_t k, std::int64_t frame, double time_step);
+/// Increment `k` of a stage, counted from 0; `snapshot` of its states comes next.
+Leg leg_at(const Stage& stage, const StageStart& start, std::int64_t k, std::int64_t snapshot, double time_step);
 
 /// What drives the walls of this domain in a leg: velocities along +x or +y, pressures as forces.
 WallDrives drives_for(const Stage& stage, const Leg& leg, const Domain& domain);

@@ -42,7 +42,7 @@ double tensile_strength(const StageResult& result, const dem::Stage& stage, doub
 
 Numbers cohesion_numbers(const StageEnd& of) {
   const auto& [result, stage, before, texture] = of;
-  const Packing& end = result.frames.back().packing;
+  const Packing& end = result.snapshots.back().packing;
   const Packing& start = before ? *before : end;
   if (end.cohesive.empty() && start.cohesive.empty()) return Numbers::tree();
   using statistics::described;

@@ -31,7 +31,7 @@ Numbers discharge_numbers(const StageResult& result) {
             {"rate_grains_s", estimate(by_grains.rate.value, by_grains.rate.error, "1/s", "The same as a number of grains")},
             {"begin_s", described(by_mass.begin, "s", "Start of the steady part")},
             {"end_s", described(by_mass.end, "s", "End of the steady part")}};
-  if (const double opening = narrowest_opening(result.frames.back().packing.domain); std::isfinite(opening))
+  if (const double opening = narrowest_opening(result.snapshots.back().packing.domain); std::isfinite(opening))
     j["opening_m"] = described(opening, "m", "Narrowest opening between boundaries");
   return j;
 }
@@ -46,8 +46,8 @@ bool has_free_surface(const dem::Stage& stage) {
 /// states, which lie far apart in time.
 void put_mean_angle(Numbers& j, const StageResult& result, Vec2 gravity) {
   std::vector<double> angles;
-  for (std::size_t k = result.frames.size() / 2; k < result.frames.size(); ++k)
-    if (const double angle = find_free_surface(result.frames[k].packing, gravity).angle.value; std::isfinite(angle)) angles.push_back(angle);
+  for (std::size_t k = result.snapshots.size() / 2; k < result.snapshots.size(); ++k)
+    if (const double angle = find_free_surface(result.snapshots[k].packing, gravity).angle.value; std::isfinite(angle)) angles.push_back(angle);
   if (angles.size() < 6) return;
   const auto middle = angles.begin() + static_cast<std::ptrdiff_t>(angles.size() / 2);
   const statistics::Measured all = statistics::mean_of(angles), one = statistics::mean_of({angles.begin(), middle}),
@@ -79,7 +79,7 @@ statistics::Measured late_mean(const History& history, const char* name) {
 
 /// What presses on the floor of a silo, and which share of their normal force its walls hold the filling back with.
 void put_floor(Numbers& j, const StageResult& result, const FreeSurface& now, double weight) {
-  const Domain& d = result.frames.back().packing.domain;
+  const Domain& d = result.snapshots.back().packing.domain;
   if (!d.wall[bottom].present || !d.wall[left].present || !d.wall[right].present) return;
   const statistics::Measured force = late_mean(result.history, "bottom_force");
   const double sides = late_mean(result.history, "left_force").value + late_mean(result.history, "right_force").value, area = d.width() * d.thickness;
@@ -93,7 +93,7 @@ void put_floor(Numbers& j, const StageResult& result, const FreeSurface& now, do
 
 Numbers surface_numbers(const StageResult& result, const dem::Stage& stage, const Packing* before) {
   const Vec2 gravity{std::sin(stage.gravity_angle), -std::cos(stage.gravity_angle)};
-  const FreeSurface now = find_free_surface(result.frames.back().packing, gravity);
+  const FreeSurface now = find_free_surface(result.snapshots.back().packing, gravity);
   Numbers j{{"grains", described(now.grains, "", "Grains of the heap")},
             {"left_m", described(now.left, "m", "Its left front")},
             {"right_m", described(now.right, "m", "Its right front")},
@@ -105,7 +105,7 @@ Numbers surface_numbers(const StageResult& result, const dem::Stage& stage, cons
   put_angle("angle_deg", now.angle, "Angle of the whole free surface, counter-clockwise");
   put_angle("left_angle_deg", now.left_flank.angle, "Angle of the left flank");
   put_angle("right_angle_deg", now.right_flank.angle, "Angle of the right flank");
-  if (stage.duration && result.frames.size() >= 12) put_mean_angle(j, result, gravity);
+  if (stage.duration && result.snapshots.size() >= 12) put_mean_angle(j, result, gravity);
   if (before) {
     const FreeSurface then = find_free_surface(*before, gravity);
     if (!then.height.empty()) put_runout(j, now, then);
@@ -118,13 +118,13 @@ Numbers surface_numbers(const StageResult& result, const dem::Stage& stage, cons
 Numbers flow_numbers(const StageEnd& end) {
   const auto& [result, stage, before, texture] = end;
   Numbers j = Numbers::tree();
-  if (result.frames.back().packing.grains.size() == 0) return j;
+  if (result.snapshots.back().packing.grains.size() == 0) return j;
   if (Numbers discharge = discharge_numbers(result); !discharge.empty()) j["discharge"] = std::move(discharge);
   if (!has_free_surface(stage)) return j;
   j["surface"] = surface_numbers(result, stage, before);
   if (!stage.duration || stage.gravity_angle != 0) return j;
   Numbers floor = Numbers::tree();
-  const Packing& packing = result.frames.back().packing;
+  const Packing& packing = result.snapshots.back().packing;
   put_floor(floor, result, find_free_surface(packing, {0, -1}), stage.gravity_size * texture::mass_of(packing));
   if (!floor.empty()) j["floor"] = std::move(floor);
   return j;

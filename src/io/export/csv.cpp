@@ -55,8 +55,8 @@ template <class Field> void add(Columns& to, const std::vector<Field>& fields) {
   for (const auto& field : fields) to.push_back(column(title(field.name, field.unit), [&](std::size_t row) { return field.values[row]; }));
 }
 
-std::string grain_table(const ExportFrame& from) {
-  const Packing& packing = from.frame->packing;
+std::string grain_table(const ExportSnapshot& from) {
+  const Packing& packing = from.snapshot->packing;
   const Grains& g = packing.grains;
   const std::span declared(grain_state_columns);
   Columns columns{column("id", [&](std::size_t i) { return g.id[i]; })};
@@ -78,8 +78,8 @@ std::string name_of_other(const Packing& packing, std::size_t k) {
 }
 
 /// The normal in these tables points from i to j, so it is the opposite of ours; fn and ft stay as they are.
-std::string contact_table(const ExportFrame& from) {
-  const Packing& packing = from.frame->packing;
+std::string contact_table(const ExportSnapshot& from) {
+  const Packing& packing = from.snapshot->packing;
   const Contacts& c = packing.contacts;
   const double mean = mean_compressive_force(c);
   Contacts opposite;
@@ -122,8 +122,9 @@ std::string curve_table(const History& curve) {
   return table_of(columns, curve.columns.front().values.size());
 }
 
-std::vector<NamedBytes> csv_frame(const ExportFrame& frame) {
-  return {{fmt::format("grains_{:04}.csv", frame.number), grain_table(frame)}, {fmt::format("contacts_{:04}.csv", frame.number), contact_table(frame)}};
+std::vector<NamedBytes> csv_snapshot(const ExportSnapshot& snapshot) {
+  return {{fmt::format("grains_{:04}.csv", snapshot.number), grain_table(snapshot)},
+          {fmt::format("contacts_{:04}.csv", snapshot.number), contact_table(snapshot)}};
 }
 
 /// Phases are 0 void, 1 matrix, 2 particle; classes 0 none, 1 small, 2 large.
@@ -138,7 +139,7 @@ std::vector<NamedBytes> csv_field(const ExportField& from) {
 
 const ExportFormat exports::csv{.name = "csv",
                                 .sentence = "Tables of grains and contacts, which `arenite measure` also reads; of nodes and mean stresses of grains",
-                                .of_frame = csv_frame,
+                                .of_snapshot = csv_snapshot,
                                 .of_field = csv_field};
 
 }  // namespace arenite::io

@@ -11,8 +11,8 @@
 
 namespace arenite::io {
 
-/// A quantity of every grain that was derived from a frame (its stress, its number of contacts), or of every contact, to be written beside what the
-/// frame holds. NaN where it is not known.
+/// A quantity of every grain that was derived from a snapshot (its stress, its number of contacts), or of every contact, to be written beside what the
+/// snapshot holds. NaN where it is not known.
 struct GrainField {
   std::string name, unit;
   std::vector<double> values;
@@ -28,10 +28,10 @@ struct GridFields {
 };
 
 /// One state of the loading, as every export format gets it.
-struct ExportFrame {
+struct ExportSnapshot {
   int number = 0;     ///< place in the loading, from 0
   std::string stage;  ///< name of the stage it belongs to
-  const Frame* frame = nullptr;
+  const Snapshot* snapshot = nullptr;
   std::vector<GrainField> fields;
   std::vector<GrainField> of_contacts = {};
   std::vector<Vec2> displacement{};  ///< m, of every grain since the first state; empty if there is none before this
@@ -48,15 +48,15 @@ struct NamedBytes {
   std::string name, bytes;
 };
 
-/// A format: what it makes of one frame. Files of the same name from successive frames are joined into one; `index` makes the files that list all
-/// frames by their times. A format of whole loadings has `of_loading` instead, which gets all frames and what made the last.
+/// A format: what it makes of one snapshot. Files of the same name from successive snapshots are joined into one; `index` makes the files that list all
+/// snapshots by their times. A format of whole loadings has `of_loading` instead, which gets all snapshots and what made the last.
 struct ExportFormat {
   std::string_view name, sentence;
-  bool wants_grid = false;  ///< coarse-grained fields, ExportFrame::grid
-  std::vector<NamedBytes> (*of_frame)(const ExportFrame&) = nullptr;
+  bool wants_grid = false;  ///< coarse-grained fields, ExportSnapshot::grid
+  std::vector<NamedBytes> (*of_snapshot)(const ExportSnapshot&) = nullptr;
   std::vector<NamedBytes> (*index)(const std::vector<double>& times) = nullptr;
   std::vector<NamedBytes> (*of_field)(const ExportField&) = nullptr;  ///< of a result on nodes; null: holds grains only
-  std::vector<NamedBytes> (*of_loading)(const std::vector<ExportFrame>&, const Provenance&) = nullptr;
+  std::vector<NamedBytes> (*of_loading)(const std::vector<ExportSnapshot>&, const Provenance&) = nullptr;
 };
 namespace exports {
 ARENITE_FAMILY(ExportFormat, ARENITE_EXPORT_FORMATS)

@@ -15,18 +15,18 @@ std::string word(std::string text) {
   return text.empty() ? "_" : text;
 }
 
-std::string comment_line(const ExportFrame& from) {
-  const Domain& d = from.frame->packing.domain;
+std::string comment_line(const ExportSnapshot& from) {
+  const Domain& d = from.snapshot->packing.domain;
   std::string text = fmt::format("Lattice=\"{} 0 0 {} {} 0 0 0 {}\" Origin=\"{} {} {}\" pbc=\"{} {} F\"", d.width(), d.tilt, d.height(), d.thickness,
                                  d.wall[left].position, d.wall[bottom].position, -0.5 * d.thickness, d.periodic[0] ? "T" : "F", d.periodic[1] ? "T" : "F");
   fmt::format_to(Text(text), " Time={} Step={} Stage={} Label=\"{}\" Properties=species:S:1:pos:R:3:radius:R:1:id:I:1:zone:I:1:velo:R:3:angle:R:1:omega:R:1",
-                 from.frame->time, from.frame->step, word(from.stage), word(from.frame->label));
+                 from.snapshot->time, from.snapshot->step, word(from.stage), word(from.snapshot->label));
   for (const auto& field : from.fields) text += ":" + word(field.name) + ":R:1";
   return text;
 }
 
-std::vector<NamedBytes> extxyz_frame(const ExportFrame& from) {
-  const Packing& packing = from.frame->packing;
+std::vector<NamedBytes> extxyz_snapshot(const ExportSnapshot& from) {
+  const Packing& packing = from.snapshot->packing;
   const Grains& g = packing.grains;
   const auto species = mapped(packing.materials, [](const Material& material) { return word(material.name); });
   std::string text = fmt::format("{}\n{}\n", g.size(), comment_line(from));
@@ -41,6 +41,6 @@ std::vector<NamedBytes> extxyz_frame(const ExportFrame& from) {
 
 }  // namespace
 
-const ExportFormat exports::extxyz{.name = "extxyz", .sentence = "OVITO and ASE: extended XYZ of grains", .of_frame = extxyz_frame};
+const ExportFormat exports::extxyz{.name = "extxyz", .sentence = "OVITO and ASE: extended XYZ of grains", .of_snapshot = extxyz_snapshot};
 
 }  // namespace arenite::io

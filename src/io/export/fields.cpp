@@ -9,7 +9,7 @@ namespace {
 std::string fields_file(int number) { return fmt::format("fields_{:04}.vti", number); }
 
 /// Points of ImageData with `velocity`, `stress` (xx, yy, zz, xy, yz, xz) and the scalars. Nothing for a state without a box.
-std::vector<NamedBytes> fields_frame(const ExportFrame& from) {
+std::vector<NamedBytes> fields_snapshot(const ExportSnapshot& from) {
   const GridFields& g = from.grid;
   if (g.columns == 0) return {};
   VtkImage image{g.columns, g.rows, g.dx, {}, g.dy, g.left, g.bottom};
@@ -26,7 +26,7 @@ std::vector<NamedBytes> fields_index(const std::vector<double>& times) { return 
 const ExportFormat exports::fields{.name = "fields",
                                    .sentence = "ParaView: coarse-grained fields of all states (solid fraction, density, velocity, stress), open fields.pvd",
                                    .wants_grid = true,
-                                   .of_frame = fields_frame,
+                                   .of_snapshot = fields_snapshot,
                                    .index = fields_index};
 
 }  // namespace arenite::io

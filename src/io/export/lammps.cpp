@@ -11,14 +11,14 @@ namespace {
 using Text = std::back_insert_iterator<std::string>;
 
 /// Edges of the box as LAMMPS writes them; a tilted cell gives the bounds of its bounding box and xy.
-std::string header(const ExportFrame& from, const char* what, std::size_t count) {
-  const Domain& domain = from.frame->packing.domain;
+std::string header(const ExportSnapshot& from, const char* what, std::size_t count) {
+  const Domain& domain = from.snapshot->packing.domain;
   const double x0 = domain.wall[left].position, x1 = domain.wall[right].position;
   const double half = 0.5 * domain.thickness, tilt = domain.tilt;
   const char* x = domain.periodic[0] ? "pp" : "ff";
   const char* y = domain.periodic[1] ? "pp" : "ff";
   std::string text = from.number == 0 ? "ITEM: UNITS\nsi\n" : "";
-  fmt::format_to(Text(text), "ITEM: TIME\n{}\nITEM: TIMESTEP\n{}\nITEM: NUMBER OF {}\n{}\n", from.frame->time, from.frame->step, what, count);
+  fmt::format_to(Text(text), "ITEM: TIME\n{}\nITEM: TIMESTEP\n{}\nITEM: NUMBER OF {}\n{}\n", from.snapshot->time, from.snapshot->step, what, count);
   if (tilt == 0)
     fmt::format_to(Text(text), "ITEM: BOX BOUNDS {} {} pp\n{} {}\n{} {}\n{} {}\n", x, y, x0, x1, domain.wall[bottom].position, domain.wall[top].position, -half,
                    half);
@@ -28,8 +28,8 @@ std::string header(const ExportFrame& from, const char* what, std::size_t count)
   return text;
 }
 
-std::string grain_dump(const ExportFrame& from) {
-  const Grains& g = from.frame->packing.grains;
+std::string grain_dump(const ExportSnapshot& from) {
+  const Grains& g = from.snapshot->packing.grains;
   std::string text = header(from, "ATOMS", g.size());
   text += "ITEM: ATOMS id type x y z radius vx vy vz omegaz angle zone";
   for (const auto& field : from.fields) text += " " + field.name;
@@ -45,8 +45,8 @@ std::string grain_dump(const ExportFrame& from) {
 
 /// Contacts between grains only: a row names two grains, which OVITO joins by a bond, and LAMMPS knows no walls here. As in LAMMPS's pair/local of a
 /// granular style, the normal force (fx, fy) and the tangential one (p1, p2) act on the first grain; so `arenite measure` reads it back.
-std::string contact_dump(const ExportFrame& from) {
-  const Packing& packing = from.frame->packing;
+std::string contact_dump(const ExportSnapshot& from) {
+  const Packing& packing = from.snapshot->packing;
   const Contacts& c = packing.contacts;
   const double mean = mean_compressive_force(c);
   std::string rows;
@@ -66,11 +66,13 @@ std::string contact_dump(const ExportFrame& from) {
   return text + '\n' + rows;
 }
 
-std::vector<NamedBytes> lammps_frame(const ExportFrame& frame) { return {{"grains.dump", grain_dump(frame)}, {"contacts.dump", contact_dump(frame)}}; }
+std::vector<NamedBytes> lammps_snapshot(const ExportSnapshot& snapshot) {
+  return {{"grains.dump", grain_dump(snapshot)}, {"contacts.dump", contact_dump(snapshot)}};
+}
 
 }  // namespace
 
 const ExportFormat exports::lammps{
-    .name = "lammps", .sentence = "OVITO and LAMMPS tools: dump custom of grains, dump local of contacts", .of_frame = lammps_frame};
+    .name = "lammps", .sentence = "OVITO and LAMMPS tools: dump custom of grains, dump local of contacts", .of_snapshot = lammps_snapshot};
 
 }  // namespace arenite::io

@@ -85,110 +85,113 @@ class NetcdfFile {
   std::map<std::string, hsize_t> size_;
 };
 
-using Frames = std::vector<ExportFrame>;
+using Snapshots = std::vector<ExportSnapshot>;
 
 /// One number of each state.
-template <class Value> std::vector<double> by_time(const Frames& frames, Value value) {
-  return mapped(frames, [&](const auto& f) { return value(*f.frame); });
+template <class Value> std::vector<double> by_time(const Snapshots& snapshots, Value value) {
+  return mapped(snapshots, [&](const auto& f) { return value(*f.snapshot); });
 }
 
 /// An array of each state, one after the other.
-template <class Array> auto joined(const Frames& frames, Array array) {
-  std::decay_t<decltype(array(frames.front()))> all;
-  for (const auto& f : frames) {
+template <class Array> auto joined(const Snapshots& snapshots, Array array) {
+  std::decay_t<decltype(array(snapshots.front()))> all;
+  for (const auto& f : snapshots) {
     const auto& part = array(f);
     all.insert(all.end(), part.begin(), part.end());
   }
   return all;
 }
 /// A member of the grains or contacts of each state.
-template <class Owner> const Owner& part_of(const ExportFrame& f) {
-  if constexpr (std::is_same_v<Owner, Grains>) return f.frame->packing.grains;
-  else return f.frame->packing.contacts;
+template <class Owner> const Owner& part_of(const ExportSnapshot& f) {
+  if constexpr (std::is_same_v<Owner, Grains>) return f.snapshot->packing.grains;
+  else return f.snapshot->packing.contacts;
 }
-template <class T, class Owner> std::vector<T> joined(const Frames& frames, std::vector<T> Owner::*member) {
+template <class T, class Owner> std::vector<T> joined(const Snapshots& snapshots, std::vector<T> Owner::*member) {
   return joined(
-      frames, [member](const ExportFrame& f) -> auto& { return part_of<Owner>(f).*member; });
+      snapshots, [member](const ExportSnapshot& f) -> auto& { return part_of<Owner>(f).*member; });
 }
-template <class Owner> std::vector<double> joined(const Frames& frames, const Column<Owner>& column) {
-  return joined(frames, [&](const ExportFrame& f) { return column.of(part_of<Owner>(f)); });
+template <class Owner> std::vector<double> joined(const Snapshots& snapshots, const Column<Owner>& column) {
+  return joined(snapshots, [&](const ExportSnapshot& f) { return column.of(part_of<Owner>(f)); });
 }
 
-void put_states(NetcdfFile& file, const Frames& frames) {
-  file.dimension("time", by_time(frames, [](const Frame& f) { return f.time; }), {"s", "time since the start of the run"});
-  file.variable("stage", "time", mapped(frames, &ExportFrame::stage), {"", "stage of the loading"});
-  file.variable("label", "time", mapped(frames, [](const auto& f) { return f.frame->label; }), {"", "state within its stage"});
+void put_states(NetcdfFile& file, const Snapshots& snapshots) {
+  file.dimension("time", by_time(snapshots, [](const Snapshot& f) { return f.time; }), {"s", "time since the start of the run"});
+  file.variable("stage", "time", mapped(snapshots, &ExportSnapshot::stage), {"", "stage of the loading"});
+  file.variable("label", "time", mapped(snapshots, [](const auto& f) { return f.snapshot->label; }), {"", "state within its stage"});
   const auto put = [&](const std::string& name, const char* unit, const char* meaning, auto value) {
-    file.variable(name, {"time"}, by_time(frames, value), {unit, meaning});
+    file.variable(name, {"time"}, by_time(snapshots, value), {unit, meaning});
   };
-  put("step", "1", "time steps since the start", [](const Frame& f) { return static_cast<double>(f.step); });
-  put("unbalanced_ratio", "1", "mean resultant force on a grain over the mean contact force", [](const Frame& f) { return f.equilibrium.unbalanced_ratio; });
-  put("kinetic_ratio", "1", "kinetic over elastic energy", [](const Frame& f) { return f.equilibrium.kinetic_ratio; });
-  for (const EnergyTerm& term : energy_terms) put(std::string("energy_") + term.name, "J", term.phrase, [&](const Frame& f) { return f.energies.*term.value; });
+  put("step", "1", "time steps since the start", [](const Snapshot& f) { return static_cast<double>(f.step); });
+  put("unbalanced_ratio", "1", "mean resultant force on a grain over the mean contact force", [](const Snapshot& f) { return f.equilibrium.unbalanced_ratio; });
+  put("kinetic_ratio", "1", "kinetic over elastic energy", [](const Snapshot& f) { return f.equilibrium.kinetic_ratio; });
+  for (const EnergyTerm& term : energy_terms)
+    put(std::string("energy_") + term.name, "J", term.phrase, [&](const Snapshot& f) { return f.energies.*term.value; });
 }
 
-void put_walls(NetcdfFile& file, const Frames& frames) {
+void put_walls(NetcdfFile& file, const Snapshots& snapshots) {
   file.dimension("side", std::vector<std::int32_t>{left, right, bottom, top}, {"1", "0 left, 1 right, 2 bottom, 3 top; edges of the cell where periodic"});
   const auto put = [&](const char* name, const char* unit, double Wall::*member, const char* meaning) {
     std::vector<double> values;
-    for (const auto& f : frames)
-      for (const Wall& wall : f.frame->packing.domain.wall) values.push_back(wall.*member);
+    for (const auto& f : snapshots)
+      for (const Wall& wall : f.snapshot->packing.domain.wall) values.push_back(wall.*member);
     file.variable(name, {"time", "side"}, values, {unit, meaning});
   };
   put("wall_position", "m", &Wall::position, "along the wall's normal axis");
   put("wall_velocity", "m/s", &Wall::velocity, "along the wall's normal axis");
   put("wall_force", "N", &Wall::force, "of the sample on the wall, compression positive");
   put("wall_shear_force", "N", &Wall::shear_force, "along the wall");
-  file.variable("tilt", {"time"}, by_time(frames, [](const Frame& f) { return f.packing.domain.tilt; }), {"m", "shift of the top edge of a sheared cell"});
+  file.variable("tilt", {"time"}, by_time(snapshots, [](const Snapshot& f) { return f.packing.domain.tilt; }),
+                {"m", "shift of the top edge of a sheared cell"});
 }
 
-void put_grains(NetcdfFile& file, const Frames& frames) {
-  const Grains& first = frames.front().frame->packing.grains;
-  for (const auto& f : frames)
-    if (f.frame->packing.grains.id != first.id)
+void put_grains(NetcdfFile& file, const Snapshots& snapshots) {
+  const Grains& first = snapshots.front().snapshot->packing.grains;
+  for (const auto& f : snapshots)
+    if (f.snapshot->packing.grains.id != first.id)
       throw InputError("its states do not have the same grains, so they do not fit in an array over (time, grain); export with --last, or as csv");
   file.dimension("grain", first.id, {"1", "id of the grain"});
   const std::vector<std::string> over{"time", "grain"};
-  const bool same_radii = std::all_of(frames.begin(), frames.end(), [&](const auto& f) { return f.frame->packing.grains.radius == first.radius; });
+  const bool same_radii = std::all_of(snapshots.begin(), snapshots.end(), [&](const auto& f) { return f.snapshot->packing.grains.radius == first.radius; });
   if (same_radii) file.variable("radius", {"grain"}, first.radius, {"m", ""});
-  else file.variable("radius", over, joined(frames, &Grains::radius), {"m", ""});
-  const std::string names = list_of(mapped(frames.front().frame->packing.materials, &Material::name));
+  else file.variable("radius", over, joined(snapshots, &Grains::radius), {"m", ""});
+  const std::string names = list_of(mapped(snapshots.front().snapshot->packing.materials, &Material::name));
   file.variable("material", {"grain"}, first.material, {"1", "place in the list of materials: " + names});
-  file.variable("zone", over, joined(frames, &Grains::zone), {"1", "1 where grains may be glued"});
-  for (const auto& column : grain_state_columns) file.variable(column.name, over, joined(frames, column), {column.unit, ""});
-  if (frames.size() > 1) {
+  file.variable("zone", over, joined(snapshots, &Grains::zone), {"1", "1 where grains may be glued"});
+  for (const auto& column : grain_state_columns) file.variable(column.name, over, joined(snapshots, column), {column.unit, ""});
+  if (snapshots.size() > 1) {
     const auto moved = [&](double Vec2::*axis) {
-      return joined(frames, [&](const auto& f) { return f.displacement.empty() ? std::vector<double>(first.size(), 0.0) : mapped(f.displacement, axis); });
+      return joined(snapshots, [&](const auto& f) { return f.displacement.empty() ? std::vector<double>(first.size(), 0.0) : mapped(f.displacement, axis); });
     };
     file.variable("ux", over, moved(&Vec2::x), {"m", "displacement along x since the first state"});
     file.variable("uy", over, moved(&Vec2::y), {"m", "displacement along y since the first state"});
   }
-  for (std::size_t k = 0; k < frames.front().fields.size(); ++k) {
-    const GrainField& field = frames.front().fields[k];
-    if (std::any_of(frames.begin(), frames.end(), [&](const auto& f) { return f.fields.size() <= k || f.fields[k].name != field.name; })) continue;
+  for (std::size_t k = 0; k < snapshots.front().fields.size(); ++k) {
+    const GrainField& field = snapshots.front().fields[k];
+    if (std::any_of(snapshots.begin(), snapshots.end(), [&](const auto& f) { return f.fields.size() <= k || f.fields[k].name != field.name; })) continue;
     const auto values = joined(
-        frames, [k](const auto& f) -> auto& { return f.fields[k].values; });
+        snapshots, [k](const auto& f) -> auto& { return f.fields[k].values; });
     file.variable(field.name, over, values, {field.unit, field.unit == "Pa" ? "stress of the grain, tension positive" : ""});
   }
 }
 
-void put_contacts(NetcdfFile& file, const Frames& frames) {
+void put_contacts(NetcdfFile& file, const Snapshots& snapshots) {
   std::vector<std::int32_t> state;
-  for (std::size_t t = 0; t < frames.size(); ++t) state.resize(state.size() + frames[t].frame->packing.contacts.size(), static_cast<std::int32_t>(t));
+  for (std::size_t t = 0; t < snapshots.size(); ++t) state.resize(state.size() + snapshots[t].snapshot->packing.contacts.size(), static_cast<std::int32_t>(t));
   std::vector<std::int32_t> number(state.size());
   std::iota(number.begin(), number.end(), 0);
   const auto ids = [&](std::int64_t (*id_of)(const Packing&, std::size_t)) {
-    return joined(frames, [&](const ExportFrame& f) { return by_contact(f.frame->packing, [&](std::size_t c) { return id_of(f.frame->packing, c); }); });
+    return joined(snapshots,
+                  [&](const ExportSnapshot& f) { return by_contact(f.snapshot->packing, [&](std::size_t c) { return id_of(f.snapshot->packing, c); }); });
   };
   file.dimension("contact", number, {"1", "contacts of all states, one after the other"});
   file.variable("contact_state", {"contact"}, state, {"1", "index along time of the state that the contact belongs to"});
   file.variable("contact_i", {"contact"}, ids(id_of_i), {"1", "id of the grain"});
   file.variable("contact_j", {"contact"}, ids(id_of_j), {"1", "id of the other grain; walls are -1 left, -2 right, -3 bottom, -4 top"});
-  for (const auto& column : contact_columns) file.variable(std::string("contact_") + column.name, {"contact"}, joined(frames, column), {column.unit, ""});
-  file.variable("contact_glued", {"contact"}, joined(frames, &Contacts::glued), {"1", "1 where adhesion acts"});
+  for (const auto& column : contact_columns) file.variable(std::string("contact_") + column.name, {"contact"}, joined(snapshots, column), {column.unit, ""});
+  file.variable("contact_glued", {"contact"}, joined(snapshots, &Contacts::glued), {"1", "1 where adhesion acts"});
 }
 
-std::vector<NamedBytes> netcdf_loading(const Frames& frames, const Provenance& provenance) {
+std::vector<NamedBytes> netcdf_loading(const Snapshots& snapshots, const Provenance& provenance) {
   NetcdfFile file;
   file.attribute("source", "Arenite " + provenance.version);
   file.attribute("input_hash", provenance.input_hash);
@@ -196,11 +199,11 @@ std::vector<NamedBytes> netcdf_loading(const Frames& frames, const Provenance& p
   file.attribute("signs",
                  "contact_n points from j to i, t is n turned by +90 degrees, the force on i is fn n + ft t (fn > 0 is repulsive); "
                  "stress is positive in tension");
-  file.attribute("thickness_m", frames.front().frame->packing.domain.thickness);
-  put_states(file, frames);
-  put_walls(file, frames);
-  put_grains(file, frames);
-  put_contacts(file, frames);
+  file.attribute("thickness_m", snapshots.front().snapshot->packing.domain.thickness);
+  put_states(file, snapshots);
+  put_walls(file, snapshots);
+  put_grains(file, snapshots);
+  put_contacts(file, snapshots);
   return {{"loading.nc", file.bytes()}};
 }
 

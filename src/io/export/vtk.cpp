@@ -13,7 +13,7 @@ namespace arenite::io {
 namespace {
 
 /// The stress of every grain as one tensor of nine, row by row; nothing where a component is not there.
-std::vector<double> stress_of(const ExportFrame& from) {
+std::vector<double> stress_of(const ExportSnapshot& from) {
   constexpr std::pair<const char*, std::size_t> components[] = {{"sigma_xx", 0}, {"sigma_xy", 1}, {"sigma_yx", 3}, {"sigma_yy", 4}};
   std::vector<double> tensor;
   for (const auto& [name, place] : components) {
@@ -25,10 +25,10 @@ std::vector<double> stress_of(const ExportFrame& from) {
   return tensor;
 }
 
-VtkPolyData grains_of(const ExportFrame& from) {
-  const Grains& grains = from.frame->packing.grains;
+VtkPolyData grains_of(const ExportSnapshot& from) {
+  const Grains& grains = from.snapshot->packing.grains;
   VtkPolyData data;
-  data.time = from.frame->time;
+  data.time = from.snapshot->time;
   data.points = in_space(grains.position);
   data.point_arrays = {
       {"id", grains.id},       {"radius", grains.radius}, {"material", grains.material}, {"zone", grains.zone}, {"velocity", in_space(grains.velocity), 3},
@@ -40,15 +40,15 @@ VtkPolyData grains_of(const ExportFrame& from) {
 }
 
 /// Lines, to be filled in.
-VtkPolyData lines_at(const ExportFrame& from) {
+VtkPolyData lines_at(const ExportSnapshot& from) {
   VtkPolyData data;
-  data.time = from.frame->time;
+  data.time = from.snapshot->time;
   data.lines = true;
   return data;
 }
 
-VtkPolyData contacts_of(const ExportFrame& from) {
-  const Packing& packing = from.frame->packing;
+VtkPolyData contacts_of(const ExportSnapshot& from) {
+  const Packing& packing = from.snapshot->packing;
   const Contacts& contacts = packing.contacts;
   const double mean = mean_compressive_force(contacts);
   VtkPolyData data = lines_at(from);
@@ -72,8 +72,8 @@ VtkPolyData contacts_of(const ExportFrame& from) {
 
 /// Four lines, in the order of the sides; `present` is 0 where a side is the edge of a periodic cell. Behind them the segments of boundaries, whose
 /// `side` counts on from 4 and whose force and velocity are without direction.
-VtkPolyData walls_of(const ExportFrame& from) {
-  const Domain& domain = from.frame->packing.domain;
+VtkPolyData walls_of(const ExportSnapshot& from) {
+  const Domain& domain = from.snapshot->packing.domain;
   const double x0 = domain.wall[left].position, x1 = domain.wall[right].position;
   const double y0 = domain.wall[bottom].position, y1 = domain.wall[top].position;
   VtkPolyData data = lines_at(from);
@@ -100,8 +100,8 @@ VtkPolyData walls_of(const ExportFrame& from) {
 }
 
 /// Lines along the rims of grains.
-VtkPolyData rims_of(const ExportFrame& from) {
-  const Grains& grains = from.frame->packing.grains;
+VtkPolyData rims_of(const ExportSnapshot& from) {
+  const Grains& grains = from.snapshot->packing.grains;
   VtkPolyData data = lines_at(from);
   std::vector<std::int64_t> id;
   std::vector<std::int32_t> material;
@@ -125,7 +125,7 @@ std::string state_file(int number) { return fmt::format("state_{:04}.vtm", numbe
 
 struct Part {
   const char* name;
-  VtkPolyData (*of)(const ExportFrame&);
+  VtkPolyData (*of)(const ExportSnapshot&);
 };
 constexpr Part parts[] = {{"grains", grains_of}, {"contacts", contacts_of}, {"walls", walls_of}};
 constexpr Part outlines{"outlines", rims_of};  // beside them, where grains are no disks
@@ -140,16 +140,16 @@ VtkPolyData cracks_of(const std::vector<Crack>& cracks) {
   return data;
 }
 
-std::vector<NamedBytes> vtk_frame(const ExportFrame& frame) {
+std::vector<NamedBytes> vtk_snapshot(const ExportSnapshot& snapshot) {
   std::vector<NamedBytes> files;
   std::vector<std::pair<std::string, std::string>> blocks;
   const auto add = [&](const Part& part) {
-    files.push_back({numbered(part.name, frame.number), vtp_bytes(part.of(frame))});
+    files.push_back({numbered(part.name, snapshot.number), vtp_bytes(part.of(snapshot))});
     blocks.emplace_back(part.name, files.back().name);
   };
   for (const Part& part : parts) add(part);
-  if (!frame.frame->packing.grains.shapes.empty()) add(outlines);
-  files.push_back({state_file(frame.number), vtm_bytes(blocks)});
+  if (!snapshot.snapshot->packing.grains.shapes.empty()) add(outlines);
+  files.push_back({state_file(snapshot.number), vtm_bytes(blocks)});
   return files;
 }
 
@@ -187,7 +187,7 @@ const ExportFormat exports::vtk{
     .name = "vtk",
     .sentence =
         "ParaView: open loading.pvd, which has grains, contacts and walls of all states; fields on nodes (.vti), broken bonds of a failure (-cracks.vtp)",
-    .of_frame = vtk_frame,
+    .of_snapshot = vtk_snapshot,
     .index = vtk_index,
     .of_field = vti_field};
 

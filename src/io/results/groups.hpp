@@ -55,7 +55,7 @@ template <class Owner> struct Column {
   }
 };
 
-/// What changes from frame to frame; radius, id, material and zone do not.
+/// What changes from snapshot to snapshot; radius, id, material and zone do not.
 inline constexpr Column<Grains> grain_state_columns[] = {{"x", "m", &Grains::position, &Vec2::x},    {"y", "m", &Grains::position, &Vec2::y},
                                                          {"angle", "rad", &Grains::angle},           {"vx", "m/s", &Grains::velocity, &Vec2::x},
                                                          {"vy", "m/s", &Grains::velocity, &Vec2::y}, {"omega", "rad/s", &Grains::omega}};

@@ -4,39 +4,39 @@
 namespace arenite::io {
 namespace {
 
-void transfer_energies(const Hdf5Group& at, Frame& frame) {
+void transfer_energies(const Hdf5Group& at, Snapshot& snapshot) {
   const auto energies = at.group("energies");
-  for (const EnergyTerm& term : energy_terms) energies(std::string(term.name) + " [J]", frame.energies.*term.value);
+  for (const EnergyTerm& term : energy_terms) energies(std::string(term.name) + " [J]", snapshot.energies.*term.value);
   const auto equilibrium = at.group("equilibrium");
-  equilibrium("unbalanced_ratio", frame.equilibrium.unbalanced_ratio);
-  equilibrium("kinetic_ratio", frame.equilibrium.kinetic_ratio);
-  equilibrium("mobilisation", frame.equilibrium.mobilisation);
-  equilibrium("wall_speed [m/s]", frame.equilibrium.wall_speed);
-  equilibrium("falling", frame.equilibrium.falling);
-  equilibrium("loose_kinetic_ratio", frame.equilibrium.loose_kinetic);
+  equilibrium("unbalanced_ratio", snapshot.equilibrium.unbalanced_ratio);
+  equilibrium("kinetic_ratio", snapshot.equilibrium.kinetic_ratio);
+  equilibrium("mobilisation", snapshot.equilibrium.mobilisation);
+  equilibrium("wall_speed [m/s]", snapshot.equilibrium.wall_speed);
+  equilibrium("falling", snapshot.equilibrium.falling);
+  equilibrium("loose_kinetic_ratio", snapshot.equilibrium.loose_kinetic);
 }
 
-void transfer_frame(const Hdf5Group& at, Frame& frame, const Packing& sample) {
-  at("time [s]", frame.time);
-  at("step", frame.step);
-  at("label", frame.label);
-  Packing& packing = frame.packing;
+void transfer_snapshot(const Hdf5Group& at, Snapshot& snapshot, const Packing& sample) {
+  at("time [s]", snapshot.time);
+  at("step", snapshot.step);
+  at("label", snapshot.label);
+  Packing& packing = snapshot.packing;
   if (at.reads() ? at.has("materials") : packing.materials != sample.materials) transfer_materials(at, packing.materials);
   else if (at.reads()) packing.materials = sample.materials;
   transfer_domain(at, packing.domain);
   transfer_grains(at, packing, &sample.grains);
   transfer_contacts(at, packing.contacts, packing.grains.size(), packing.domain.elements());
   transfer_joints(at, packing);
-  transfer_energies(at, frame);
+  transfer_energies(at, snapshot);
 }
 
 /// What stage files and checkpoints have in common.
 void transfer_result(const Hdf5Group& at, StageResult& result) {
   transfer_origin(at, result);
-  Packing sample = result.frames.empty() ? Packing{} : result.frames.front().packing;
+  Packing sample = result.snapshots.empty() ? Packing{} : result.snapshots.front().packing;
   transfer_materials(at, sample.materials);
   transfer_names(at.group("grains"), sample.grains, nullptr);
-  at.each("frames", result.frames, 4, [&](const Hdf5Group& one, Frame& frame) { transfer_frame(one, frame, sample); });
+  at.each("frames", result.snapshots, 4, [&](const Hdf5Group& one, Snapshot& snapshot) { transfer_snapshot(one, snapshot, sample); });
   transfer_history(at, "history", result.history);
   if (!at.lacks("cycles", result.cycles.columns.empty())) transfer_history(at, "cycles", result.cycles);
   transfer_numbers(at, "texture", result.texture);

@@ -277,7 +277,7 @@ TEST(BadRecipe, CountAndRatioExcludeEachOther) {
   EXPECT_TRUE(problems(replaced(smallest, "count = 10", "ratio = 1") + "[packing]\ngrains = 100\n").empty());
 }
 
-TEST(BadRecipe, GrainWiderThanTheFrameIsRefused) {
+TEST(BadRecipe, GrainWiderThanTheContainerIsRefused) {
   EXPECT_EQ(problems(replaced(smallest, "16.4 mm", "16.4 m")),
             Lines{"r.toml:10:12: populations.0.diameter: the largest grain (16400 mm) is wider than the container (350 mm)"});
 }

@@ -117,7 +117,7 @@ TEST(FieldDocument, SaysUnitsAndMeaningsAsTheyAreDeclared) {
 
 TEST(FieldDocument, StandsBesideAPackingOrWithoutOne) {
   const Json document = Json::parse(report::page_document(field_sample().data).json);
-  EXPECT_TRUE(document["frames"].empty());
+  EXPECT_TRUE(document["snapshots"].empty());
   EXPECT_FALSE(Json::parse(report::page_document({.title = "nothing"}).json).contains("fields"));
 }
 

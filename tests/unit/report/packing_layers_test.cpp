@@ -11,32 +11,32 @@ using Json = nlohmann::json;
 
 TEST(PackingLayers, APageHasFieldsOfItsStatesAndMotionWhereGrainsMove) {
   test::PageSample sample(60);
-  for (Vec2& v : sample.stage.frames[0].packing.grains.velocity) v.x = 0;
+  for (Vec2& v : sample.stage.snapshots[0].packing.grains.velocity) v.x = 0;
   const Json document = Json::parse(report::page_document(sample.data).json);
-  for (const Json& frame : document["frames"]) {
-    const Json& fields = frame["fields"];
+  for (const Json& snapshot : document["snapshots"]) {
+    const Json& fields = snapshot["fields"];
     EXPECT_EQ(fields["solid_fraction"]["n"].get<int>(), fields["columns"].get<int>() * fields["rows"].get<int>());
-    EXPECT_EQ(frame["deviator"]["n"], 60);
+    EXPECT_EQ(snapshot["deviator"]["n"], 60);
   }
-  EXPECT_FALSE(document["frames"][0].contains("vx"));
-  EXPECT_FALSE(document["frames"][0]["fields"].contains("vx"));
-  EXPECT_TRUE(document["frames"][1].contains("vx"));
-  EXPECT_TRUE(document["frames"][1]["fields"].contains("kinetic"));
+  EXPECT_FALSE(document["snapshots"][0].contains("vx"));
+  EXPECT_FALSE(document["snapshots"][0]["fields"].contains("vx"));
+  EXPECT_TRUE(document["snapshots"][1].contains("vx"));
+  EXPECT_TRUE(document["snapshots"][1]["fields"].contains("kinetic"));
 }
 
 TEST(PackingLayers, ALongLoadingHasFieldsOfSomeStatesAndOfTheLast) {
   test::PageSample sample(60);
-  const workflow::KnownStatistics known{.stages = {texture::measure(sample.stage.frames.back().packing)}};
-  Frame one = sample.stage.frames.back();
+  const workflow::KnownStatistics known{.stages = {texture::measure(sample.stage.snapshots.back().packing)}};
+  Snapshot one = sample.stage.snapshots.back();
   one.packing.grains.resize(10'001);  // of so many only the last state's texture is measured, which is known here
-  sample.stage.frames.assign(60, one);
+  sample.stage.snapshots.assign(60, one);
   sample.data.measured = &known;
-  const Json frames = Json::parse(report::page_document(sample.data).json)["frames"];
+  const Json snapshots = Json::parse(report::page_document(sample.data).json)["snapshots"];
   std::size_t with = 0;
-  for (const Json& frame : frames) with += frame.contains("fields") ? 1 : 0;
+  for (const Json& snapshot : snapshots) with += snapshot.contains("fields") ? 1 : 0;
   EXPECT_LT(with, 30u);
   EXPECT_GT(with, 10u);
-  EXPECT_TRUE(frames.back().contains("fields"));
+  EXPECT_TRUE(snapshots.back().contains("fields"));
 }
 
 TEST(PackingLayers, SizeCurvesAreThereWhereALawWasAskedFor) {

@@ -9,43 +9,43 @@
 using namespace arenite;
 using Json = nlohmann::json;
 
-TEST(PageDocument, HoldsEveryFrameWithItsTexture) {
+TEST(PageDocument, HoldsEverySnapshotWithItsTexture) {
   const test::PageSample sample(60);
   const Json document = Json::parse(report::page_document(sample.data).json);
-  ASSERT_EQ(document["frames"].size(), 5u);
-  for (const Json& frame : document["frames"]) {
-    EXPECT_EQ(frame["x"]["n"], 60);
-    EXPECT_TRUE(frame["texture"]["coordination"].contains("all"));
-    EXPECT_FALSE(frame["texture"].contains("by_grain"));
+  ASSERT_EQ(document["snapshots"].size(), 5u);
+  for (const Json& snapshot : document["snapshots"]) {
+    EXPECT_EQ(snapshot["x"]["n"], 60);
+    EXPECT_TRUE(snapshot["texture"]["coordination"].contains("all"));
+    EXPECT_FALSE(snapshot["texture"].contains("by_grain"));
   }
 }
 
-TEST(PageDocument, LeavesOutFramesWithAnotherNumberOfGrains) {
+TEST(PageDocument, LeavesOutSnapshotsWithAnotherNumberOfGrains) {
   test::PageSample sample(60);
-  sample.stage.frames[1].packing.grains.resize(59);
-  sample.stage.frames[1].packing.contacts = {};
+  sample.stage.snapshots[1].packing.grains.resize(59);
+  sample.stage.snapshots[1].packing.contacts = {};
   const Json document = Json::parse(report::page_document(sample.data).json);
-  EXPECT_EQ(document["frames"].size(), 4u);
+  EXPECT_EQ(document["snapshots"].size(), 4u);
 }
 
 TEST(PageDocument, NumbersWallsAfterTheGrains) {
   const test::PageSample sample(60);
-  const Packing& last = sample.stage.frames.back().packing;
+  const Packing& last = sample.stage.snapshots.back().packing;
   ASSERT_GT(std::count_if(last.contacts.j.begin(), last.contacts.j.end(), [](int j) { return j < 0; }), 0);
   const Json document = Json::parse(report::page_document(sample.data).json);
-  EXPECT_EQ(document["frames"][4]["contacts"]["j"]["n"], last.contacts.size());
-  EXPECT_EQ(document["frames"][4]["domain"]["walls"][2]["force"], last.domain.wall[bottom].force);
+  EXPECT_EQ(document["snapshots"][4]["contacts"]["j"]["n"], last.contacts.size());
+  EXPECT_EQ(document["snapshots"][4]["domain"]["walls"][2]["force"], last.domain.wall[bottom].force);
 }
 
 TEST(PageDocument, HasTheBoundariesOfEachStateThatHasThem) {
   test::PageSample sample(60);
   Boundary drum{"drum", {{0, 0}, {1, 0}, {0, 1}}, true, true, {}, 2, {}, {1, -3}, 0.5};
-  Packing& last = sample.stage.frames.back().packing;
+  Packing& last = sample.stage.snapshots.back().packing;
   last.domain.boundaries = {drum};
   last.contacts.add(0, boundary_partner(5), {0, 1}, 1, 0, 0.005, 0);
   const Json document = Json::parse(report::page_document(sample.data).json);
-  EXPECT_FALSE(document["frames"][0]["domain"].contains("boundaries"));
-  const Json& stored = document["frames"][4]["domain"]["boundaries"][0];
+  EXPECT_FALSE(document["snapshots"][0]["domain"].contains("boundaries"));
+  const Json& stored = document["snapshots"][4]["domain"]["boundaries"][0];
   EXPECT_EQ(stored["name"], "drum");
   EXPECT_EQ(stored["x"]["n"], 3);
   EXPECT_EQ(stored["force"][1], -3);
@@ -63,7 +63,7 @@ TEST(PageDocument, SaysUnitsAndMeaningsAsTheyAreDeclared) {
   test::PageSample sample(60);
   sample.stage.texture["new_number_m"] = statistics::described(2.5, "m", "That no page knows of");
   const Json document = Json::parse(report::page_document(sample.data).json);
-  const Json& last = document["frames"].back();
+  const Json& last = document["snapshots"].back();
   EXPECT_EQ(last["x"]["unit"], "m");
   EXPECT_EQ(last["angle"]["unit"], "rad");
   EXPECT_EQ(last["contacts"]["fn"]["unit"], "N");
@@ -73,4 +73,4 @@ TEST(PageDocument, SaysUnitsAndMeaningsAsTheyAreDeclared) {
   EXPECT_EQ(document["meanings"]["new_number_m"], Json({"m", "That no page knows of"}));
 }
 
-TEST(PageDocument, OfAnEmptyRunHasNoFrames) { EXPECT_TRUE(Json::parse(report::page_document({.title = "nothing"}).json)["frames"].empty()); }
+TEST(PageDocument, OfAnEmptyRunHasNoSnapshots) { EXPECT_TRUE(Json::parse(report::page_document({.title = "nothing"}).json)["snapshots"].empty()); }

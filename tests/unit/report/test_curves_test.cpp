@@ -16,11 +16,11 @@ struct Loading {
 
   explicit Loading(std::size_t rows, bool sheared) {
     stage.name = "shear";
-    Frame frame;
-    frame.packing.grains.resize(1);
-    frame.packing.grains.radius = {0.05};
-    frame.packing.domain.thickness = 0.01;
-    stage.frames.push_back(frame);
+    Snapshot snapshot;
+    snapshot.packing.grains.resize(1);
+    snapshot.packing.grains.radius = {0.05};
+    snapshot.packing.domain.thickness = 0.01;
+    stage.snapshots.push_back(snapshot);
     for (const char* name : {"time", "left_position", "right_position", "bottom_position", "top_position", "left_force", "right_force", "bottom_force",
                              "top_force", "bottom_shear_force", "top_shear_force"})
       stage.history.columns.push_back({name, "", std::vector<double>(rows, 0.0)});
@@ -104,7 +104,7 @@ TEST(TestCurves, OfASampleThatIsDrawnApartAreOfTheStressAlongTheAxis) {
 TEST(TestCurves, WithoutConfinementAreOfTheStressAlongTheAxis) {
   Loading test(5, false);
   test.of("top_position") = {0.1, 0.0999, 0.0998, 0.0997, 0.0996};
-  test.stage.frames.back().packing.domain.thickness = 0.06;
+  test.stage.snapshots.back().packing.domain.thickness = 0.06;
   for (std::size_t k = 0; k < 5; ++k) test.of("bottom_force")[k] = test.of("top_force")[k] = 600.0 * static_cast<double>(k);
   const auto curves = test_curves(test.stage);
   ASSERT_TRUE(curves);

@@ -21,7 +21,7 @@ FieldResult sample_of(const Packing& packing) {
 
 TEST(ContactStresses, OfATextureAreThoseThatTheSampleGives) {
   const test::PageSample made(120);
-  const Packing& packing = made.stage.frames.back().packing;
+  const Packing& packing = made.stage.snapshots.back().packing;
   const FieldResult sample = sample_of(packing);
   const auto known = texture::grain_stresses(packing), measured = contact_stresses(sample), taken = contact_stresses(sample, packing, known);
   ASSERT_EQ(measured.size(), 40u);
@@ -42,7 +42,7 @@ TEST(ContactStresses, OfATextureAreThoseThatTheSampleGives) {
 
 TEST(ContactStresses, AreEmptyWithoutContactsOrThickness) {
   const test::PageSample made(120);
-  Packing packing = made.stage.frames.back().packing;
+  Packing packing = made.stage.snapshots.back().packing;
   packing.domain.thickness = 0;
   EXPECT_TRUE(contact_stresses(sample_of(packing)).empty());
   EXPECT_TRUE(contact_stresses(FieldResult{}).empty());

@@ -82,7 +82,7 @@ TEST(FilmSimulation, StressOfDisksCountsFullRadii) {
 
 TEST(FilmSimulation, StressOfDisksIsTheMeanOfTheirClosedForm) {
   const test::PageSample run(60);
-  const Packing& p = run.stage.frames[3].packing;
+  const Packing& p = run.stage.snapshots[3].packing;
   std::vector<elasticity::Disk> disks;
   for (const double r : p.grains.radius) disks.push_back({r, p.domain.thickness, {}, elasticity::Traction::point});
   for (std::size_t c = 0; c < p.contacts.size(); ++c) {

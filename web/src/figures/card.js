@@ -25,14 +25,14 @@ export function figureCard(figure, sample, state) {
         saveButton("svg", () => saveSvg(name(), picture(), theme())), saveButton("png", asPng),
         saveButton("csv", () => saveText(`${name()}.csv`, "text/csv", csvOf(picture()))))),
     keys, drawing, h("p", { class: "caption" }, rich(figure.caption)));
-  const follows = figure.follows === true ? ["frame"] : figure.follows ?? [];
+  const follows = figure.follows === true ? ["snapshot"] : figure.follows ?? [];
   let drawn = "";
   const draw = (force) => {
     const width = Math.floor(drawing.clientWidth);
     if (width < 50) return;
-    const texture = sample.texture(state.get("frame"));
+    const texture = sample.texture(state.get("snapshot"));
     const about = { sample, state, texture, theme: theme(), width };
-    const what = [width, state.get("theme"), texture?.frame, ...follows.map((key) => state.get(key))].join(" ");
+    const what = [width, state.get("theme"), texture?.snapshot, ...follows.map((key) => state.get(key))].join(" ");
     if (what === drawn && !force) return;
     drawn = what;
     const there = !texture || figure.when(texture, sample);
@@ -44,7 +44,7 @@ export function figureCard(figure, sample, state) {
     card.querySelectorAll(".save").forEach((button) => { button.disabled = !picture() || (button.dataset.save === "csv" && !rowsOf(picture()).length); });
   };
   new ResizeObserver(() => draw(false)).observe(drawing);
-  state.watch(["theme", "frame", ...follows], () => draw(false));
+  state.watch(["theme", "snapshot", ...follows], () => draw(false));
   return card;
 }
 

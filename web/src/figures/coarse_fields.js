@@ -69,12 +69,12 @@ function ramp({ label: words, map }, si, [low, high], theme, y) {
 }
 
 export const coarseFields = {
-  id: "coarse-fields", title: "Coarse-grained fields", follows: ["frame", "field"],
+  id: "coarse-fields", title: "Coarse-grained fields", follows: ["snapshot", "field"],
   caption: "Fields of the state shown, or of the nearest state that has them: averages over a kernel about as wide as a grain, which satisfy the balances of mass and momentum. Stress includes its kinetic part; compression is positive, except for the shear stress. Arrows: velocity.",
   when: (texture, sample) => sample.fields(0),
-  pickers: { field: ["", (sample) => known(sample.fields(sample.frameCount - 1)).map(([name, layer]) => [name, layer.label])] },
+  pickers: { field: ["", (sample) => known(sample.fields(sample.snapshotCount - 1)).map(([name, layer]) => [name, layer.label])] },
   draw({ sample, state, theme, width }) {
-    const fields = sample.fields(state.get("frame")), wanted = state.get("field"), name = known(fields).some(([one]) => one === wanted) ? wanted : "solid_fraction";
+    const fields = sample.fields(state.get("snapshot")), wanted = state.get("field"), name = known(fields).some(([one]) => one === wanted) ? wanted : "solid_fraction";
     const layer = layers[name], values = valuesOf(fields, name), range = rangeOf(values, layer), [left, right, bottom, top] = fields.bounds;
     const scale = Math.min(width / (right - left), 420 / (top - bottom)), w = scale * (right - left), h = scale * (top - bottom), x = (width - w) / 2;
     const place = (column, row) => [x + ((column + 0.5) * w) / fields.columns, h - ((row + 0.5) * h) / fields.rows];

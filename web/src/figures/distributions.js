@@ -56,7 +56,7 @@ export const stressDistribution = {
   when: (texture) => texture.sigma_norm?.cumulative,
   key: ({ sample, texture, theme }) => key(materialSets(sample, theme, texture.sigma_norm), "P0"),
   draw({ sample, state, texture, theme, width }) {
-    const chosen = state.get("selected"), selected = chosen === null ? null : sample.frame(texture.frame).sigmaNorm[chosen];
+    const chosen = state.get("selected"), selected = chosen === null ? null : sample.snapshot(texture.snapshot).sigmaNorm[chosen];
     const sets = materialSets(sample, theme, texture.sigma_norm);
     const axes = { x: "\u03c3_{norm}", y: "P(\u03c3_{norm})" };
     return sideBySide(width, [false, true].map((semilog) => (part) => cumulativeChart(theme, sets, { ...axes, semilog, width: part, selected })));

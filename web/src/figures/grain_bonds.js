@@ -5,7 +5,7 @@ const kinds = ["tension", "bending", "shear"];
 const opposite = { left: "right", right: "left", bottom: "top", top: "bottom" };
 const inward = { left: 1, right: -1, bottom: 1, top: -1 };
 
-const stageOf = (sample, state) => sample.stages[sample.about.frames[state.get("frame")].stage];
+const stageOf = (sample, state) => sample.stages[sample.about.snapshots[state.get("snapshot")].stage];
 const brokenIn = (stage, kind) => stage.history[`broken_in_${kind}`];
 const hasBroken = (stage) => kinds.some((kind) => brokenIn(stage, kind)?.some((count) => count > 0));
 const colours = (theme) => [theme.tension, theme.mixedLine[0], theme.strong];

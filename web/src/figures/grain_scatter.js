@@ -19,13 +19,13 @@ function shownGrains(sample, selected) {
 }
 
 export const grainScatter = {
-  id: "grain-scatter", title: "Grains", follows: ["frame", "across", "up", "selected"],
+  id: "grain-scatter", title: "Grains", follows: ["snapshot", "across", "up", "selected"],
   caption: "One point per grain of the state shown, in the colour of its material; a click marks the grain in the picture and in the table.",
   when: (texture, sample) => sample.count > 1,
   pickers: { across: ["x", knownOf], up: ["y", knownOf] },
   draw({ sample, state, theme, width }) {
-    const frame = sample.frame(state.get("frame")), selected = state.get("selected");
-    const [x, y] = ["across", "up"].map((key) => axisOf(state.get(key), sample)), [across, up] = ["across", "up"].map((key) => valuesOf(state.get(key), sample, frame));
+    const snapshot = sample.snapshot(state.get("snapshot")), selected = state.get("selected");
+    const [x, y] = ["across", "up"].map((key) => axisOf(state.get(key), sample)), [across, up] = ["across", "up"].map((key) => valuesOf(state.get(key), sample, snapshot));
     const points = shownGrains(sample, selected).map((g) => ({ g, x: across[g] / x.factor, y: up[g] / y.factor, name: `grain ${sample.id[g]}, ${sample.name(g)}` }))
       .filter((p) => Number.isFinite(p.x) && Number.isFinite(p.y));
     const chosen = points.filter(({ g }) => g === selected);

@@ -5,7 +5,7 @@ import { chart, decadesAround, logAxis } from "./chart.js";
 const sides = ["bottom", "top", "left", "right"];
 
 /** The stage of the state that is shown. */
-export const stageOf = (sample, state) => sample.stages[sample.about.frames[state.get("frame")].stage];
+export const stageOf = (sample, state) => sample.stages[sample.about.snapshots[state.get("snapshot")].stage];
 
 /** The columns of these names of one stage: { name, unit, rows: [{ x: time since the stage began, s; y }] }. */
 function columns(stage, names) {
@@ -25,7 +25,7 @@ const dashes = [null, "6 3", null, "6 3"];
 
 function now(sample, state, theme) {
   const start = stageOf(sample, state).history.time[0];
-  return Plot.ruleX([Math.max(0, sample.about.frames[state.get("frame")].time - start)], { stroke: theme.accent, strokeWidth: 1.25 });
+  return Plot.ruleX([Math.max(0, sample.about.snapshots[state.get("snapshot")].time - start)], { stroke: theme.accent, strokeWidth: 1.25 });
 }
 
 const timeAxis = (sample, state) => ({ label: `time in \u201c${stageOf(sample, state).name}\u201d`, short: "time", unit: stageOf(sample, state).history.time.unit, ticks: 5 });
@@ -118,8 +118,8 @@ export const forceDisplacement = {
     const point = (x, f) => ({ x: 1e3 * inward * (x - position[0]), y: f / factor });
     const curve = Array.from(position, (x, k) => point(x, force[k]));
     const wall = ["left", "right", "bottom", "top"].indexOf(side);
-    const states = sample.about.frames.map((frame, k) => ({ frame, k })).filter(({ frame }) => sample.stages[frame.stage] === stage)
-      .map(({ frame: { domain: { walls } }, k }) => ({ ...point(walls[wall].position, walls[wall].force), here: k === state.get("frame") }));
+    const states = sample.about.snapshots.map((snapshot, k) => ({ snapshot, k })).filter(({ snapshot }) => sample.stages[snapshot.stage] === stage)
+      .map(({ snapshot: { domain: { walls } }, k }) => ({ ...point(walls[wall].position, walls[wall].force), here: k === state.get("snapshot") }));
     return chart(theme, {
       width, height: 254,
       x: { label: `displacement of the ${side} wall`, short: "displacement", unit: "mm" }, y: { label: "force", unit },

@@ -20,7 +20,7 @@ import { stressPath } from "./stress_path.js";
 
 /** Every figure of a packing, in the order of the page. A member gives: id, title, caption, `when(texture, sample)` (is
     there anything to draw), `draw({ sample, state, texture, theme, width })` -> SVG; `key` (entries above the drawing),
-    `wide` (takes a whole row), `follows` (redrawn at every frame, or when one of these keys of the state changes), `choices`
+    `wide` (takes a whole row), `follows` (redrawn at every snapshot, or when one of these keys of the state changes), `choices`
     (keys of the state with their options, beside the title), `pickers` (the same as lists: key = [label, function of the sample that gives the
     options]). A new figure is one more row. */
 export const figures = [testCurves, grainBonds, discharge, roses, stressDistribution, forceDistribution, grainScatter, sizeCurve, coarseFields, coordination, contactNumbers, rev, threshold, stressPath, wallForces, forceDisplacement, energies, approach];

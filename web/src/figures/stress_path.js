@@ -4,7 +4,7 @@ import { withUnit } from "./tips.js";
 
 /** The states with contacts and a texture, in order: { k, t } with k the number of the state from 1. */
 function states(sample) {
-  return sample.about.frames.map((frame, k) => ({ k: k + 1, t: frame.texture })).filter(({ t }) => t?.fabric?.a_c);
+  return sample.about.snapshots.map((snapshot, k) => ({ k: k + 1, t: snapshot.texture })).filter(({ t }) => t?.fabric?.a_c);
 }
 
 const series = (list, of) => list.map(({ k, t }) => ({ k, ...of(t) })).filter((p) => p.value !== undefined && p.value !== null);
@@ -21,7 +21,7 @@ const shown = {
 
 function panel(theme, state, list, lines, label, width) {
   const data = lines.map(([name, of, colour]) => ({ name, colour: theme[colour], rows: series(list, of) })).filter(({ rows }) => rows.length);
-  const here = state.get("frame") + 1;
+  const here = state.get("snapshot") + 1;
   const last = data.map(({ name, colour, rows }) => ({ name, colour, k: rows.at(-1).k, value: rows.at(-1).value }));
   spread(last, data);
   const points = data.flatMap(({ name, rows }) => rows.map(({ k, value, error }) => ({ x: k, y: value, error, name })));

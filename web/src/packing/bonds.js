@@ -4,13 +4,13 @@ const crackShare = 0.9;  // of the smaller radius, on either side
 const farthest = 1.5;    // of the radii's sum: beyond it there are two pieces, and no crack to be seen
 
 /** Bonds that hold as thin lines from centre to centre, and a crack across each that broke, where its grains are still near; none across a periodic side. */
-export function bondShapes(sample, frame, camera, theme) {
-  const { i, j, broken } = frame.bonds;
-  const box = sample.box(frame);
+export function bondShapes(sample, snapshot, camera, theme) {
+  const { i, j, broken } = snapshot.bonds;
+  const box = sample.box(snapshot);
   const wide = (box.right - box.left) / 2, high = (box.top - box.bottom) / 2;
   const whole = [], cracks = [[], [], []];
   for (let b = 0; b < i.length; ++b) {
-    const ax = frame.x[i[b]], ay = frame.y[i[b]], dx = frame.x[j[b]] - ax, dy = frame.y[j[b]] - ay;
+    const ax = snapshot.x[i[b]], ay = snapshot.y[i[b]], dx = snapshot.x[j[b]] - ax, dy = snapshot.y[j[b]] - ay;
     if (Math.abs(dx) > wide || Math.abs(dy) > high) continue;
     if (broken[b] === 0) {
       whole.push(line(camera, ax, ay, ax + dx, ay + dy));

@@ -4,28 +4,28 @@ const widthPerForce = 0.16;  // of the mean radius, at F = <F>
 const widest = 1.1;          // of the mean radius
 
 /** Width of the chain of a contact force, m: proportional to |F_n| up to a cap. */
-export function chainWidth(sample, frame, fn) {
-  return sample.meanRadius * Math.min(widest, widthPerForce * Math.abs(fn) / (frame.meanForce || 1));
+export function chainWidth(sample, snapshot, fn) {
+  return sample.meanRadius * Math.min(widest, widthPerForce * Math.abs(fn) / (snapshot.meanForce || 1));
 }
 
-export function isShown(state, sample, frame, c) {
-  const { fn, type } = frame.contacts;
+export function isShown(state, sample, snapshot, c) {
+  const { fn, type } = snapshot.contacts;
   if (!state.get("types").has(type[c])) return false;
   const strength = state.get("strength");
   if (strength === "all") return true;
-  if (strength === "tensile") return fn[c] < frame.tensile;
-  return (fn[c] > frame.meanForce) === (strength === "strong");
+  if (strength === "tensile") return fn[c] < snapshot.tensile;
+  return (fn[c] > snapshot.meanForce) === (strength === "strong");
 }
 
-export function chainColour(theme, frame, fn) {
-  if (fn < frame.tensile) return theme.tension;
-  return fn > frame.meanForce ? theme.strong : theme.weak;
+export function chainColour(theme, snapshot, fn) {
+  if (fn < snapshot.tensile) return theme.tension;
+  return fn > snapshot.meanForce ? theme.strong : theme.weak;
 }
 
 /** What a grain touches of the boundaries: elements are counted through all of them, two a point, the point and the segment to the next. */
-export function boundaryElement(frame, element) {
+export function boundaryElement(snapshot, element) {
   let number = element;
-  for (const boundary of frame.boundaries) {
+  for (const boundary of snapshot.boundaries) {
     const points = boundary.x.length;
     if (number < 2 * points) return { boundary, from: number >> 1, to: number % 2 ? ((number >> 1) + 1) % points : number >> 1 };
     number -= 2 * points;
@@ -55,23 +55,23 @@ function nearestFoot(element, box, domain, x, y) {
 }
 
 /** The segments of one contact: centre to centre, or centre to wall; through a periodic side it is drawn at both. */
-export function segmentsOf(sample, frame, c) {
-  const { i, j } = frame.contacts;
+export function segmentsOf(sample, snapshot, c) {
+  const { i, j } = snapshot.contacts;
   const a = i[c], b = j[c];
-  const x = frame.x[a], y = frame.y[a];
+  const x = snapshot.x[a], y = snapshot.y[a];
   if (b >= sample.count) {
     const side = b - sample.count;
     if (side > 3) {
-      const { foot, shift } = nearestFoot(boundaryElement(frame, side - 4), sample.box(frame), frame.domain, x, y);
+      const { foot, shift } = nearestFoot(boundaryElement(snapshot, side - 4), sample.box(snapshot), snapshot.domain, x, y);
       return fromBothEnds([x, y], foot, shift);
     }
     // Ends short of the wall by half the chain's width, so that the round end touches it.
     const inwards = side % 2 === 0 ? 1 : -1;
-    const position = frame.domain.walls[side].position + (inwards * chainWidth(sample, frame, frame.contacts.fn[c])) / 2;
+    const position = snapshot.domain.walls[side].position + (inwards * chainWidth(sample, snapshot, snapshot.contacts.fn[c])) / 2;
     return [side < 2 ? [x, y, position, y] : [x, y, x, position]];
   }
-  const end = [frame.x[b], frame.y[b]];
-  return fromBothEnds([x, y], end, nearestImage(sample.box(frame), frame.domain, [x - end[0], y - end[1]]));
+  const end = [snapshot.x[b], snapshot.y[b]];
+  return fromBothEnds([x, y], end, nearestImage(sample.box(snapshot), snapshot.domain, [x - end[0], y - end[1]]));
 }
 
 /** One segment where both ends are in one cell; else one from each end to the other's image. */
@@ -96,25 +96,25 @@ function nearestImage(box, domain, [dx, dy]) {
 }
 
 /** The shown contacts, weakest first, so that the strong lie on top. */
-export function shownContacts(state, sample, frame) {
-  const { fn } = frame.contacts;
+export function shownContacts(state, sample, snapshot) {
+  const { fn } = snapshot.contacts;
   const shown = [];
-  for (let c = 0; c < fn.length; ++c) if (fn[c] !== 0 && isShown(state, sample, frame, c)) shown.push(c);
+  for (let c = 0; c < fn.length; ++c) if (fn[c] !== 0 && isShown(state, sample, snapshot, c)) shown.push(c);
   return shown.sort((p, q) => Math.abs(fn[p]) - Math.abs(fn[q]));
 }
 
 /** Segments for the graphics card: ends relative to `origin`, widths, colours. */
-export function chainBuffers(state, sample, frame, theme, origin) {
-  const shown = shownContacts(state, sample, frame);
+export function chainBuffers(state, sample, snapshot, theme, origin) {
+  const shown = shownContacts(state, sample, snapshot);
   const ends = new Float32Array(8 * shown.length), width = new Float32Array(2 * shown.length), colour = new Uint8Array(8 * shown.length);
   const paints = new Map();
   let count = 0;
   for (const c of shown) {
-    const fn = frame.contacts.fn[c], name = chainColour(theme, frame, fn);
+    const fn = snapshot.contacts.fn[c], name = chainColour(theme, snapshot, fn);
     if (!paints.has(name)) paints.set(name, [...bytes(name), name === theme.weak ? 190 : 255]);
-    for (const [ax, ay, bx, by] of segmentsOf(sample, frame, c)) {
+    for (const [ax, ay, bx, by] of segmentsOf(sample, snapshot, c)) {
       ends.set([ax - origin.x, ay - origin.y, bx - origin.x, by - origin.y], 4 * count);
-      width[count] = chainWidth(sample, frame, fn);
+      width[count] = chainWidth(sample, snapshot, fn);
       colour.set(paints.get(name), 4 * count++);
     }
   }

@@ -3,13 +3,13 @@ import { s } from "../dom.js";
 const into = 0.35;  // of the smaller radius: how far a stroke reaches into either grain
 
 /** Pairs that adhesion or a liquid bridge joins: a stroke across the contact or the gap, in the colour of tension where the grains are apart; none across a periodic side. */
-export function cohesiveShapes(sample, frame, camera, theme) {
-  const { i, j, gap } = frame.cohesive;
-  const box = sample.box(frame);
+export function cohesiveShapes(sample, snapshot, camera, theme) {
+  const { i, j, gap } = snapshot.cohesive;
+  const box = sample.box(snapshot);
   const wide = (box.right - box.left) / 2, high = (box.top - box.bottom) / 2;
   const touching = [], apart = [];
   for (let p = 0; p < i.length; ++p) {
-    const ax = frame.x[i[p]], ay = frame.y[i[p]], dx = frame.x[j[p]] - ax, dy = frame.y[j[p]] - ay;
+    const ax = snapshot.x[i[p]], ay = snapshot.y[i[p]], dx = snapshot.x[j[p]] - ax, dy = snapshot.y[j[p]] - ay;
     if (Math.abs(dx) > wide || Math.abs(dy) > high) continue;
     const ri = sample.radius[i[p]], rj = sample.radius[j[p]], length = Math.hypot(dx, dy), reach = into * Math.min(ri, rj);
     const from = (ri - reach) / length, to = 1 - (rj - reach) / length;

@@ -65,15 +65,15 @@ function extent(values) {
 }
 
 /** Function from a grain to its colour; `scale` = that of the quantity (scale.js), null where colours have names. */
-export function grainColour(sample, frame, mode, scale, theme) {
+export function grainColour(sample, snapshot, mode, scale, theme) {
   if (!scale) return colourings[mode].colour(sample, theme);
-  const values = valuesOf(mode, sample, frame), map = theme.maps[scale.map], table = Array.from({ length: 256 }, (_, k) => map(k / 255));
+  const values = valuesOf(mode, sample, snapshot), map = theme.maps[scale.map], table = Array.from({ length: 256 }, (_, k) => map(k / 255));
   return (g) => table[Math.round(255 * shareOf(scale, values[g]))];
 }
 
 /** Colours of all grains as bytes for the graphics card. */
-export function grainColours(sample, frame, mode, scale, theme) {
-  const colour = grainColour(sample, frame, mode, scale, theme);
+export function grainColours(sample, snapshot, mode, scale, theme) {
+  const colour = grainColour(sample, snapshot, mode, scale, theme);
   const known = new Map();
   const out = new Uint8Array(4 * sample.count);
   for (let g = 0; g < sample.count; ++g) {

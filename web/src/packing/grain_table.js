@@ -13,8 +13,8 @@ function columnsOf(sample) {
   ];
   return [...names, ...knownQuantities(sample).map(([key, { symbol, label }]) => {
     const si = unitOf(key, sample), { factor, unit } = prefixOf(topOf(key, sample), si);
-    return { key, head: symbol, label, unit, si, factor, write: (v) => (key === "coordination" ? String(v) : text.number(v / factor)), of: (frame) => {
-      const values = valuesOf(key, sample, frame);
+    return { key, head: symbol, label, unit, si, factor, write: (v) => (key === "coordination" ? String(v) : text.number(v / factor)), of: (snapshot) => {
+      const values = valuesOf(key, sample, snapshot);
       return (g) => values[g];
     } };
   })];
@@ -29,7 +29,7 @@ export function grainTable(sample, state) {
   let order = [], values = [];
 
   const sort = () => {
-    const of = columns.map(({ of: value }) => value(sample.frame(state.get("frame")))), by = of[columns.indexOf(sorting.column)];
+    const of = columns.map(({ of: value }) => value(sample.snapshot(state.get("snapshot")))), by = of[columns.indexOf(sorting.column)];
     const sign = sorting.down ? -1 : 1, compare = sorting.column.key === "material" ? (a, b) => a.localeCompare(b) : (a, b) => a - b;
     values = of;
     order = Array.from({ length: sample.count }, (_, g) => g).sort((a, b) => sign * compare(by(a), by(b)) || a - b);
@@ -68,7 +68,7 @@ export function grainTable(sample, state) {
     const at = order.indexOf(state.get("selected"));
     state.set({ selected: order[Math.min(order.length - 1, Math.max(0, at + way))] });
   });
-  state.watch(["frame"], sort);
+  state.watch(["snapshot"], sort);
   state.watch(["selected"], show);
   scroller.append(h("table", {}, h("thead", {}, h("tr", {}, heads)), body));
   sort();
@@ -76,7 +76,7 @@ export function grainTable(sample, state) {
 
   const csv = () => {
     const lines = [columns.map(({ key, si }) => (si ? `${key}_${si.replace("/", "_")}` : key)).join(","), ...order.map((g) => values.map((of) => of(g)).join(","))];
-    saveText(`${fileName(sample.title, "grains", String(state.get("frame") + 1))}.csv`, "text/csv", `${lines.join("\n")}\n`);
+    saveText(`${fileName(sample.title, "grains", String(state.get("snapshot") + 1))}.csv`, "text/csv", `${lines.join("\n")}\n`);
   };
   return h("section", { class: "card numbers grain-table", "aria-label": "Grains" },
     h("div", { class: "title" }, h("h3", {}, "Grains"),

@@ -9,11 +9,11 @@ import { middleOf } from "./scale.js";
 export const legendHeight = 62;
 
 /** The strip below the packing: what the colours mean, how thick which force is, and a bar of known length. */
-export function legend(sample, frame, camera, theme, state, width) {
+export function legend(sample, snapshot, camera, theme, state, width) {
   const group = s("g", { "font-family": theme.font, "font-size": 11.5, fill: theme.soft });
   group.append(colourKey(sample, theme, state, width));
   group.append(scaleBar(camera, theme, width));
-  if (state.get("chains") && frame.meanForce > 0) group.append(chainKey(sample, frame, camera, theme, width));
+  if (state.get("chains") && snapshot.meanForce > 0) group.append(chainKey(sample, snapshot, camera, theme, width));
   return richSvg(group);
 }
 
@@ -46,20 +46,20 @@ function ramp(scale, theme, length) {
   return group;
 }
 
-function chainKey(sample, frame, camera, theme, width) {
+function chainKey(sample, snapshot, camera, theme, width) {
   const group = s("g");
   const entries = [
     { name: "weak", colour: theme.weak, force: 0.5 },
     { name: "strong", colour: theme.strong, force: 3 },
   ];
-  if (frame.hasTension) entries.push({ name: "tension", colour: theme.tension, force: 1 });
+  if (snapshot.hasTension) entries.push({ name: "tension", colour: theme.tension, force: 1 });
   let x = 3;
   for (const { name, colour, force } of entries) {
-    const stroke = Math.max(1.2, Math.min(9, chainWidth(sample, frame, force * frame.meanForce) * camera.scale));
+    const stroke = Math.max(1.2, Math.min(9, chainWidth(sample, snapshot, force * snapshot.meanForce) * camera.scale));
     group.append(s("line", { x1: x, x2: x + 20, y1: 53, y2: 53, stroke: colour, "stroke-width": stroke, "stroke-linecap": "round" }), label(x + 29, 53, name));
     x += 46 + 6.4 * name.length;
   }
-  const mean = `F_{n} > \u27e8F_{n}\u27e9 = ${text.quantity(frame.meanForce, frame.contacts.fn.unit)}`;
+  const mean = `F_{n} > \u27e8F_{n}\u27e9 = ${text.quantity(snapshot.meanForce, snapshot.contacts.fn.unit)}`;
   group.append(label(x + 2, 53, width < 480 ? mean : `thickness \u221d F_{n};  strong: ${mean}`));
   return group;
 }

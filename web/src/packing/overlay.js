@@ -8,18 +8,18 @@ import { rimOf } from "./shapes.js";
 const thick = 5;
 
 /** What lies over the grains as vectors: walls with the forces on them, and the outline of what the pointer is on. */
-export function overlay(sample, frame, camera, theme, { walls, picked = null, selected = null }) {
+export function overlay(sample, snapshot, camera, theme, { walls, picked = null, selected = null }) {
   const group = s("g", { "font-family": theme.font, "font-size": 11.5 });
-  if (walls && frame.bonds) group.append(...bondShapes(sample, frame, camera, theme));
-  if (walls && frame.cohesive) group.append(...cohesiveShapes(sample, frame, camera, theme));
-  if (walls) group.append(...wallShapes(sample, frame, camera, theme), ...boundaryShapes(frame, camera, theme));
-  if (selected !== null) group.append(ring(sample, frame, camera, selected, theme.card, 5), ring(sample, frame, camera, selected, theme.accent, 3, "selected"));
-  if (picked) group.append(...outline(sample, frame, camera, theme, picked));
+  if (walls && snapshot.bonds) group.append(...bondShapes(sample, snapshot, camera, theme));
+  if (walls && snapshot.cohesive) group.append(...cohesiveShapes(sample, snapshot, camera, theme));
+  if (walls) group.append(...wallShapes(sample, snapshot, camera, theme), ...boundaryShapes(snapshot, camera, theme));
+  if (selected !== null) group.append(ring(sample, snapshot, camera, selected, theme.card, 5), ring(sample, snapshot, camera, selected, theme.accent, 3, "selected"));
+  if (picked) group.append(...outline(sample, snapshot, camera, theme, picked));
   return group;
 }
 
-function wallShapes(sample, frame, camera, theme) {
-  const box = sample.box(frame);
+function wallShapes(sample, snapshot, camera, theme) {
+  const box = sample.box(snapshot);
   const [left, top] = camera.toScreen(box.left, box.top);
   const [right, bottom] = camera.toScreen(box.right, box.bottom);
   const middleX = (left + right) / 2, middleY = (top + bottom) / 2;
@@ -29,8 +29,8 @@ function wallShapes(sample, frame, camera, theme) {
     { rect: [left - thick, bottom, right - left + 2 * thick, thick], at: [middleX, bottom + thick + 9], turn: 0 },
     { rect: [left - thick, top - thick, right - left + 2 * thick, thick], at: [middleX, top - thick - 9], turn: 0 },
   ];
-  const loaded = frame.domain.walls.some((wall) => wall.force !== 0);
-  return frame.domain.walls.flatMap((wall, side) => {
+  const loaded = snapshot.domain.walls.some((wall) => wall.force !== 0);
+  return snapshot.domain.walls.flatMap((wall, side) => {
     const { rect: [x, y, width, height], at, turn } = places[side];
     if (!wall.present) {
       return [s("rect", { x, y, width, height, fill: "none", stroke: theme.wall, "stroke-dasharray": "4 4", "stroke-width": 1 })];
@@ -46,28 +46,28 @@ function wallShapes(sample, frame, camera, theme) {
 }
 
 /** Boundaries beside the walls; a dashed line where one is absent. */
-function boundaryShapes(frame, camera, theme) {
-  return frame.boundaries.map(({ x, y, closed, present }) => s(closed ? "polygon" : "polyline", {
+function boundaryShapes(snapshot, camera, theme) {
+  return snapshot.boundaries.map(({ x, y, closed, present }) => s(closed ? "polygon" : "polyline", {
     points: Array.from(x, (_, p) => camera.toScreen(x[p], y[p]).join(",")).join(" "), fill: "none", stroke: theme.wall,
     "stroke-width": present ? 2.5 : 1, "stroke-dasharray": present ? null : "4 4", "stroke-linejoin": "round", "stroke-linecap": "round", class: "boundary",
   }));
 }
 
-function ring(sample, frame, camera, grain, stroke, width, name = null) {
-  const [cx, cy] = camera.toScreen(frame.x[grain], frame.y[grain]);
+function ring(sample, snapshot, camera, grain, stroke, width, name = null) {
+  const [cx, cy] = camera.toScreen(snapshot.x[grain], snapshot.y[grain]);
   return s("circle", { cx, cy, r: sample.radius[grain] * camera.scale + 1, fill: "none", stroke, "stroke-width": width, class: name });
 }
 
-function outline(sample, frame, camera, theme, { grain, contact }) {
+function outline(sample, snapshot, camera, theme, { grain, contact }) {
   if (grain !== undefined && sample.shapes) {
-    const points = rimOf(sample, frame, grain).map(([x, y]) => camera.toScreen(x, y).join(",")).join(" ");
+    const points = rimOf(sample, snapshot, grain).map(([x, y]) => camera.toScreen(x, y).join(",")).join(" ");
     return [s("polygon", { points, fill: "none", stroke: theme.ink, "stroke-width": 2 })];
   }
   if (grain !== undefined) {
-    return [ring(sample, frame, camera, grain, theme.ink, 2)];
+    return [ring(sample, snapshot, camera, grain, theme.ink, 2)];
   }
-  const width = Math.max(3, chainWidth(sample, frame, frame.contacts.fn[contact]) * camera.scale) + 3;
-  return segmentsOf(sample, frame, contact).map(([ax, ay, bx, by]) => {
+  const width = Math.max(3, chainWidth(sample, snapshot, snapshot.contacts.fn[contact]) * camera.scale) + 3;
+  return segmentsOf(sample, snapshot, contact).map(([ax, ay, bx, by]) => {
     const [x1, y1] = camera.toScreen(ax, ay), [x2, y2] = camera.toScreen(bx, by);
     return s("line", { x1, y1, x2, y2, stroke: theme.accent, "stroke-width": width, "stroke-linecap": "round", opacity: 0.75 });
   });

@@ -13,7 +13,7 @@ export function packingPanel(sample, state) {
     svgButton.disabled = !view.fewEnoughForSvg;
     svgButton.title = view.fewEnoughForSvg ? "Save the picture as SVG" : "Too many grains for an SVG: save a PNG";
   };
-  state.watch(["chains", "frame"], refreshSave);
+  state.watch(["chains", "snapshot"], refreshSave);
   refreshSave();
   const panel = h("section", { class: "card packing", "aria-label": "Packing" },
     h("div", { class: "controls" },
@@ -28,7 +28,7 @@ export function packingPanel(sample, state) {
 
 /** Chains off, all, strong, weak, tensile in one row: "off" hides them, the rest say which are drawn. */
 function chainControls(sample, state) {
-  const tensile = sample.about.frames.length > 0 && sample.frame(sample.frameCount - 1).hasTension;
+  const tensile = sample.about.snapshots.length > 0 && sample.snapshot(sample.snapshotCount - 1).hasTension;
   const options = [["off", "Off"], ["all", "All"], ["strong", "Strong"], ["weak", "Weak"], ...(tensile ? [["tensile", "Tensile"]] : [])];
   const pick = (value) => state.set(value === "off" ? { chains: false } : { chains: true, strength: value });
   const buttons = options.map(([value, label]) => h("button", { "data-value": value, onclick: () => pick(value) }, label));
@@ -45,17 +45,17 @@ function chainControls(sample, state) {
 function typeFilter(sample, state) {
   const row = h("div", { class: "types", role: "group", "aria-label": "Contact types" });
   const refresh = () => {
-    const theme = themeOf(state.get("theme")), shown = state.get("types"), frame = sample.frame(state.get("frame"));
+    const theme = themeOf(state.get("theme")), shown = state.get("types"), snapshot = sample.snapshot(state.get("snapshot"));
     row.classList.toggle("idle", !state.get("chains"));
     row.replaceChildren(...sample.types.map((type, t) => {
-      const count = frame.contacts.type.reduce((sum, other) => sum + (other === t), 0);
+      const count = snapshot.contacts.type.reduce((sum, other) => sum + (other === t), 0);
       return h("button", {
         "data-type": type.key, "aria-pressed": String(shown.has(t)), disabled: !state.get("chains"),
         onclick: () => state.set({ types: toggled(shown, t) }),
       }, h("span", { class: "dot", style: `background:${pairColour(theme, type)}` }), `${type.label} `, h("small", {}, text.count(count)));
     }), h("button", { class: "marks", "aria-pressed": String(state.get("marks")), title: "Mark the rotation of each grain", onclick: () => state.set({ marks: !state.get("marks") }) }, "Rotation"));
   };
-  state.watch(["types", "theme", "frame", "chains", "marks"], refresh);
+  state.watch(["types", "theme", "snapshot", "chains", "marks"], refresh);
   refresh();
   return row;
 }

@@ -3,10 +3,10 @@ import { chainWidth, isShown, segmentsOf } from "./chains.js";
 
 /** Finds the grain or the contact at a point of the plane. Grains are kept in square cells of the largest diameter. */
 export class Picker {
-  constructor(sample, frame) {
+  constructor(sample, snapshot) {
     this.sample = sample;
-    this.frame = frame;
-    const { x, y } = frame;
+    this.snapshot = snapshot;
+    const { x, y } = snapshot;
     this.cell = 2 * sample.radius.reduce((most, r) => Math.max(most, r), 0) || 1;
     this.left = x.reduce((least, v) => Math.min(least, v), Infinity);
     this.bottom = y.reduce((least, v) => Math.min(least, v), Infinity);
@@ -31,21 +31,21 @@ export class Picker {
   }
 
   grain(x, y) {
-    const { frame, sample } = this;
-    return this.#near(x, y).find((g) => Math.hypot(frame.x[g] - x, frame.y[g] - y) <= sample.radius[g]) ?? null;
+    const { snapshot, sample } = this;
+    return this.#near(x, y).find((g) => Math.hypot(snapshot.x[g] - x, snapshot.y[g] - y) <= sample.radius[g]) ?? null;
   }
 
   /** The shown contact whose chain lies within `reach` (m) of the point; the strongest of them. */
   contact(x, y, reach, state) {
-    const { frame, sample } = this;
-    const { start, list } = sample.contactsByGrain(frame);
+    const { snapshot, sample } = this;
+    const { start, list } = sample.contactsByGrain(snapshot);
     let found = null;
     for (const g of this.#near(x, y)) {
       for (let k = start[g]; k < start[g + 1]; ++k) {
-        const c = list[k], fn = Math.abs(frame.contacts.fn[c]);
-        if (fn === 0 || !isShown(state, sample, frame, c) || (found !== null && fn <= Math.abs(frame.contacts.fn[found]))) continue;
-        const half = chainWidth(sample, frame, fn) / 2;
-        if (segmentsOf(sample, frame, c).some((segment) => distanceToSegment(segment, x, y) <= Math.max(half, reach))) found = c;
+        const c = list[k], fn = Math.abs(snapshot.contacts.fn[c]);
+        if (fn === 0 || !isShown(state, sample, snapshot, c) || (found !== null && fn <= Math.abs(snapshot.contacts.fn[found]))) continue;
+        const half = chainWidth(sample, snapshot, fn) / 2;
+        if (segmentsOf(sample, snapshot, c).some((segment) => distanceToSegment(segment, x, y) <= Math.max(half, reach))) found = c;
       }
     }
     return found;

@@ -21,7 +21,7 @@ export class Scene {
     this.disks = diskDrawing(this.regl, corner);
     this.segments = segmentDrawing(this.regl, corner);
     if (sample.shapes) this.shapes = new ShapeScene(this.regl, sample, this.segments);
-    const box = sample.box(sample.frame(sample.frameCount - 1));
+    const box = sample.box(sample.snapshot(sample.snapshotCount - 1));
     // Positions go to the card relative to the middle of the box, where float32 is finest.
     this.origin = { x: (box.left + box.right) / 2, y: (box.bottom + box.top) / 2 };
     const dynamic = () => this.regl.buffer({ usage: "dynamic", length: 4 });
@@ -32,25 +32,25 @@ export class Scene {
     this.chains = { ends: dynamic(), width: dynamic(), colour: dynamic(), count: 0 };
   }
 
-  updatePositions(frame) {
+  updatePositions(snapshot) {
     const centre = new Float32Array(2 * this.sample.count);
     for (let g = 0; g < this.sample.count; ++g) {
-      centre[2 * g] = frame.x[g] - this.origin.x;
-      centre[2 * g + 1] = frame.y[g] - this.origin.y;
+      centre[2 * g] = snapshot.x[g] - this.origin.x;
+      centre[2 * g + 1] = snapshot.y[g] - this.origin.y;
     }
     this.grains.centre({ data: centre, usage: "dynamic" });
-    this.grains.angle({ data: frame.angle, usage: "dynamic" });
-    this.shapes?.updatePositions(frame, this.origin);
+    this.grains.angle({ data: snapshot.angle, usage: "dynamic" });
+    this.shapes?.updatePositions(snapshot, this.origin);
   }
 
-  updateColours(frame, state, theme) {
-    const colours = grainColours(this.sample, frame, state.get("colour"), scaleOf(this.sample, state), theme);
+  updateColours(snapshot, state, theme) {
+    const colours = grainColours(this.sample, snapshot, state.get("colour"), scaleOf(this.sample, state), theme);
     this.grains.colour({ data: colours, usage: "dynamic" });
     this.shapes?.updateColours(colours, bytes(theme.ink));
   }
 
-  updateChains(state, frame, theme) {
-    const { ends, width, colour, count } = chainBuffers(state, this.sample, frame, theme, this.origin);
+  updateChains(state, snapshot, theme) {
+    const { ends, width, colour, count } = chainBuffers(state, this.sample, snapshot, theme, this.origin);
     this.chains.count = count;
     if (count === 0) return;
     this.chains.ends({ data: ends, usage: "dynamic" });

@@ -13,7 +13,7 @@ import { numbersTable, packingHeadlines } from "./texture.js";
 function begin(sample, page) {
   return new State({
     theme: page.get("theme"),
-    frame: sample.frameCount - 1,
+    snapshot: sample.snapshotCount - 1,
     playing: false,
     colour: "material",
     chains: true,
@@ -23,7 +23,7 @@ function begin(sample, page) {
     scales: {},        // what the reader changed of the colours, by colouring
     selected: null,    // the grain that was clicked, in the picture, the table or a chart
     pointed: null,     // the grain whose row or point the pointer is on
-    across: "size", up: "stress", field: sample.fields(sample.frameCount - 1)?.vx ? "speed" : "solid_fraction",
+    across: "size", up: "stress", field: sample.fields(sample.snapshotCount - 1)?.vx ? "speed" : "solid_fraction",
   });
 }
 
@@ -31,7 +31,7 @@ function begin(sample, page) {
 function keep(sample, state) {
   const names = knownQuantities(sample).map(([name]) => name);
   keepInAddress(state, {
-    frame: forms.whole(sample.frameCount), colour: forms.word(colouringsOf(sample).map(([mode]) => mode)), scales: forms.tree, chains: forms.truth,
+    snapshot: forms.whole(sample.snapshotCount), colour: forms.word(colouringsOf(sample).map(([mode]) => mode)), scales: forms.tree, chains: forms.truth,
     strength: forms.word(["all", "strong", "weak", "tensile"]), marks: forms.truth, selected: forms.whole(sample.count), across: forms.word(names), up: forms.word(names), field: forms.word(Object.keys(layers)),
   });
 }
@@ -41,7 +41,7 @@ export function packingSection(sample, page) {
   const state = begin(sample, page);
   keep(sample, state);
   page.watch(["theme"], () => state.set({ theme: page.get("theme") }));
-  const texture = sample.texture(state.get("frame"));
+  const texture = sample.texture(state.get("snapshot"));
   const drawable = figures.filter((figure) => figure.when(texture ?? {}, sample));
   const { panel, view } = packingPanel(sample, state);
   const cards = h("div", { class: "figures" }, drawable.map((figure) => figureCard(figure, sample, state)));

@@ -1,10 +1,10 @@
 /** Grains that are no disks: their rims as the page holds them, and how they are filled and drawn. */
 
-/** Points of a grain's rim as it lies in a frame, m. */
-export function rimOf(sample, frame, g) {
-  const { first, x, y } = sample.shapes, cos = Math.cos(frame.angle[g]), sin = Math.sin(frame.angle[g]);
+/** Points of a grain's rim as it lies in a snapshot, m. */
+export function rimOf(sample, snapshot, g) {
+  const { first, x, y } = sample.shapes, cos = Math.cos(snapshot.angle[g]), sin = Math.sin(snapshot.angle[g]);
   const points = [];
-  for (let k = first[g]; k < first[g + 1]; ++k) points.push([frame.x[g] + cos * x[k] - sin * y[k], frame.y[g] + sin * x[k] + cos * y[k]]);
+  for (let k = first[g]; k < first[g + 1]; ++k) points.push([snapshot.x[g] + cos * x[k] - sin * y[k], snapshot.y[g] + sin * x[k] + cos * y[k]]);
   return points;
 }
 
@@ -39,10 +39,10 @@ export function shapeMesh(sample) {
 }
 
 /** Places of all rim points from an origin, and segments along the rims. */
-export function shapePlaces(sample, frame, origin) {
+export function shapePlaces(sample, snapshot, origin) {
   const { first, x } = sample.shapes, place = new Float32Array(2 * x.length), ends = new Float32Array(4 * x.length);
   for (let g = 0; g < sample.count; ++g) {
-    const rim = rimOf(sample, frame, g);
+    const rim = rimOf(sample, snapshot, g);
     rim.forEach(([px, py], k) => {
       const [qx, qy] = rim[(k + 1) % rim.length], at = first[g] + k;
       place.set([px - origin.x, py - origin.y], 2 * at);
@@ -90,8 +90,8 @@ export class ShapeScene {
     this.buffers = { place: dynamic(), paint: dynamic(), ends: dynamic(), width: dynamic(), colour: dynamic() };
   }
 
-  updatePositions(frame, origin) {
-    const { place, ends } = shapePlaces(this.sample, frame, origin);
+  updatePositions(snapshot, origin) {
+    const { place, ends } = shapePlaces(this.sample, snapshot, origin);
     this.buffers.place({ data: place, usage: "dynamic" });
     this.buffers.ends({ data: ends, usage: "dynamic" });
   }

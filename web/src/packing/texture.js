@@ -35,19 +35,19 @@ export function textureCard(title, t) {
     remainder(t), notes(t));
 }
 
-const textureOf = (sample, state) => new Numbers(sample.texture(state.get("frame")), sample.about.meanings);
+const textureOf = (sample, state) => new Numbers(sample.texture(state.get("snapshot")), sample.about.meanings);
 
 /** The six numbers that one asks for first; those of a critical state before all others. */
 export function packingHeadlines(sample, state) {
   const box = h("div");
   const refresh = () => {
-    const critical = criticalTiles(sample.stages[sample.about.frames[state.get("frame")].stage]);
+    const critical = criticalTiles(sample.stages[sample.about.snapshots[state.get("snapshot")].stage]);
     box.replaceChildren(headlines([...critical, ...tilesOf(textureOf(sample, state), [
       ["solid fraction", "\u03c6", "solid_fraction"], ["coordination", "z", "coordination.all"], ["anisotropy", "a_{c}", "fabric.a_c"], ["mean force", "\u27e8F_{n}\u27e9", "force.mean_N"],
       ["strong contacts", "", "force.strong_share", "%"], ["grains above mean", "P_{0}", "sigma_norm.P0", "%"],
     ])].slice(0, 6)));
   };
-  state.watch(["frame"], refresh);
+  state.watch(["snapshot"], refresh);
   refresh();
   return box;
 }
@@ -60,7 +60,7 @@ export function numbersTable(sample, state) {
     holder.replaceChildren(textureCard("Numbers", textureOf(sample, state)));
     if (open) holder.querySelector("details").open = true;
   };
-  state.watch(["frame"], refresh);
+  state.watch(["snapshot"], refresh);
   refresh();
   return holder;
 }

@@ -19,14 +19,14 @@ export class PackingView extends CanvasView {
     this.sample = sample;
     this.scene = new Scene(this.canvas, sample);
     this.listen({ click: () => this.select() });
-    state.watch(["frame"], () => this.refresh("positions", "colours", "chains"));
+    state.watch(["snapshot"], () => this.refresh("positions", "colours", "chains"));
     state.watch(["colour", "scales"], () => this.refresh("colours"));
     state.watch(["theme"], () => this.refresh("colours", "chains"));
     state.watch(["selected", "pointed"], () => this.sized && this.drawOverlay());
     state.watch(["chains", "types", "strength", "marks"], () => this.refresh("chains"));
   }
 
-  get frame() { return this.sample.frame(this.state.get("frame")); }
+  get snapshot() { return this.sample.snapshot(this.state.get("snapshot")); }
 
   refresh(...parts) {
     if (parts.includes("positions")) {
@@ -36,10 +36,10 @@ export class PackingView extends CanvasView {
     super.refresh(...parts);
   }
 
-  /** One box for all frames, so that the picture stands still while a wall moves. */
+  /** One box for all snapshots, so that the picture stands still while a wall moves. */
   get extent() {
     if (this.whole) return this.whole;
-    const boxes = this.sample.about.frames.map((frame) => this.sample.box(frame));
+    const boxes = this.sample.about.snapshots.map((snapshot) => this.sample.box(snapshot));
     return (this.whole = {
       left: Math.min(...boxes.map((b) => b.left)), right: Math.max(...boxes.map((b) => b.right)),
       bottom: Math.min(...boxes.map((b) => b.bottom)), top: Math.max(...boxes.map((b) => b.top)),
@@ -47,29 +47,29 @@ export class PackingView extends CanvasView {
   }
 
   update(stale) {
-    const { frame, theme, state } = this;
-    if (stale.has("positions")) this.scene.updatePositions(frame);
-    if (stale.has("colours")) this.scene.updateColours(frame, state, theme);
-    if (stale.has("chains")) this.scene.updateChains(state, frame, theme);
+    const { snapshot, theme, state } = this;
+    if (stale.has("positions")) this.scene.updatePositions(snapshot);
+    if (stale.has("colours")) this.scene.updateColours(snapshot, state, theme);
+    if (stale.has("chains")) this.scene.updateChains(state, snapshot, theme);
   }
 
   paint(pixelRatio = this.pixelRatio) { this.scene.draw(this.camera, pixelRatio, this.theme, this.state); }
 
-  legend() { return legend(this.sample, this.frame, this.camera, this.theme, this.state, this.camera.width); }
+  legend() { return legend(this.sample, this.snapshot, this.camera, this.theme, this.state, this.camera.width); }
 
   drawOverlay() {
-    this.over.replaceChildren(overlay(this.sample, this.frame, this.camera, this.theme, { walls: true, picked: this.picked ?? pointed(this.state), selected: this.state.get("selected") }));
+    this.over.replaceChildren(overlay(this.sample, this.snapshot, this.camera, this.theme, { walls: true, picked: this.picked ?? pointed(this.state), selected: this.state.get("selected") }));
   }
 
   pick([px, py]) {
-    this.picker ??= new Picker(this.sample, this.frame);
+    this.picker ??= new Picker(this.sample, this.snapshot);
     const [x, y] = this.camera.toWorld(px, py);
     const contact = this.state.get("chains") ? this.picker.contact(x, y, 2.5 / this.camera.scale, this.state) : null;
     const grain = contact === null ? this.picker.grain(x, y) : null;
     if (contact === null && grain === null) return this.unpick();
     this.picked = contact !== null ? { contact } : { grain };
     this.drawOverlay();
-    this.tooltip.show(this.picked, this.sample, this.frame, this.theme, [px, py]);
+    this.tooltip.show(this.picked, this.sample, this.snapshot, this.theme, [px, py]);
   }
 
   /** The grain under the pointer, which table and charts mark too; none where it is there already, or where no grain is. */
@@ -80,17 +80,17 @@ export class PackingView extends CanvasView {
 
   get name() { return fileName(this.sample.title, "packing", this.state.get("colour")); }
 
-  get vectors() { return this.sample.count + (this.state.get("chains") ? this.frame.contacts.fn.length : 0); }
+  get vectors() { return this.sample.count + (this.state.get("chains") ? this.snapshot.contacts.fn.length : 0); }
   get fewEnoughForSvg() { return this.vectors < mostVectors; }
 
   saveSvg() {
-    const svg = packingSvg(this.sample, this.frame, this.camera, this.theme, this.state);
+    const svg = packingSvg(this.sample, this.snapshot, this.camera, this.theme, this.state);
     saveSvg(this.name, svg, this.theme);
   }
 
   savePng() {
     const { camera, theme } = this;
-    return this.savePainted(this.name, camera.height + legendHeight + 8, overlay(this.sample, this.frame, camera, theme, { walls: true }),
+    return this.savePainted(this.name, camera.height + legendHeight + 8, overlay(this.sample, this.snapshot, camera, theme, { walls: true }),
       s("g", { transform: `translate(0 ${camera.height + 4})` }, this.legend()));
   }
 }

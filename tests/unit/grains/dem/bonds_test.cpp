@@ -27,7 +27,7 @@ ContactParameters cemented(double strength = 1e30) {
 
 /// Two touching disks of unequal radii, the line between them at this angle.
 Packing pair_of_disks(double angle = 0.3) {
-  Packing p = testing::empty_frame(1, 1);
+  Packing p = testing::empty_container(1, 1);
   testing::add_grain(p, 0.5, 0.5, 0.01);
   testing::add_grain(p, 0.5 + 0.016 * std::cos(angle), 0.5 + 0.016 * std::sin(angle), 0.006);
   return p;
@@ -145,7 +145,7 @@ TEST(Bonds, BreaksAtTheStrengthInTensionShearAndBending) {
 }
 
 TEST(Bonds, JoinGrainsThatTouchOrNearlyAndOnlyMarkedOnesWhereGluedGrainsAre) {
-  Packing p = testing::empty_frame(1, 1);
+  Packing p = testing::empty_container(1, 1);
   for (const double x : {0.1, 0.12, 0.1403, 0.2}) testing::add_grain(p, x, 0.5, 0.01);
   ContactParameters contact = cemented();
   EXPECT_EQ(bonded(p, contact).bonds.size(), 1u);
@@ -245,7 +245,7 @@ TEST(Bonds, OfAStageAreToldInHistoryStatesAndOutcome) {
   EXPECT_EQ(column("bonds").size(), column("time").size());
   EXPECT_EQ(column("bonds").back() + column("broken_in_tension").back() + column("broken_in_bending").back() + column("broken_in_shear").back(),
             static_cast<double>(count.made()));
-  const Packing& end = run.result.frames.back().packing;
+  const Packing& end = run.result.snapshots.back().packing;
   ASSERT_EQ(end.bonds.size(), count.made());
   double energy = 0;
   std::size_t broken = 0;

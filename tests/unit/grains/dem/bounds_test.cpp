@@ -12,7 +12,7 @@ namespace {
 /// A block of equal disks that touch on a triangular lattice, periodic both ways: every disk has six contacts.
 Packing triangular(int columns, int rows) {
   const double d = 0.01, pitch = d * (1 - 1e-4);
-  Packing p = testing::empty_frame(columns * pitch, rows * pitch * std::sqrt(0.75));
+  Packing p = testing::empty_container(columns * pitch, rows * pitch * std::sqrt(0.75));
   p.domain.periodic[0] = p.domain.periodic[1] = true;
   for (int r = 0; r < rows; ++r)
     for (int c = 0; c < columns; ++c) testing::add_grain(p, (c + 0.25 + 0.5 * (r % 2)) * pitch, (r + 0.5) * pitch * std::sqrt(0.75), 0.5 * d);

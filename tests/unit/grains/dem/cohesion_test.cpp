@@ -74,7 +74,7 @@ TEST(Cohesion, KernelsOfEveryWidthGiveTheSameBits) {
 }
 
 Packing two_disks(double gap) {
-  Packing p = testing::empty_frame(0.1, 0.1);
+  Packing p = testing::empty_container(0.1, 0.1);
   testing::add_grain(p, 0.04, 0.05, 0.006);
   testing::add_grain(p, 0.052 + gap, 0.05, 0.006);
   return p;
@@ -150,7 +150,7 @@ TEST(Cohesion, OfAStageIsToldInHistoryStatesAndOutcome) {
     ++columns;
   }
   EXPECT_EQ(columns, 2u);
-  const auto& pairs = run.result.frames.back().packing.cohesive;
+  const auto& pairs = run.result.snapshots.back().packing.cohesive;
   ASSERT_EQ(pairs.size(), count.joined);
   EXPECT_TRUE(std::is_sorted(pairs.begin(), pairs.end(), [](const auto& a, const auto& b) { return std::pair(a.i, a.j) < std::pair(b.i, b.j); }));
 }

@@ -12,7 +12,7 @@ namespace {
 struct Pull {
   Pull(Adhesion adhesion, bool by_name) {
     const double r = 0.0062;
-    Packing p = testing::empty_frame(5 * r, 0.1);
+    Packing p = testing::empty_container(5 * r, 0.1);
     testing::add_grain(p, 1.5 * r, 0.05, r);
     testing::add_grain(p, 3.5 * r - 4e-6, 0.05, r);
     testing::add_grain(p, 1.5 * r, 0.08, r);

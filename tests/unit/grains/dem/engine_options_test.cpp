@@ -68,7 +68,7 @@ TEST(Options, ASampleHandedOnKeepsTheFrictionOfItsSprings) {
 }
 
 TEST(Options, FrictionOverriddenForAStageComesBack) {
-  Packing p = testing::empty_frame(0.1, 0.1);
+  Packing p = testing::empty_container(0.1, 0.1);
   testing::add_grain(p, 0.05, 0.005 - 2.3e-9, 0.005);
   p.grains.velocity[0].x = 1;
   Engine engine(p, {}, {});
@@ -86,7 +86,7 @@ TEST(Options, FrictionOverriddenForAStageComesBack) {
 }
 
 TEST(Options, EveryProblemOfTheInputIsReportedInOnePass) {
-  Packing p = testing::empty_frame(0.1, 0.1);
+  Packing p = testing::empty_container(0.1, 0.1);
   testing::add_grain(p, 0.05, 0.05, -1);
   testing::add_grain(p, 0.5, 0.05, 0.005);
   testing::add_grain(p, std::nan(""), 0.05, 0.005);

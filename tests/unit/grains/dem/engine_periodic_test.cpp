@@ -42,7 +42,7 @@ TEST(PeriodicCell, KeepsItsMomentum) {
 }
 
 TEST(PeriodicCell, DisksFarAboveAnOpenTopMeetAcrossItsSides) {
-  Packing p = testing::empty_frame(0.2, 0.05);
+  Packing p = testing::empty_container(0.2, 0.05);
   p.domain.periodic[0] = true;
   p.domain.wall[top].present = false;
   testing::add_grain(p, 0.004, 0.2, 0.005);
@@ -69,7 +69,7 @@ TEST(PeriodicCell, GivesTheSameMotionWhereverItsEdgesLie) {
 }
 
 TEST(PeriodicCell, ThatIsSqueezedMovesItsGrainsAffinely) {
-  Packing p = testing::empty_frame(0.2, 0.2);
+  Packing p = testing::empty_container(0.2, 0.2);
   p.domain.periodic[0] = p.domain.periodic[1] = true;
   testing::add_grain(p, 0.05, 0.1, 0.003);
   testing::add_grain(p, 0.15, 0.03, 0.003);

@@ -32,7 +32,7 @@ IntegrationParameters tracked(double safety, IntegratorKind kind = IntegratorKin
 
 TEST(ShearedCell, MovesFreeGrainsByTheShearAlone) {
   for (const auto kind : {IntegratorKind::velocity_verlet, IntegratorKind::gear5}) {
-    Packing p = testing::empty_frame(0.2, 0.2);
+    Packing p = testing::empty_container(0.2, 0.2);
     p.domain.periodic[0] = p.domain.periodic[1] = true;
     testing::add_grain(p, 0.05, 0.19, 0.003);
     testing::add_grain(p, 0.15, 0.03, 0.003);
@@ -109,7 +109,7 @@ TEST(ShearedCell, GivesTheSameBitsOnTwoThreadsAndRestored) {
 }
 
 TEST(SlidingWall, DragsAGrainUpToItsSpeed) {
-  Packing p = testing::empty_frame(10, 0.2);
+  Packing p = testing::empty_container(10, 0.2);
   testing::add_grain(p, 1, 0.00999, 0.01);
   ContactParameters contact;
   contact.friction = 0.5;

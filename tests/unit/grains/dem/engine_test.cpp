@@ -13,11 +13,11 @@ namespace {
 
 using testing::add_grain;
 using testing::crowd;
-using testing::empty_frame;
+using testing::empty_container;
 
 TEST(Engine, ABinaryCollisionGivesBackTheRestitutionAsked) {
   for (const auto& [e, pulls] : {std::pair{0.1, true}, {0.5, true}, {0.9, true}, {0.1, false}, {0.5, false}, {0.9, false}}) {
-    Packing p = empty_frame(0.2, 0.2);
+    Packing p = empty_container(0.2, 0.2);
     add_grain(p, 0.09, 0.1, 0.005);
     add_grain(p, 0.10001, 0.1, 0.005);
     p.grains.velocity[0].x = 1.0;
@@ -37,7 +37,7 @@ TEST(Engine, ABinaryCollisionGivesBackTheRestitutionAsked) {
 }
 
 TEST(Engine, AFallingGrainFollowsItsParabola) {
-  Packing p = empty_frame(0.2, 10);
+  Packing p = empty_container(0.2, 10);
   add_grain(p, 0.1, 9, 0.005);
   p.grains.velocity[0].y = 0.3;
   Engine engine(p, {}, {});
@@ -50,7 +50,7 @@ TEST(Engine, AFallingGrainFollowsItsParabola) {
 }
 
 TEST(Engine, DragBrakesExponentially) {
-  Packing p = empty_frame(2, 2);
+  Packing p = empty_container(2, 2);
   add_grain(p, 1, 1, 0.005);
   p.grains.velocity[0].x = 1;
   IntegrationParameters integration;
@@ -61,7 +61,7 @@ TEST(Engine, DragBrakesExponentially) {
 }
 
 TEST(Engine, AStackUnderGravityPressesTheBottomWithItsWeight) {
-  Packing p = empty_frame(0.1, 0.1);
+  Packing p = empty_container(0.1, 0.1);
   double weight = 0;
   for (int k = 0; k < 3; ++k) {
     const auto g = add_grain(p, 0.05, 0.005 + 0.01 * k, 0.005);
@@ -127,7 +127,7 @@ TEST(Engine, AStepBeyondTheBoundsIsRefusedWithTheStepThatWouldDo) {
 }
 
 TEST(Engine, AGrainThatIsShotThroughAWallEndsInAnError) {
-  Packing p = empty_frame(0.1, 0.1);
+  Packing p = empty_container(0.1, 0.1);
   add_grain(p, 0.05, 0.05, 0.005);
   p.grains.velocity[0].x = 3000;
   Engine engine(p, {}, {});

@@ -82,7 +82,7 @@ INSTANTIATE_TEST_SUITE_P(Cells, Neighbours,
                                            Cell{{true, true}, 0.3}, Cell{{true, true}, -0.45}));
 
 TEST(PeriodicCell, TooNarrowForItsGrainsIsRefused) {
-  Packing p = testing::empty_frame(0.02, 0.2);
+  Packing p = testing::empty_container(0.02, 0.2);
   testing::add_grain(p, 0.01, 0.1, 0.006);
   p.domain.periodic[0] = true;
   EXPECT_ANY_THROW(Engine(p, {}, {}));

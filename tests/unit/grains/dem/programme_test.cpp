@@ -13,7 +13,7 @@ namespace {
 
 using testing::add_grain;
 using testing::crowd;
-using testing::empty_frame;
+using testing::empty_container;
 
 constexpr int velocity_of(int side) { return Programme::drives * side; }
 constexpr int force_on(int side) { return Programme::drives * side + 1; }
@@ -44,7 +44,7 @@ TEST(Programme, IsLinearBetweenItsRowsJumpsWhereTwoHaveOneTimeAndBeginsAnew) {
 }
 
 TEST(Programme, MovesAWallByTheAreaBelowItsVelocities) {
-  Packing start = empty_frame(0.2, 0.2);
+  Packing start = empty_container(0.2, 0.2);
   add_grain(start, 0.1, 0.1, 0.005);
   for (const IntegratorKind kind : {IntegratorKind::velocity_verlet, IntegratorKind::gear5}) {
     IntegrationParameters integration;
@@ -62,7 +62,7 @@ TEST(Programme, MovesAWallByTheAreaBelowItsVelocities) {
 }
 
 TEST(Programme, TurnsAndScalesTheWeightOfAFreeGrain) {
-  Packing start = empty_frame(10, 10);
+  Packing start = empty_container(10, 10);
   add_grain(start, 5, 5, 0.005);
   IntegrationParameters integration;
   integration.track_energy = true;
@@ -85,7 +85,7 @@ TEST(Programme, TurnsAndScalesTheWeightOfAFreeGrain) {
 /// Disks of one size on a triangular lattice in a periodic cell, touching.
 Packing crystal() {
   const double d = 0.012, columns = 6, rows = 6;
-  Packing p = empty_frame(columns * d, rows * d * std::sqrt(0.75));
+  Packing p = empty_container(columns * d, rows * d * std::sqrt(0.75));
   p.domain.periodic[0] = p.domain.periodic[1] = true;
   for (Wall& wall : p.domain.wall) wall.present = false;
   for (int r = 0; r < rows; ++r)
@@ -183,7 +183,7 @@ TEST(Programme, ResumesToTheSameBits) {
 
 /// A plate by tables of its place, its angle, its velocity, and of the force on it.
 TEST(Programme, MovesABoundary) {
-  Packing start = empty_frame(0.2, 0.2);
+  Packing start = empty_container(0.2, 0.2);
   add_grain(start, 0.02, 0.02, 0.005);
   Boundary plate;
   plate.name = "plate";

@@ -12,7 +12,7 @@ namespace {
 
 using testing::add_grain;
 using testing::crowd;
-using testing::empty_frame;
+using testing::empty_container;
 
 ContactParameters springy(double restitution) {
   ContactParameters contact;
@@ -38,7 +38,7 @@ Stage pressed_from_all_sides(double pressure) {
 
 /// Disks of 8 and 32 mm side by side on a lattice with room between them.
 Packing unlike_sizes() {
-  Packing p = empty_frame(0.21, 0.21);
+  Packing p = empty_container(0.21, 0.21);
   for (int row = 0; row < 5; ++row)
     for (int column = 0; column < 5; ++column) {
       const double x = 0.04 * column + 0.017 + 0.001 * row, y = 0.04 * row + 0.017 + 0.0007 * column;
@@ -49,7 +49,7 @@ Packing unlike_sizes() {
 }
 
 TEST(EvenMasses, KeepTheRestitutionOfUnlikeDisks) {
-  Packing p = empty_frame(0.2, 0.2);
+  Packing p = empty_container(0.2, 0.2);
   add_grain(p, 0.08, 0.1, 0.016);
   add_grain(p, 0.10001, 0.1, 0.004);
   p.grains.velocity[0].x = 1.0;
@@ -64,7 +64,7 @@ TEST(EvenMasses, KeepTheRestitutionOfUnlikeDisks) {
 }
 
 TEST(EvenMasses, AreThoseOfTheGrainWithTheFastestContacts) {
-  Packing p = empty_frame(1, 1);
+  Packing p = empty_container(1, 1);
   const auto light = add_grain(p, 0.2, 0.2, 0.004), heavy = add_grain(p, 0.8, 0.8, 0.016), soft = add_grain(p, 0.5, 0.5, 0.012, 1);
   for (const auto k : {light, heavy, soft}) p.grains.velocity[k].x = 1;
   Engine engine(p, springy(0.5), {});
@@ -80,7 +80,7 @@ TEST(EvenMasses, AreHeavyEnoughForTheStepThatTheOwnOnesAllow) {
   // A lattice with a slightly smaller grain, free in the place of one of its own: it alone sets the step of own masses, and
   // a whole lattice of its mass is faster.
   const double d = 0.01, pitch = d * (1 - 1e-4), rise = pitch * std::sqrt(0.75);
-  Packing p = empty_frame(12 * pitch, 12 * rise);
+  Packing p = empty_container(12 * pitch, 12 * rise);
   p.domain.periodic[0] = p.domain.periodic[1] = true;
   for (int r = 0; r < 12; ++r)
     for (int c = 0; c < 12; ++c) add_grain(p, (c + 0.25 + 0.5 * (r % 2)) * pitch, (r + 0.5) * rise, (r == 6 && c == 6 ? 0.45 : 0.5) * d);
@@ -98,7 +98,7 @@ TEST(EvenMasses, AreHeavyEnoughForTheStepThatTheOwnOnesAllow) {
 /// A lattice of equal disks that do not touch yet, in a periodic cell: a step at its bound is too long once they do.
 Packing lattice_about_to_touch() {
   const double d = 0.01, pitch = d * (1 + 1e-4), rise = pitch * std::sqrt(0.75);
-  Packing p = empty_frame(12 * pitch, 12 * rise);
+  Packing p = empty_container(12 * pitch, 12 * rise);
   p.domain.periodic[0] = p.domain.periodic[1] = true;
   for (int r = 0; r < 12; ++r)
     for (int c = 0; c < 12; ++c) add_grain(p, (c + 0.25 + 0.5 * (r % 2)) * pitch, (r + 0.5) * rise, 0.5 * d);
@@ -209,7 +209,7 @@ TEST(InertialNumber, LetsOverlappingGrainsPushTheirSidesAwayFaster) {
 
 /// Drag of the stage, of the integration and of the slowest wave add up.
 TEST(CriticalDrag, IsPiOverThePassageOfAWave) {
-  Packing p = empty_frame(2, 1);
+  Packing p = empty_container(2, 1);
   add_grain(p, 0.5, 0.5, 0.005);
   add_grain(p, 1.5, 0.5, 0.005);
   p.grains.velocity[0].x = 1;

@@ -10,7 +10,7 @@ namespace {
 
 using testing::add_grain;
 using testing::crowd;
-using testing::empty_frame;
+using testing::empty_container;
 using testing::to_its_end;
 
 const std::vector<double>& column(const History& history, const char* name) {
@@ -19,9 +19,9 @@ const std::vector<double>& column(const History& history, const char* name) {
   throw std::out_of_range(name);
 }
 
-/// One disk that fills the frame from bottom to top.
+/// One disk that fills the snapshot from bottom to top.
 Packing one_disk() {
-  Packing p = empty_frame(0.1, 0.02);
+  Packing p = empty_container(0.1, 0.02);
   add_grain(p, 0.05, 0.01, 0.01);
   return p;
 }
@@ -45,9 +45,9 @@ TEST(StrainCycles, GoToAndFroBetweenTwoStrainsAndBackToTheForce) {
     ASSERT_NEAR(force[k], 0.5 * 27.35e6 * strain * 0.02, 0.03 * 0.5 * 27.35e6 * 0.001 * 0.02);
   }
   // States of the first cycle and of every hundredth.
-  ASSERT_EQ(run.result.frames.size(), 10u);
-  EXPECT_EQ(run.result.frames[1].label, "cycle 1 minimum");
-  EXPECT_EQ(run.result.frames[2].label, "cycle 100 maximum");
+  ASSERT_EQ(run.result.snapshots.size(), 10u);
+  EXPECT_EQ(run.result.snapshots[1].label, "cycle 1 minimum");
+  EXPECT_EQ(run.result.snapshots[2].label, "cycle 100 maximum");
   EXPECT_EQ(share_done(stage, run), 1);
 }
 
@@ -63,7 +63,7 @@ TEST(StrainCycles, ShearACellToAndFro) {
   const auto& strain = column(run.result.cycles, "shear_strain");
   ASSERT_EQ(strain.size(), 6u);
   for (std::size_t k = 0; k < 6; ++k) EXPECT_NEAR(strain[k], k % 2 == 0 ? 0.01 : -0.01, 1e-12);
-  EXPECT_EQ(run.result.frames.size(), 6u);
+  EXPECT_EQ(run.result.snapshots.size(), 6u);
 }
 
 TEST(StrainCycles, ResumeToTheSameBits) {
@@ -97,8 +97,8 @@ TEST(StressCycles, KnowEveryCycleOfThousandsWithoutItsStates) {
   const auto &force = column(run.result.cycles, "top_force"), &at_maximum = column(run.result.cycles, "at_maximum");
   ASSERT_EQ(force.size(), 2000u);
   for (std::size_t k = 0; k < force.size(); ++k) ASSERT_NEAR(force[k] / (at_maximum[k] == 1 ? 1000 : 100), 1, 0.05) << k;
-  ASSERT_EQ(run.result.frames.size(), 1u + 2 + 2 + 2);
-  EXPECT_EQ(run.result.frames.back().label, "cycle 1000 minimum");
+  ASSERT_EQ(run.result.snapshots.size(), 1u + 2 + 2 + 2);
+  EXPECT_EQ(run.result.snapshots.back().label, "cycle 1000 minimum");
 }
 
 }  // namespace

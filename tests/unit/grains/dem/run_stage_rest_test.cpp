@@ -9,14 +9,14 @@ namespace arenite::dem {
 namespace {
 
 using testing::add_grain;
-using testing::empty_frame;
+using testing::empty_container;
 using testing::to_its_end;
 
 constexpr double radius = 3e-3, wide = 50e-3;
 
 /// A wide disk that the upper wall presses on the lower one, and a small disk beside it that nothing holds.
 Packing pressed_and_loose() {
-  Packing p = empty_frame(3 * wide, 2 * wide);
+  Packing p = empty_container(3 * wide, 2 * wide);
   add_grain(p, wide, wide, wide);
   add_grain(p, 2.6 * wide, wide, radius);
   return p;
@@ -44,7 +44,7 @@ TEST(Rest, IsNotReachedWhileADiskFallsHoweverSmallItsWeight) {
   Engine engine(start, contact(), {});
   const StageRun run = to_its_end(engine, stage);
   ASSERT_TRUE(run.result.converged) << run.result.outcome;
-  const Frame& end = run.result.frames.back();
+  const Snapshot& end = run.result.snapshots.back();
   EXPECT_EQ(end.equilibrium.falling, 0);
   EXPECT_NEAR(end.packing.grains.position.back().y, radius, 0.01 * radius);
 
@@ -53,7 +53,7 @@ TEST(Rest, IsNotReachedWhileADiskFallsHoweverSmallItsWeight) {
   stage.equilibrium.loose_kinetic = 1e9;
   Engine again(start, contact(), {});
   const StageRun early = to_its_end(again, stage);
-  EXPECT_EQ(early.result.frames.back().equilibrium.falling, 0.5);
+  EXPECT_EQ(early.result.snapshots.back().equilibrium.falling, 0.5);
   EXPECT_LT(again.step(), engine.step());
 }
 
@@ -63,7 +63,7 @@ TEST(Rest, IsNotReachedWhileALooseDiskFliesFast) {
   Engine engine(start, contact(0.9), {});
   Stage stage = pressed(false);
   const StageRun run = to_its_end(engine, stage);
-  EXPECT_LT(run.result.frames.back().equilibrium.loose_kinetic, 0.1);
+  EXPECT_LT(run.result.snapshots.back().equilibrium.loose_kinetic, 0.1);
   Packing slow = pressed_and_loose();
   slow.grains.velocity.back().x = 1e-3;
   Engine calm(slow, contact(0.9), {});
@@ -72,7 +72,7 @@ TEST(Rest, IsNotReachedWhileALooseDiskFliesFast) {
 }
 
 TEST(Rest, ManyDisksThatAllFallAreNotAtRest) {
-  Packing start = empty_frame(0.2, 1);
+  Packing start = empty_container(0.2, 1);
   for (int k = 0; k < 10; ++k) add_grain(start, 0.02 * k + 0.01, 0.9, radius);
   Engine engine(start, contact(), {});
   engine.set_gravity({0, -standard_gravity});

@@ -7,8 +7,8 @@
 
 namespace arenite::dem::testing {
 
-/// A frame without grains; one material of 27.35 kN/mm and 1410 kg/m^3, 60 mm thick.
-inline Packing empty_frame(double width, double height) {
+/// A container without grains; one material of 27.35 kN/mm and 1410 kg/m^3, 60 mm thick.
+inline Packing empty_container(double width, double height) {
   Packing p;
   p.materials = {{"pom", 1410, 27.35e6, 0}, {"hdpe", 950, 6.43e6, 0}};
   p.domain.wall[right].position = width;
@@ -29,7 +29,7 @@ inline std::size_t add_grain(Packing& p, double x, double y, double radius, int 
 /// Disks of two materials, radii 4-8 mm, on a jittered lattice a little overlapping at random; caller's order shuffled
 /// against the places.
 inline Packing crowd(int columns, int rows, std::uint64_t seed, double pitch = 0.0135) {
-  Packing p = empty_frame(columns * pitch, rows * pitch);
+  Packing p = empty_container(columns * pitch, rows * pitch);
   RandomStream random(seed, Purpose::test);
   const int n = columns * rows;
   for (int q = 0; q < n; ++q) {

@@ -26,8 +26,8 @@ Packing grid() {
 
 StageResult drawn() {
   StageResult r;
-  r.frames.push_back({1, 1000, "end", grid(), {}, {}});
-  r.frames.back().packing.cohesive.resize(5);
+  r.snapshots.push_back({1, 1000, "end", grid(), {}, {}});
+  r.snapshots.back().packing.cohesive.resize(5);
   const std::vector<double> zero(4, 0.0), wide(4, 0.03);
   r.history.columns = {{"left_position", "m", zero}, {"right_position", "m", wide}, {"top_force", "N", {0.3, -0.6, -0.45, -0.1}}};
   return r;
@@ -63,7 +63,7 @@ TEST(CohesionNumbers, SetThePullBesideTheWeightUnderGravity) {
 
 TEST(CohesionNumbers, SayNothingOfDryGrains) {
   StageResult dry = drawn();
-  dry.frames.back().packing.cohesive.clear();
+  dry.snapshots.back().packing.cohesive.clear();
   Packing before = grid();
   before.cohesive.clear();
   EXPECT_TRUE(cohesion_numbers({dry, drawing_the_top(), &before, {}}).empty());

@@ -23,7 +23,7 @@ Packing column(bool fallen) {
 
 StageResult result() {
   StageResult r;
-  r.frames.push_back({1, 1000, "end", column(true), {}, {}});
+  r.snapshots.push_back({1, 1000, "end", column(true), {}, {}});
   std::vector<double> time, grains, mass;
   for (int k = 0; k <= 400; ++k) {
     time.push_back(0.01 * k);
@@ -59,7 +59,7 @@ TEST(FlowNumbers, TellTheFloorOfASilo) {
     silo.history.columns.push_back({name, "N", std::vector<double>(rows, force)});
     for (std::size_t k = 0; k < rows; ++k) silo.history.columns.back().values[k] += (k < rows / 3 ? 100 : 0.5 * std::cos(2.4 * static_cast<double>(k)));
   }
-  Packing& packing = silo.frames.back().packing;
+  Packing& packing = silo.snapshots.back().packing;
   packing.domain.wall[right].position = 0.6;
   packing.domain.thickness = 0.1;
   dem::Stage stage;

@@ -7,7 +7,7 @@ namespace {
 
 TEST(StageNumbers, AreThoseOfEveryStatistic) {
   StageResult result;
-  Packing& packing = result.frames.emplace_back().packing;
+  Packing& packing = result.snapshots.emplace_back().packing;
   packing.materials = {{"glass", 2500, 1e6, 0}};
   packing.domain.wall[right].position = packing.domain.wall[top].position = 0.02;
   packing.grains.resize(2);

@@ -24,7 +24,7 @@ Packing sheared_pair() {
   return packing;
 }
 
-TEST(ExportFrame, AContactAcrossATiltedPeriodicSideEndsAtTheNearImage) {
+TEST(ExportSnapshot, AContactAcrossATiltedPeriodicSideEndsAtTheNearImage) {
   Packing packing = sheared_pair();
   packing.contacts.add(0, 1, {0, 1}, 1, 0, 0.5, 0.5);
   const Vec2 end = io::far_end(packing, 0);
@@ -32,7 +32,7 @@ TEST(ExportFrame, AContactAcrossATiltedPeriodicSideEndsAtTheNearImage) {
   EXPECT_DOUBLE_EQ(end.y, -0.5);  // one cell below
 }
 
-TEST(ExportFrame, ContactTypesNumberThePairsOfMaterialsWhateverTheirOrder) {
+TEST(ExportSnapshot, ContactTypesNumberThePairsOfMaterialsWhateverTheirOrder) {
   Packing packing = sheared_pair();
   packing.grains.resize(3);
   packing.grains.material = {0, 1, 2};
@@ -44,25 +44,25 @@ TEST(ExportFrame, ContactTypesNumberThePairsOfMaterialsWhateverTheirOrder) {
   EXPECT_EQ(types, (std::vector<int>{0, 1, 2, 1, 3, 4, 2, 4, 5, -1}));
 }
 
-TEST(ExportFrame, LammpsBoundsOfATiltedCellEncloseIt) {
-  Frame frame;
-  frame.packing = sheared_pair();
-  const auto dump = io::exports::lammps.of_frame({0, "shear", &frame, {}}).front().bytes;
+TEST(ExportSnapshot, LammpsBoundsOfATiltedCellEncloseIt) {
+  Snapshot snapshot;
+  snapshot.packing = sheared_pair();
+  const auto dump = io::exports::lammps.of_snapshot({0, "shear", &snapshot, {}}).front().bytes;
   EXPECT_NE(dump.find("ITEM: BOX BOUNDS xy xz yz pp pp pp\n0 13 3\n0 8 0\n"), std::string::npos) << dump;
-  const auto xyz = io::exports::extxyz.of_frame({0, "shear", &frame, {}}).front().bytes;
+  const auto xyz = io::exports::extxyz.of_snapshot({0, "shear", &snapshot, {}}).front().bytes;
   EXPECT_NE(xyz.find("Lattice=\"10 0 0 3 8 0 0 0 1\""), std::string::npos) << xyz;
   EXPECT_NE(xyz.find("pbc=\"T T F\""), std::string::npos) << xyz;
 }
 
-TEST(ExportFrame, EveryFormatTakesASampleWithoutContactsOrGrains) {
-  Frame frame;
-  frame.packing.materials = {{"A", 1, 1, 0}};
+TEST(ExportSnapshot, EveryFormatTakesASampleWithoutContactsOrGrains) {
+  Snapshot snapshot;
+  snapshot.packing.materials = {{"A", 1, 1, 0}};
   for (const auto* known : io::exports::all) {
     const io::ExportFormat& format = *known;
     std::set<std::string> names;
-    io::ExportFrame one{0, "", &frame, {}};
+    io::ExportSnapshot one{0, "", &snapshot, {}};
     if (format.wants_grid) one.grid = {0, 0, 1, 1, 1, 1, {}, {{0, 0}}, {0}, {0}, {0}};
-    for (const auto& file : format.of_loading ? format.of_loading({one}, {}) : format.of_frame(one)) {
+    for (const auto& file : format.of_loading ? format.of_loading({one}, {}) : format.of_snapshot(one)) {
       EXPECT_FALSE(file.bytes.empty()) << file.name;
       names.insert(file.name);
     }
@@ -70,12 +70,12 @@ TEST(ExportFrame, EveryFormatTakesASampleWithoutContactsOrGrains) {
   }
 }
 
-TEST(ExportFrame, FieldsAreAnImageOfTheBoxWithVectorsAndTensors) {
-  io::ExportFrame one;
+TEST(ExportSnapshot, FieldsAreAnImageOfTheBoxWithVectorsAndTensors) {
+  io::ExportSnapshot one;
   one.number = 7;
-  EXPECT_TRUE(io::exports::fields.of_frame(one).empty());
+  EXPECT_TRUE(io::exports::fields.of_snapshot(one).empty());
   one.grid = {1, 2, 0.5, 0.25, 2, 1, {{"density", "kg/m^3", {3, 4}}}, {{1, 0}, {2, 0}}, {-1, -1}, {-2, -2}, {0.5, 0.5}};
-  const auto files = io::exports::fields.of_frame(one);
+  const auto files = io::exports::fields.of_snapshot(one);
   ASSERT_EQ(files.size(), 1u);
   EXPECT_EQ(files[0].name, "fields_0007.vti");
   for (const char* part : {"WholeExtent=\"0 1 0 0 0 0\" Origin=\"1.25 2.125 0\" Spacing=\"0.5 0.25 0.5\"", "Name=\"density\" NumberOfComponents=\"1\"",
@@ -84,11 +84,11 @@ TEST(ExportFrame, FieldsAreAnImageOfTheBoxWithVectorsAndTensors) {
   EXPECT_NE(io::exports::fields.index({0, 0.5}).front().bytes.find("timestep=\"0.5\" part=\"0\" file=\"fields_0001.vti\""), std::string::npos);
 }
 
-TEST(ExportFrame, UnknownNumbersAreEmptyCellsAndNamesWithCommasAreQuotedInTables) {
-  Frame frame;
-  frame.packing = test::row_of_grains(2);
-  frame.packing.materials[0].name = "POM, \"black\"";
-  const auto files = io::exports::csv.of_frame({3, "load", &frame, {{"sigma_norm", "1", {0.5, std::nan("")}}}});
+TEST(ExportSnapshot, UnknownNumbersAreEmptyCellsAndNamesWithCommasAreQuotedInTables) {
+  Snapshot snapshot;
+  snapshot.packing = test::row_of_grains(2);
+  snapshot.packing.materials[0].name = "POM, \"black\"";
+  const auto files = io::exports::csv.of_snapshot({3, "load", &snapshot, {{"sigma_norm", "1", {0.5, std::nan("")}}}});
   ASSERT_EQ(files.size(), 2u);
   EXPECT_EQ(files[0].name, "grains_0003.csv");
   EXPECT_TRUE(files[0].bytes.starts_with("id,x [m],y [m],radius [m],material,zone,angle [rad],vx [m/s],vy [m/s],omega [rad/s],sigma_norm\n")) << files[0].bytes;

@@ -27,8 +27,8 @@ TEST(Hdf5Turn, ThreadsReadFilmsAndWriteResultsSideBySide) {
   };
   const auto stores_results = [&](const std::filesystem::path& file) {
     for (int n = 0; n < 150; ++n) {
-      write_stage(file, test::two_frames(50));
-      results += read_stage(file).frames.size() == 2;
+      write_stage(file, test::two_snapshots(50));
+      results += read_stage(file).snapshots.size() == 2;
     }
   };
   std::vector<std::thread> threads;

@@ -12,15 +12,15 @@ namespace {
 
 /// Three grains with these bonds and cohesive pairs.
 StageResult stage_with(std::vector<Bond> bonds, std::vector<CohesivePair> pairs = {}) {
-  Frame frame;
-  frame.packing.materials = {{"glass", 2500, 1e6, 0}};
-  frame.packing.grains.resize(3);
-  frame.packing.grains.radius = {0.01, 0.01, 0.01};
-  frame.packing.bonds = std::move(bonds);
-  frame.packing.cohesive = std::move(pairs);
+  Snapshot snapshot;
+  snapshot.packing.materials = {{"glass", 2500, 1e6, 0}};
+  snapshot.packing.grains.resize(3);
+  snapshot.packing.grains.radius = {0.01, 0.01, 0.01};
+  snapshot.packing.bonds = std::move(bonds);
+  snapshot.packing.cohesive = std::move(pairs);
   StageResult stage;
   stage.name = "press";
-  stage.frames.push_back(frame);
+  stage.snapshots.push_back(snapshot);
   return stage;
 }
 
@@ -43,9 +43,9 @@ TEST(StageBonds, ComeBackAsTheyWere) {
   const auto path = bonds_file("bonds.h5");
   write_stage(path, stage_with({whole, torn}));
   const StageResult read = read_stage(path);
-  ASSERT_EQ(read.frames[0].packing.bonds.size(), 2u);
-  expect_same(read.frames[0].packing.bonds[0], whole);
-  expect_same(read.frames[0].packing.bonds[1], torn);
+  ASSERT_EQ(read.snapshots[0].packing.bonds.size(), 2u);
+  expect_same(read.snapshots[0].packing.bonds[0], whole);
+  expect_same(read.snapshots[0].packing.bonds[1], torn);
   std::filesystem::remove(path);
 }
 
@@ -70,7 +70,7 @@ TEST(StageCohesive, PairsComeBackAsTheyWere) {
   const auto path = bonds_file("cohesive.h5");
   const CohesivePair touching{0, 1, -1e-6, 2.5, -2.5e-6}, apart{1, 2, 3e-4, 1.5, 4e-4};
   write_stage(path, stage_with({}, {touching, apart}));
-  const auto read = read_stage(path).frames[0].packing.cohesive;
+  const auto read = read_stage(path).snapshots[0].packing.cohesive;
   ASSERT_EQ(read.size(), 2u);
   for (const auto& [was, is] : {std::pair{touching, read[0]}, {apart, read[1]}}) {
     EXPECT_EQ(is.i, was.i);

@@ -11,8 +11,8 @@ namespace arenite::io {
 namespace {
 
 StageResult stage_with_boundaries(std::vector<Boundary> boundaries, std::int32_t partner) {
-  Frame frame;
-  Packing& p = frame.packing;
+  Snapshot snapshot;
+  Packing& p = snapshot.packing;
   p.materials = {{"glass", 2500, 1e6, 0}};
   p.grains.resize(1);
   p.grains.radius[0] = 0.01;
@@ -20,7 +20,7 @@ StageResult stage_with_boundaries(std::vector<Boundary> boundaries, std::int32_t
   p.contacts.add(0, partner, {0, 1}, 1, 0, 0.01, 0);
   StageResult stage;
   stage.name = "turn";
-  stage.frames.push_back(frame);
+  stage.snapshots.push_back(snapshot);
   return stage;
 }
 
@@ -33,8 +33,8 @@ TEST(StageBoundaries, ComeBackAsTheyWere) {
   const auto path = boundaries_file("boundaries.h5");
   write_stage(path, stage_with_boundaries(two, boundary_partner(9)));
   const StageResult read = read_stage(path);
-  EXPECT_EQ(read.frames[0].packing.domain.boundaries, two);
-  EXPECT_EQ(read.frames[0].packing.domain.boundary_of(read.frames[0].packing.contacts.element(0)), 1);
+  EXPECT_EQ(read.snapshots[0].packing.domain.boundaries, two);
+  EXPECT_EQ(read.snapshots[0].packing.domain.boundary_of(read.snapshots[0].packing.contacts.element(0)), 1);
   std::filesystem::remove(path);
 }
 
@@ -51,7 +51,7 @@ TEST(StageBoundaries, LeaveNoTraceWhereThereAreNone) {
   const auto path = boundaries_file("none.h5");
   write_stage(path, stage_with_boundaries({}, wall_partner(bottom)));
   EXPECT_EQ(read_file(path.string()).find("boundaries"), std::string::npos);
-  EXPECT_TRUE(read_stage(path).frames[0].packing.domain.boundaries.empty());
+  EXPECT_TRUE(read_stage(path).snapshots[0].packing.domain.boundaries.empty());
   std::filesystem::remove(path);
 }
 

@@ -18,7 +18,7 @@ io::Checkpoint some_checkpoint() {
   c.blobs["empty"] = {};
   c.numbers = {{"target [N]", 5e4}, {"drag", 0.1}};
   c.integers = {{"increment", 3}, {"step", -1}};
-  c.partial = test::two_frames();
+  c.partial = test::two_snapshots();
   return c;
 }
 
@@ -31,7 +31,7 @@ TEST(Checkpoint, GivesBackWhatARunNeedsToGoOn) {
   EXPECT_EQ(read->blobs, c.blobs);
   EXPECT_EQ(read->numbers, c.numbers);
   EXPECT_EQ(read->integers, c.integers);
-  EXPECT_EQ(read->partial.frames.size(), 2u);
+  EXPECT_EQ(read->partial.snapshots.size(), 2u);
   EXPECT_EQ(read->partial.history.columns[1].values, c.partial.history.columns[1].values);
 }
 
@@ -48,7 +48,7 @@ TEST(Checkpoint, CutShortIsAnInputErrorAndAStageFileIsNoCheckpoint) {
   const auto whole = io::read_file(folder / "c");
   io::write_atomically(folder / "c", std::string_view(whole).substr(0, whole.size() / 2));
   EXPECT_THROW(io::read_checkpoint(folder / "c", "abc"), InputError);
-  io::write_stage(folder / "r.h5", test::two_frames());
+  io::write_stage(folder / "r.h5", test::two_snapshots());
   EXPECT_THROW(io::read_checkpoint(folder / "r.h5", "abc"), InputError);
 }
 

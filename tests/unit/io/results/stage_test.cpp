@@ -21,7 +21,7 @@ using arenite::io::read_file;
 using arenite::io::read_stage;
 using arenite::io::write_stage;
 using arenite::test::TemporaryFolder;
-using arenite::test::two_frames;
+using arenite::test::two_snapshots;
 
 /// Not atomic, hence fast: hundreds of spoilt files.
 void spill(const std::filesystem::path& path, std::string_view bytes) {
@@ -56,7 +56,7 @@ class Bits {
   std::string text_;
 };
 
-void add(Bits& bits, const Frame& f) {
+void add(Bits& bits, const Snapshot& f) {
   bits.add(f.time);
   bits.add(f.step);
   bits.add(f.label);
@@ -105,7 +105,7 @@ std::string bits_of(const StageResult& r) {
   }
   bits.add(std::int64_t{r.converged});
   bits.add(r.continuation);
-  for (const auto& f : r.frames) add(bits, f);
+  for (const auto& f : r.snapshots) add(bits, f);
   for (const auto& column : r.history.columns) {
     bits.add(column.name);
     bits.add(column.unit);
@@ -118,8 +118,8 @@ double any_double() { return std::bit_cast<double>(*rc::gen::arbitrary<std::uint
 
 std::string any_text() { return *rc::gen::container<std::string>(rc::gen::inRange<char>(1, 127)); }
 
-Frame any_frame(std::size_t n, const Packing& sample) {
-  Frame f;
+Snapshot any_snapshot(std::size_t n, const Packing& sample) {
+  Snapshot f;
   f.time = any_double();
   f.step = *rc::gen::arbitrary<std::int64_t>();
   f.label = any_text();
@@ -173,8 +173,8 @@ StageResult any_result() {
     sample.grains.radius[i] = any_double();
     sample.grains.material[i] = *rc::gen::inRange(0, 2);
   }
-  const int frames = *rc::gen::inRange(0, 4);
-  for (int f = 0; f < frames; ++f) r.frames.push_back(any_frame(n, sample));
+  const int snapshots = *rc::gen::inRange(0, 4);
+  for (int f = 0; f < snapshots; ++f) r.snapshots.push_back(any_snapshot(n, sample));
   const int columns = *rc::gen::inRange(0, 4);
   const std::size_t samples = *rc::gen::inRange<std::size_t>(0, 1500);
   for (int c = 0; c < columns; ++c) r.history.columns.push_back({"column " + std::to_string(9 - c), any_text(), std::vector<double>(samples, any_double())});
@@ -192,30 +192,30 @@ TEST(StageFile, GivesBackEveryBitOfAnyResult) {
 
 TEST(StageFile, SameResultGivesTheSameBytes) {
   const TemporaryFolder folder;
-  const auto result = two_frames(2000);
+  const auto result = two_snapshots(2000);
   write_stage(folder / "a.h5", result);
   ::sleep(1);  // a clock of whole seconds, if one were stored, would tick
   write_stage(folder / "b.h5", result);
   EXPECT_EQ(read_file(folder / "a.h5"), read_file(folder / "b.h5"));
   auto other = result;
-  other.frames[1].packing.grains.velocity[3].x += 1e-9;
+  other.snapshots[1].packing.grains.velocity[3].x += 1e-9;
   write_stage(folder / "c.h5", other);
   EXPECT_NE(read_file(folder / "a.h5"), read_file(folder / "c.h5"));
 }
 
-TEST(StageFile, RadiiAndMaterialsAreStoredOnceWhateverTheNumberOfFrames) {
+TEST(StageFile, RadiiAndMaterialsAreStoredOnceWhateverTheNumberOfSnapshots) {
   const TemporaryFolder folder;
-  auto result = two_frames(2000);
+  auto result = two_snapshots(2000);
   write_stage(folder / "two.h5", result);
   const auto two = std::filesystem::file_size(folder / "two.h5");
-  for (auto& r : result.frames[1].packing.grains.radius) r *= 1 + 1e-9 * static_cast<double>(&r - &result.frames[1].packing.grains.radius[0]);
+  for (auto& r : result.snapshots[1].packing.grains.radius) r *= 1 + 1e-9 * static_cast<double>(&r - &result.snapshots[1].packing.grains.radius[0]);
   write_stage(folder / "other.h5", result);
   EXPECT_GT(std::filesystem::file_size(folder / "other.h5"), two + 4000);
 }
 
 TEST(StageFile, CutAnywhereIsAnInputErrorThatSaysSo) {
   const TemporaryFolder folder;
-  write_stage(folder / "whole.h5", two_frames());
+  write_stage(folder / "whole.h5", two_snapshots());
   const std::string whole = read_file(folder / "whole.h5");
   std::vector<std::size_t> lengths{0, 1, 7, 8, 100, 511, 512, 513, 520, 600, whole.size() - 1};
   for (std::size_t length = 640; length < whole.size(); length += 97) lengths.push_back(length);
@@ -228,7 +228,7 @@ TEST(StageFile, CutAnywhereIsAnInputErrorThatSaysSo) {
 
 TEST(StageFile, AnyChangedByteAfterTheSealIsNoticed) {
   const TemporaryFolder folder;
-  write_stage(folder / "whole.h5", two_frames());
+  write_stage(folder / "whole.h5", two_snapshots());
   const std::string whole = read_file(folder / "whole.h5");
   for (std::size_t at = 512; at < whole.size(); at += 331) {
     std::string damaged = whole;
@@ -241,7 +241,7 @@ TEST(StageFile, AnyChangedByteAfterTheSealIsNoticed) {
 TEST(StageFile, TextThatIsDamagedUnderARightSealIsTold) {
   const TemporaryFolder folder;
   const auto complaint = [&](const auto& spoil) {
-    StageResult result = two_frames();
+    StageResult result = two_snapshots();
     spoil(result);
     write_stage(folder / "sealed.h5", result);
     return complaint_about(folder / "sealed.h5");
@@ -254,7 +254,7 @@ TEST(StageFile, TextThatIsDamagedUnderARightSealIsTold) {
   const std::string no_text = "at \xff rest";
   for (const auto& spoil : std::vector<std::function<void(StageResult&)>>{
            [&](StageResult& r) { r.outcome = no_text; }, [&](StageResult& r) { r.provenance.recipe = no_text; },
-           [&](StageResult& r) { r.frames[0].label = no_text; },
+           [&](StageResult& r) { r.snapshots[0].label = no_text; },
            [&](StageResult& r) {
              r.texture = {{"note", no_text}};
            },
@@ -268,7 +268,7 @@ TEST(StageFile, ForeignAndNewerFilesAreTold) {
   EXPECT_NE(complaint_about(folder / "text.h5").find("is not a result of Arenite"), std::string::npos);
   spill(folder / "foreign.h5", std::string("\x89HDF\r\n\x1a\n", 8) + std::string(2000, '\0'));
   EXPECT_NE(complaint_about(folder / "foreign.h5").find("another program"), std::string::npos);
-  write_stage(folder / "newer.h5", two_frames());
+  write_stage(folder / "newer.h5", two_snapshots());
   std::string newer = read_file(folder / "newer.h5");
   newer.replace(newer.find("format 1"), 8, "format 2");
   spill(folder / "newer.h5", newer);

@@ -15,7 +15,7 @@ namespace {
 /// Disks pressed together, with contact forces in equilibrium.
 Packing pressed() {
   static const test::PageSample sample(120);
-  return sample.stage.frames.back().packing;
+  return sample.stage.snapshots.back().packing;
 }
 
 TEST(TransposedPacking, StressIsTransposedWithIt) {

@@ -22,8 +22,8 @@ Boundary polyline(std::vector<Vec2> points, bool closed = false) {
   return boundary;
 }
 
-Packing frame_with(Boundary boundary) {
-  Packing p = testing::empty_frame(2, 2);
+Packing container_with(Boundary boundary) {
+  Packing p = testing::empty_container(2, 2);
   p.domain.boundaries.push_back(std::move(boundary));
   return p;
 }
@@ -43,7 +43,7 @@ double mass_of(double radius) { return 1410 * std::numbers::pi * radius * radius
 /// Mean acceleration, along a segment of this slope, of a disk that is let go on it.
 double acceleration_on(double slope, double mu) {
   const Vec2 along{std::cos(slope), -std::sin(slope)}, normal = perpendicular(along), start{0.2, 1.8};
-  Packing p = frame_with(polyline({start, start + 1.6 * along}));
+  Packing p = container_with(polyline({start, start + 1.6 * along}));
   const double height = r - overlap_under(mass_of(r) * g * std::cos(slope));
   const Vec2 at = start + 0.1 * along + height * normal;
   testing::add_grain(p, at.x, at.y, r);
@@ -65,7 +65,7 @@ TEST(Boundaries, DiskSlidesAndRollsDownASegmentAsOnAPlane) {
 TEST(Boundaries, DiskInAGrooveRestsOnBothSides) {
   const double half = 0.6;  // of the angle of the groove
   const Vec2 tip{1, 0.5}, right_way{std::sin(half), std::cos(half)}, left_way{-std::sin(half), std::cos(half)};
-  Packing p = frame_with(polyline({tip + left_way, tip, tip + right_way}));
+  Packing p = container_with(polyline({tip + left_way, tip, tip + right_way}));
   testing::add_grain(p, 1, 0.5 + r / std::sin(half), r);
   Engine engine(p, with_friction(0), {});
   engine.set_gravity({0, -g});
@@ -85,7 +85,7 @@ TEST(Boundaries, DiskInAGrooveRestsOnBothSides) {
 /// A disk that rolls at a speed along a plate and over its corner; the energy that it has too much or too little at the end, over what it had.
 double energy_change_over_corner(const ContactParameters& contact, IntegratorKind integrator) {
   // So slow that the disk keeps to the corner: v^2 < g r cos.
-  Packing p = frame_with(polyline({{0.2, 1}, {1, 1}, {1 + 0.5 * std::cos(0.3), 1 - 0.5 * std::sin(0.3)}}));
+  Packing p = container_with(polyline({{0.2, 1}, {1, 1}, {1 + 0.5 * std::cos(0.3), 1 - 0.5 * std::sin(0.3)}}));
   const double overlap = overlap_under(mass_of(r) * g), speed = 0.1;
   testing::add_grain(p, 0.99, 1 + r - overlap, r);
   p.grains.velocity[0].x = speed;
@@ -112,7 +112,7 @@ TEST(Boundaries, DiskRollsOverACornerWithoutAJumpInEnergy) {
 TEST(Boundaries, TurningPlateCarriesADiskAndItsWorkIsBooked) {
   // A plate that begins to turn about a point of it; a disk rests on it, held by friction.
   Boundary plate = polyline({{0.5, 1}, {1.5, 1}});
-  Packing p = frame_with(plate);
+  Packing p = container_with(plate);
   const double x = 1.1, weight = mass_of(r) * g, spin = 0.2;
   testing::add_grain(p, x, 1 + r - overlap_under(weight), r);
   ContactParameters contact = with_friction(1);
@@ -141,7 +141,7 @@ TEST(Boundaries, TurningPlateCarriesADiskAndItsWorkIsBooked) {
 TEST(Boundaries, IntruderGivesItsMomentum) {
   // A wedge at constant speed hits a disk at rest: it leaves with (1 + e) times the speed along the normal.
   Boundary intruder = polyline({{0.5, 0.9}, {0.6, 1.0}, {0.5, 1.1}}, true);
-  Packing p = frame_with(intruder);
+  Packing p = container_with(intruder);
   testing::add_grain(p, 0.6 + r + 0.001, 1, r);
   Engine engine(p, with_friction(0, 0.5), {});
   engine.set_boundaries({{"plate", {1, 0}, 0, intruder.centre}});
@@ -157,7 +157,7 @@ TEST(Boundaries, IntruderGivesItsMomentum) {
   EXPECT_NEAR(now.domain.boundaries[0].points[1].x, 0.6 + engine.time(), 1e-12);
 }
 
-/// A crowd in a turning drum within the frame.
+/// A crowd in a turning drum within the container.
 Packing crowded_drum() {
   Packing p = testing::crowd(30, 30, 3, 0.0165);
   const Vec2 middle{0.5 * p.domain.width(), 0.5 * p.domain.height()};
@@ -221,7 +221,7 @@ TEST(Boundaries, DrumHoldsItsGrainsAndItsEnergyIsAccounted) {
 }
 
 TEST(Boundaries, GateThatGoesLetsItsGrainFallAndOpenSideLetsItOut) {
-  Packing p = frame_with(polyline({{0.5, 1}, {1.5, 1}}));
+  Packing p = container_with(polyline({{0.5, 1}, {1.5, 1}}));
   testing::add_grain(p, 1, 1 + r, r);
   Engine engine(p, with_friction(0.5), {});
   engine.set_gravity({0, -g});
@@ -245,7 +245,7 @@ TEST(Boundaries, GateThatGoesLetsItsGrainFallAndOpenSideLetsItOut) {
 }
 
 TEST(Boundaries, StagesMoveThemByName) {
-  Packing p = frame_with(polyline({{0.5, 1}, {1.5, 1}}));
+  Packing p = container_with(polyline({{0.5, 1}, {1.5, 1}}));
   testing::add_grain(p, 1, 1 + r, r);
   Engine engine(p, with_friction(0.5), {});
   Stage stage;
@@ -264,7 +264,7 @@ TEST(Boundaries, StagesMoveThemByName) {
 }
 
 TEST(Boundaries, AGrainThatIsShotThroughOneEndsInAnError) {
-  Packing p = frame_with(polyline({{1, 0.5}, {1, 1.5}}));
+  Packing p = container_with(polyline({{1, 0.5}, {1, 1.5}}));
   testing::add_grain(p, 0.95, 1, r);
   p.grains.velocity[0].x = 500;
   Engine engine(p, {}, {});
@@ -272,8 +272,8 @@ TEST(Boundaries, AGrainThatIsShotThroughOneEndsInAnError) {
 }
 
 TEST(Boundaries, ThatMakeNoSenseAreRefused) {
-  EXPECT_THROW(Engine(frame_with(polyline({{0, 0}})), {}, {}), InputError);
-  Packing p = frame_with(polyline({{0, 0}, {2, 1}}));
+  EXPECT_THROW(Engine(container_with(polyline({{0, 0}})), {}, {}), InputError);
+  Packing p = container_with(polyline({{0, 0}, {2, 1}}));
   testing::add_grain(p, 1, 1, r);
   p.domain.periodic[0] = true;
   EXPECT_THROW(Engine(p, {}, {}), InputError);  // longer than the cell
@@ -287,10 +287,10 @@ TEST(Boundaries, ThatMakeNoSenseAreRefused) {
   EXPECT_THROW(engine.set_programmes({{{Programme::boundary + 6, {{0, 0}}, false, "plate"}}, 0, 0, 0}), InputError);  // a force without a mass
 }
 
-/// A plate from side to side of a periodic frame, with a seam at the sides.
+/// A plate from side to side of a periodic container, with a seam at the sides.
 TEST(Boundaries, ADiskSlidesThroughAPeriodicSideAsOverAPlane) {
   for (const double begin : {0.0, 0.05}) {
-    Packing p = testing::empty_frame(0.2, 2);
+    Packing p = testing::empty_container(0.2, 2);
     p.domain.periodic[0] = true;
     p.domain.boundaries.push_back(polyline({{begin, 1}, {begin + 0.07, 1}, {begin + 0.2, 1}}));
     const double height = 1 + r - overlap_under(mass_of(r) * g);
@@ -313,7 +313,7 @@ TEST(Boundaries, ADiskSlidesThroughAPeriodicSideAsOverAPlane) {
 /// What a boundary does to a disk does not depend on where the cell is cut.
 TEST(Boundaries, AnIntruderGoesOnThroughPeriodicSides) {
   const auto pushed = [](double from) {
-    Packing p = testing::empty_frame(0.2, 0.4);
+    Packing p = testing::empty_container(0.2, 0.4);
     p.domain.periodic[0] = true;
     Boundary intruder = polyline({{from, 0.18}, {from + 0.02, 0.2}, {from, 0.22}}, true);
     p.domain.boundaries.push_back(intruder);
@@ -336,7 +336,7 @@ TEST(Boundaries, OneWithAMassBouncesOffADiskAndFalls) {
   ContactParameters elastic = with_friction(0, 1);
   elastic.normal_damping = 0;
   for (const IntegratorKind kind : {IntegratorKind::velocity_verlet, IntegratorKind::leapfrog}) {
-    Packing p = frame_with(polyline({{1, 0.5}, {1, 1.5}}));
+    Packing p = container_with(polyline({{1, 0.5}, {1, 1.5}}));
     testing::add_grain(p, 0.989, 1, r);
     p.grains.velocity[0].x = 1;
     IntegrationParameters integration;
@@ -372,7 +372,7 @@ TEST(Boundaries, OneWithAMassBouncesOffADiskAndFalls) {
   }
   IntegrationParameters gear;
   gear.integrator = IntegratorKind::gear5;
-  Packing p = frame_with(polyline({{1, 0.5}, {1, 1.5}}));
+  Packing p = container_with(polyline({{1, 0.5}, {1, 1.5}}));
   testing::add_grain(p, 0.5, 1, r);
   EXPECT_THROW(Engine(p, elastic, gear).set_boundaries({{"plate", {}, 0, {}, false, 1.0}}), InputError);
 }
