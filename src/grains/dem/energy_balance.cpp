@@ -10,10 +10,10 @@
 namespace arenite::dem {
 namespace {
 
-constexpr std::size_t slides = 4, cell_shear = 8;  // of Snapshot::edge
+constexpr std::size_t slides = 4, cell_shear = 8;  // of ForcesAndRates::edge
 
 /// What a contact with a boundary does to it, by class, about its centre as well.
-void add_boundary_contact(const Sample& s, std::size_t slot, const Kinematics<2>& c, Vec2 dash, Vec2 slip, Snapshot& shot) {
+void add_boundary_contact(const Sample& s, std::size_t slot, const Kinematics<2>& c, Vec2 dash, Vec2 slip, ForcesAndRates& shot) {
   const std::size_t b = boundary_index(s, s.list.j[slot]);
   const Vec2 arm = touched_place(s, slot, c) - s.domain.boundaries[b].centre;
   const double dashes[] = {dash.x, dash.y, cross(arm, dash)}, slips[] = {slip.x, slip.y, cross(arm, slip) - s.list.force[slot].torque_j};
@@ -21,20 +21,20 @@ void add_boundary_contact(const Sample& s, std::size_t slot, const Kinematics<2>
 }
 
 /// Adds forces that act on a grain, with their torque about its centre.
-void push(Snapshot::Disk& grain, Vec2 dash, Vec2 slip, double torque) {
+void push(ForcesAndRates::Disk& grain, Vec2 dash, Vec2 slip, double torque) {
   grain.dash.force += dash;
   grain.slip.force += slip;
   grain.slip.torque += torque;
 }
 
 /// The same where they act at a lever from its centre, with their torque about that place.
-void push(Snapshot::Disk& grain, Vec2 dash, Vec2 slip, double torque, Vec2 lever) {
+void push(ForcesAndRates::Disk& grain, Vec2 dash, Vec2 slip, double torque, Vec2 lever) {
   push(grain, dash, slip, torque + cross(lever, slip));
   grain.dash.torque += cross(lever, dash);
 }
 
 /// What a contact or bond along `branch`, over so many rows of the periodic cell, does to its edges and its shear.
-void add_to_cell(const Sample& s, Vec2 branch, int rows, Vec2 force, Vec2 dash, Vec2 slip, Snapshot& shot) {
+void add_to_cell(const Sample& s, Vec2 branch, int rows, Vec2 force, Vec2 dash, Vec2 slip, ForcesAndRates& shot) {
   shot.edge[cell_shear].force -= rows * force.x;
   shot.edge[cell_shear].push(-rows * dash.x, -rows * slip.x);
   for (const int axis : {0, 1})
@@ -44,7 +44,7 @@ void add_to_cell(const Sample& s, Vec2 branch, int rows, Vec2 force, Vec2 dash, 
     }
 }
 
-void add_contacts(const Sample& s, Snapshot& shot) {
+void add_contacts(const Sample& s, ForcesAndRates& shot) {
   const ContactList& list = s.list;
   shot.springs = rolling_energy(s);
   // What disks in a box have none of is not looked for at each of their contacts.
@@ -64,8 +64,8 @@ void add_contacts(const Sample& s, Snapshot& shot) {
       }
       const Vec2 dash = (dot(f, c.normal) - spring) * c.normal, slip = dot(f, t) * t;
       shot.springs += friction.energy(s.laws.slip(c.sliding, sliding_stiffness(s, normal, p, c)), list.memory[p]);
-      Snapshot::Disk& own = shot.disk[mover_of(s, s.record[list.i[p]].grain)];
-      Snapshot::Disk* const partner = list.j[p] >= 0 ? &shot.disk[mover_of(s, s.record[list.owner[p]].grain)] : nullptr;
+      ForcesAndRates::Disk& own = shot.disk[mover_of(s, s.record[list.i[p]].grain)];
+      ForcesAndRates::Disk* const partner = list.j[p] >= 0 ? &shot.disk[mover_of(s, s.record[list.owner[p]].grain)] : nullptr;
       if (has_levers) {
         const Levers<2> levers = levers_of(s, p);
         const Torques torques = own_torques(s, p);
@@ -88,7 +88,7 @@ void add_contacts(const Sample& s, Snapshot& shot) {
 }
 
 /// Dashpots of bonds, and what bonds do to the shear of the cell.
-void add_bonds(const Sample& s, Snapshot& shot) {
+void add_bonds(const Sample& s, ForcesAndRates& shot) {
   for (std::size_t n = 0; n < s.bond_slots.size(); ++n) {
     const BondSlot& b = s.bond_slots[n];
     if (b.state != BondSlot::State::holds) continue;
@@ -103,15 +103,15 @@ void add_bonds(const Sample& s, Snapshot& shot) {
   }
 }
 
-Snapshot take(const Sample& s) {
-  Snapshot shot;
+ForcesAndRates take(const Sample& s) {
+  ForcesAndRates shot;
   shot.gravity = s.gravity;
   shot.disk.resize(s.count + s.body.size());
   const bool corrects = integrator_of(s).corrects();
   const CellMotion<2> cell = cell_motion(s.domain);
   each_mover(s, [&](std::size_t k) {
     const Mover m = mover_at(s, k);
-    Snapshot::Disk& mover = shot.disk[k < s.count ? s.record[k].grain : k];
+    ForcesAndRates::Disk& mover = shot.disk[k < s.count ? s.record[k].grain : k];
     mover.own = corrects ? motion_of(s, k) : m.own;
     mover.mass = m.mass;
     if (s.drag != 0) mover.drag = -s.drag * m.mass * (m.seen.velocity - cell.at(m.place));
@@ -141,7 +141,7 @@ Snapshot take(const Sample& s) {
 }
 
 /// Sums of the mean force over the two times, times the velocities of the second.
-WorkTerms products(const Sample& s, const Snapshot& p, const Snapshot& q) {
+WorkTerms products(const Sample& s, const ForcesAndRates& p, const ForcesAndRates& q) {
   WorkTerms w;
   const Vec2 gravity = p.gravity + q.gravity;
   for (std::size_t k = 0; k < q.disk.size(); ++k) {
@@ -156,7 +156,7 @@ WorkTerms products(const Sample& s, const Snapshot& p, const Snapshot& q) {
     w.drag += dot(a.drag + b.drag, velocity);
     w.gravity += b.mass * dot(gravity, velocity);
   }
-  const auto add_edge = [&w](const Snapshot::Edge& a, const Snapshot::Edge& b) {
+  const auto add_edge = [&w](const ForcesAndRates::Edge& a, const ForcesAndRates::Edge& b) {
     const double rate = 0.5 * b.rate;
     w.dashpots += (a.dash + b.dash) * rate;
     w.friction += (a.slip + b.slip) * rate;
@@ -195,7 +195,7 @@ void open_balance(Sample& s) {
 
 void book_step(Sample& s) {
   EnergyBalance& balance = s.balance;
-  Snapshot now = take(s);
+  ForcesAndRates now = take(s);
   WorkTerms work;
   if (integrator_of(s).corrects()) {
     WorkTerms power;

@@ -19,7 +19,7 @@ constexpr double WorkTerms::*work_terms[] = {&WorkTerms::dashpots, &WorkTerms::f
 
 /// Forces by class and velocities at one time: what the work of a step is made of. Disks by the index of Sample::start, then bodies (mover_of). Under
 /// Verlet the velocities are those of the middle of the step that ends there.
-struct Snapshot {
+struct ForcesAndRates {
   struct Disk {
     Motion<2> own;
     double mass = 0;
@@ -50,7 +50,7 @@ struct Snapshot {
 /// integrated by the Adams-Moulton rule of fourth order. What friction takes from the motion and its springs do not store is dissipated.
 struct EnergyBalance {
   bool open = false;  ///< `last` belongs to the present state
-  Snapshot last;
+  ForcesAndRates last;
   std::array<WorkTerms, 3> powers{};  ///< Gear: now, one and two steps ago
   int known = 0;                      ///< how many of them are
 };

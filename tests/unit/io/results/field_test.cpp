@@ -87,7 +87,7 @@ TEST(FieldFile, SameResultGivesSameBytes) {
 TEST(FieldFile, KindsAreToldApart) {
   const TemporaryFolder folder;
   io::write_field(folder / "f.h5", small_field());
-  io::write_stage(folder / "s.h5", test::two_frames(3));
+  io::write_stage(folder / "s.h5", test::two_snapshots(3));
   EXPECT_EQ(io::stored_kind(folder / "f.h5"), "field");
   EXPECT_EQ(io::stored_kind(folder / "s.h5"), "result");
   EXPECT_EQ(io::stored_kind(folder / "none.h5"), "");
