@@ -369,5 +369,5 @@ def test_fields_are_those_of_the_state(result):
     picture, label = figures.draw_coarse_field(axes(), fields, "solid_fraction")
     assert np.asarray(picture.get_array()) == pytest.approx(fields["solid_fraction"]) and "solid fraction" in label
     shown = axes()
-    figures.draw_grains_against(shown, motion.Shot(state.stage, state.frame))
+    figures.draw_grains_against(shown, motion.Shot(state.stage, state.snapshot))
     assert sum(len(line.get_xdata()) for line in shown.lines) == len(state.packing)

@@ -112,7 +112,7 @@ bottom = { pressure = "1 kPa" }
     stage.outcome = "Equilibrium in all 5 increments.";
     stage.history = history;
     stage.provenance = {"0.1.0", "load", "0123456789abcdef", recipe, 7, "portable", {}};
-    data.title = "Two materials <in> a snapshot";
+    data.title = "Two materials <in> a container";
     data.stages = {&stage, 1};
   }
 

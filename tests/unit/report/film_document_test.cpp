@@ -115,7 +115,7 @@ TEST(FilmDocument, TakesOverWhatTheRunMeasured) {
   const FilmResult& film = film_sample().film;
   workflow::KnownStatistics known{.films = {workflow::texture_of(film)}};
   const auto texture = [&](const workflow::KnownStatistics* measured) {
-    return Json::parse(report::page_document({.title = "film", .films = {&film, 1}, .measured = measured}).json)["frames"][0]["texture"];
+    return Json::parse(report::page_document({.title = "film", .films = {&film, 1}, .measured = measured}).json)["snapshots"][0]["texture"];
   };
   EXPECT_EQ(texture(&known), texture(nullptr));
   known.films[0]->numbers["contacts"] = 1;  // which nobody would count

@@ -16,7 +16,7 @@ TEST(Page, IsOneFileThatAsksNobodyForAnything) {
 
 TEST(Page, QuotesItsTitle) {
   const test::PageSample sample(60);
-  EXPECT_NE(report::page(sample.data).find("<title>Two materials &lt;in> a frame</title>"), std::string::npos);
+  EXPECT_NE(report::page(sample.data).find("<title>Two materials &lt;in> a container</title>"), std::string::npos);
 }
 
 TEST(Page, IsTheSameBytesForTheSameData) {

@@ -227,7 +227,7 @@ TEST(SampleLammps, ColumnsThatNobodyCanTellApartAreOneProblemWithWhatToWrite) {
   const Files files(lammps_atoms, lammps_pairs("index c_pl[1] c_pl[2] c_ff[1] c_ff[2] c_ff[3] c_ff[4] c_ff[5]", "1 1 2 -3 -3 0 -1 0.9"));
   const std::string text = files.problems();
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1) << text;
-  expect_part(text, "contacts.csv:5: which of the columns (index c_pl[1] c_pl[2] c_ff[1] c_ff[2] c_ff[3] c_ff[4] c_ff[5])");
+  expect_part(text, "contacts.csv:5: it is not known which of the columns (index c_pl[1] c_pl[2] c_ff[1] c_ff[2] c_ff[3] c_ff[4] c_ff[5])");
   expect_part(text, "--columns \"-,patom1,patom2,fx,fy,p1,p2,-\"");
   SampleOptions named;
   named.contact_columns = "-,patom1,patom2,fx,fy,p1,p2,-";

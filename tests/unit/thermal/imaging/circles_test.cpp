@@ -60,7 +60,7 @@ TEST(Circles, AreNotFoundInNoise) { EXPECT_EQ(imaging::find_circles(draw({}, {.w
 TEST(Circles, RefusesPicturesThatShowNothing) {
   EXPECT_EQ(complaint([] { imaging::find_circles({}); }), "the picture is empty; give one that shows grains");
   EXPECT_NE(complaint([] { imaging::find_circles({2, 1, {1, 1}}); }).find("all pixels of the picture are equal"), std::string::npos);
-  EXPECT_NE(complaint([] { imaging::find_circles({2, 1, {1, std::numeric_limits<float>::quiet_NaN()}}); }).find("no numbers"), std::string::npos);
+  EXPECT_NE(complaint([] { imaging::find_circles({2, 1, {1, std::numeric_limits<float>::quiet_NaN()}}); }).find("not numbers"), std::string::npos);
 }
 
 }  // namespace
