@@ -33,8 +33,8 @@ void write(const fs::path& file, const KeptFilm& film) {
 KeptFilm read(const fs::path& file) {
   KeptFilm film;
   film.numbers = io::read_numbers_file(file);
-  if (film.numbers.contains("grains")) film.numbers["count"] = film.numbers["grains"];  // its name of before
-  film.provenance.input_hash = film.numbers.value("input_hash", "");                    // none in one from before films had names
+  if (const Numbers* const former = film.numbers.at_path("/grains")) film.numbers["count"] = Numbers(*former);
+  film.provenance.input_hash = film.numbers.value("input_hash", "");  // none in one from before films had names
   return film;
 }
 

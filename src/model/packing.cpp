@@ -79,7 +79,8 @@ void ContactsIn<D>::add(std::int32_t a, std::int32_t b, Vec<D> n, double normal_
   arm_i.push_back(arm_a);
   arm_j.push_back(arm_b);
   overlap.push_back(unknown);
-  sliding_velocity.push_back(Turning<D>{unknown});
+  if constexpr (D == 2) sliding_velocity.push_back(unknown);
+  else sliding_velocity.push_back({unknown, unknown, unknown});
   glued.push_back(0);
 }
 template struct ContactsIn<2>;

@@ -66,7 +66,7 @@ class Run {
     const GrainStage stage{recipe_, s, plan_[s].hash, before, &outcome_.measured.stages.emplace_back()};
     const auto made = [&](const fs::path& checkpoint) { return make(stage, checkpoint); };
     auto result = carry_out_stage<StageResult>({plan_[s], folder_ / plan_[s].file, made, io::write_stage, io::read_stage});
-    if (!result) return false;
+    if (!result) return outcome_.measured.stages.pop_back(), false;
     outcome_.stages.push_back(std::move(*result));
     return true;
   }
@@ -137,6 +137,7 @@ class Run {
     const Packing& packing = outcome_.stages.back().snapshots.back().packing;
     if (!add_field(first, [&](const fs::path&) { return std::optional(make_cemented_sample(recipe_, packing)); })) return;
     const auto& texture = outcome_.measured.stages.back();
+    if (recipe_.loads.empty()) return;
     const auto contacts = contact_stresses(outcome_.fields.front(), packing, texture ? texture->per_grain.sigma : std::vector<Tensor2>{});
     const auto watch = watch_of(progress_, options_);
     std::size_t s = first;

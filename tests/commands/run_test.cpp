@@ -16,9 +16,9 @@ using arenite::test::contains;
 using arenite::test::slurp;
 using arenite::test::TemporaryFolder;
 
-/// A loose filling of 60 disks of two sizes, and what its snapshot and stages say.
-std::string recipe(const std::string& snapshot, const std::string& stages) {
-  return "title = \"A small sample\"\n[container]\nwidth = \"120 mm\"\nthickness = \"60 mm\"\n" + snapshot +
+/// A loose filling of 60 disks of two sizes, and what its container and stages say.
+std::string recipe(const std::string& container, const std::string& stages) {
+  return "title = \"A small sample\"\n[container]\nwidth = \"120 mm\"\nthickness = \"60 mm\"\n" + container +
          "[materials.POM]\ndensity = \"1410 kg/m^3\"\nstiffness = \"27.35 kN/mm\"\n"
          "[[populations]]\nmaterial = \"POM\"\ncount = 60\nsize = { law = \"uniform\", min = \"10 mm\", max = \"16 mm\" }\n"
          "[contact]\nrestitution = 0.5\nfriction_law = \"cundall_strack\"\n" +

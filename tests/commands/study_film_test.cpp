@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "core/error.hpp"
+#include "io/results/results.hpp"
 #include "support/filmed_study.hpp"
 
 namespace {
@@ -40,6 +41,11 @@ TEST(StudyFilm, IsMadeOnceAndKeptInTheStoreUntilItsCameraChanges) {
   EXPECT_EQ(study.account().computed, before.computed + 1);
   EXPECT_NE(test::slurp(study.file()), bytes);
 
+  Numbers former = io::read_numbers_file(study.file());
+  former["grains"] = campaign::film_number(study.folder(), "count");
+  former["correlation"] = 0.75;
+  Numbers kept = Numbers::tree();
+  for (const char* name : {"input_hash", "grains", "correlation", "found"}) kept[name] = Numbers(former[name]);
   const std::string blurred = test::slurp(study.file());
   for (const std::string& damaged : {blurred.substr(0, blurred.size() / 2), std::string()}) {
     fs::remove(study.file());
@@ -47,6 +53,10 @@ TEST(StudyFilm, IsMadeOnceAndKeptInTheStoreUntilItsCameraChanges) {
     ASSERT_TRUE(study.make());
     EXPECT_EQ(test::slurp(study.file()), blurred);
   }
+
+  io::write_numbers_file(study.file(), kept);  // as they were named in version 0.1
+  EXPECT_EQ(campaign::film_number(study.folder(), "count"), kept["grains"].get<double>());
+  EXPECT_EQ(campaign::film_number(study.folder(), "correlation"), 0.75);
 }
 
 }  // namespace

@@ -312,6 +312,7 @@ def test_stored_states_lie_on_the_travel_of_the_wall(result):
     stage = next(part for part in result.stages[::-1] if histories.moving_wall(part.history))
     shown = axes()
     figures.draw_travel(shown, stage.history, stage.snapshots)
+    assert len(stage.frames) == len(stage.snapshots)  # the former name
     line, states = shown.lines
     assert len(states.get_xdata()) == len(stage.snapshots) and states.get_xdata()[-1] == pytest.approx(line.get_xdata()[-1], abs=1e-3 * np.ptp(line.get_xdata()))
 

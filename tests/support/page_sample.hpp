@@ -39,7 +39,7 @@ inline void load_walls(Packing& packing) {
 
 /// A run of five states as it might come from the store; the first contact of the last state pulls.
 struct PageSample {
-  static constexpr const char* recipe = R"(title = "<two> materials & a snapshot"
+  static constexpr const char* recipe = R"(title = "<two> materials & a container"
 [materials.POM]
 density = "1410 kg/m^3"
 stiffness = "27.35 kN/mm"

@@ -125,13 +125,14 @@ template <int D> Energies energies_of(const SampleIn<D>& s) {
       e.kinetic += 0.5 * s.wall[side].mass * v * v;
     }
   e.adhesive = adhesive_energy(s);
-  e.elastic += rolling_energy(s);
+  double held = rolling_energy(s);
   if constexpr (D == 2) {
     for (std::size_t b = 0; b < s.boundary.size(); ++b)
       if (const Vec2 v = velocity_of(s, b); s.boundary[b].mass > 0) e.kinetic += 0.5 * s.boundary[b].mass * dot(v, v);
     e.adhesive += cohesive_energy(s);
-    e.elastic += bond_energy(s);
+    held += bond_energy(s);
   }
+  e.elastic += held;
   s.laws.visit([&]<class N, class A, class F>(const N& normal, const A&, const F& friction) {
     const ContactListIn<D>& list = s.list;
     for (std::size_t p = 0; p < list.size(); ++p) {

@@ -41,7 +41,7 @@ void number_held(Sample& sample);
 /// Puts the grains that go with rough walls where these are, with their velocity.
 void hold_grains(Sample& sample);
 
-/// Cells as wide as the list reaches, over the frame; beyond an open side as far as there are disks, but at most the frame's own size.
+/// Cells as wide as the list reaches, over the container; beyond an open side as far as there are disks, but at most the container's own size.
 template <int D> geometry::Box<D> room_of(const SampleIn<D>& s) {
   Vec<D> edge[] = {s.domain.corner(0), s.domain.corner(1)};
   for (int side = 0; side < sides_in<D>; ++side) {

@@ -168,7 +168,7 @@ void restore_sample(Sample& sample, const std::vector<std::uint8_t>& bytes) {
   check_sizes(s, sample);
   s.laws = laws_between_steps(s);
 
-  // The list as it was built: disks and frame put back to where they were then.
+  // The list as it was built: disks and container put back to where they were then.
   const std::vector<DiskRecord> disks = s.record;
   const Domain domain = s.domain;
   s.domain = s.listed_domain;

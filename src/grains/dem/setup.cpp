@@ -57,9 +57,10 @@ void check_plane(Problems& problems, const Packing& start, const ContactParamete
   check_boundaries(problems, start.domain);
   check_shapes(problems, start, contact, integration);
 }
-void check_plane(Problems& problems, const PackingIn<3>& /*start*/, const ContactParameters& contact, const IntegrationParameters& integration) {
+void check_plane(Problems& problems, const PackingIn<3>& start, const ContactParameters& contact, const IntegrationParameters& integration) {
   problems.unless(!contact.has_bonds() && !contact.is_cohesive(), "bonds and cohesion are of the plane");
   problems.unless(!integration.track_energy, "the account of energy is of the plane");
+  problems.unless(start.contacts.size() == 0 && start.grains.shapes.empty(), "contacts that a packing holds, and shapes, are of the plane");
 }
 
 template <int D> void check_packing(Problems& problems, const PackingIn<D>& start, const ContactParameters& contact) {

@@ -186,6 +186,7 @@ std::string_view name_of(Phase phase) { return names[static_cast<std::size_t>(ph
 
 PhaseTable parse_phase_table(std::string_view text) {
   PhaseTable table;
+  if (text.ends_with(',')) text.remove_suffix(1);
   for (const std::string_view row : split_cells(text, ',')) {
     const std::size_t at = row.find('=');
     const auto value = parse_number<std::int32_t>(row.substr(0, at));

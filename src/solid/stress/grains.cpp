@@ -50,6 +50,7 @@ Numbers agreement(const std::vector<double>& field, const std::vector<double>& c
   Numbers j{{"grains", statistics::described(field.size(), "", "Grains compared")}};
   if (field.size() < 3) return j;
   const auto a = statistics::over_mean(field), b = statistics::over_mean(contacts);
+  if (std::isnan(a.front()) || std::isnan(b.front())) return j;  // a mean of zero
   const statistics::Relation relation = statistics::relate(b, a);
   put(j, "correlation", relation.pearson, "", "Pearson correlation of the two stresses");
   put(j, "slope", Estimate{relation.line.slope, relation.line.slope_error}, "", "Slope of the normalised stress of the field against that of the contacts");

@@ -30,6 +30,7 @@ PhaseMapOptions with(const io::PhaseTable& table) {
 
 TEST(PhaseTable, ReadsValuesAndNamesAndTellsWhatIsWrong) {
   EXPECT_EQ(io::parse_phase_table("0=void,85=particle,170=matrix"), electrode);
+  EXPECT_EQ(io::parse_phase_table("0=void, 85=particle, 170=matrix,"), electrode);
   EXPECT_EQ(complaint([] { io::parse_phase_table("0=void,85=partikle"); }),
             "\"partikle\" is not a phase; did you mean \"particle\"?; phases are void, matrix and particle");
   EXPECT_NE(complaint([] { io::parse_phase_table("0:void"); }).find("\"0:void\" does not assign a phase"), std::string::npos);
