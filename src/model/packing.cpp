@@ -47,27 +47,6 @@ Grains picked(const Grains& from, const std::vector<std::int32_t>& which, Vec2 o
   return grains;
 }
 
-Vec2 mean_point(const std::vector<Vec2>& points) {
-  Vec2 sum;
-  for (const Vec2& p : points) sum += p;
-  return points.empty() ? sum : sum / static_cast<double>(points.size());
-}
-
-int Domain::elements() const {
-  std::size_t points = 0;
-  for (const Boundary& boundary : boundaries) points += boundary.points.size();
-  return static_cast<int>(2 * points);
-}
-
-int Domain::boundary_of(int element) const {
-  for (std::size_t b = 0; b < boundaries.size(); ++b) {
-    const int own = static_cast<int>(2 * boundaries[b].points.size());
-    if (element < own) return static_cast<int>(b);
-    element -= own;
-  }
-  return -1;
-}
-
 template <int D>
 void ContactsIn<D>::add(std::int32_t a, std::int32_t b, Vec<D> n, double normal_force, Turning<D> tangential_force, double arm_a, double arm_b) {
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();

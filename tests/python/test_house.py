@@ -68,7 +68,7 @@ def test_heavy_headers_are_in_few_sources():
 
 
 def test_folders_and_files_stay_small():
-    """At most twelve rooms, forty files in a folder, three folders deep."""
+    """At most twelve rooms, forty files in a folder, three folders deep, 250 lines in a file."""
     assert len(list(SOURCES.iterdir())) <= 12
     counts = {}
     for file in files():
@@ -76,6 +76,8 @@ def test_folders_and_files_stay_small():
         assert len(file.relative_to(SOURCES).parts) <= 4, file
     crowded = [f"{folder.relative_to(ROOT)}: {count} files" for folder, count in sorted(counts.items()) if count > 40]
     assert not crowded, "\n".join(crowded)
+    lengths = {file.relative_to(ROOT): len(file.read_text().splitlines()) for file in files()}
+    assert max(lengths.values()) <= 250, [str(file) for file, lines in lengths.items() if lines > 250]
 
 
 def test_unit_tests_mirror_sources():
