@@ -74,7 +74,7 @@ struct Pass {
     else kernels().add_values(some, sums, stride, begin, end);
     for (std::size_t i = 0; i < s.watched.size(); ++i)
       if (const std::size_t p = s.watched[i]; p >= begin && p < end)
-        for (std::size_t n = 0; n < some.count; ++n) s.seen[(first + n) * s.watched.size() + i] = static_cast<float>(some.frames[n * s.pixels + p]) - s.base[p];
+        for (std::size_t n = 0; n < some.count; ++n) s.seen[i * s.time.size() + first + n] = static_cast<float>(some.frames[n * s.pixels + p]) - s.base[p];
   }
 
   template <class T> void refer(const T* frame, std::size_t k, std::size_t begin, std::size_t end) {

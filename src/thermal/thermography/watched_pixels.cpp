@@ -68,7 +68,8 @@ double power_around(const std::vector<double>& power, std::size_t k, std::size_t
 }  // namespace
 
 WatchedPixels::WatchedPixels(const SegmentSums& s) : time_(s.time), value_(s.watched.size(), s.time.size()) {
-  std::copy_n(s.seen.data(), value_.size(), value_.column(0));
+  for (std::size_t n = 0; n < value_.columns(); ++n)
+    for (std::size_t i = 0; i < value_.rows(); ++i) value_(i, n) = s.seen[i * value_.columns() + n];
   const FloatMatrix slow = slow_changes(time_);
   value_ -= times_transposed(value_ * slow, slow);
   std::vector<float> squares(value_.rows());
