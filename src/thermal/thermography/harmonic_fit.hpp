@@ -41,7 +41,7 @@ struct SegmentSums {
   std::size_t pixels = 0;
   std::vector<float> base;           ///< first frame
   std::vector<std::size_t> watched;  ///< some pixels spread over the picture, whose every value is kept
-  std::vector<float> seen;           ///< watched x frames, less the pixel's first value Pixel by pixel: threads write apart
+  std::vector<float> seen;           ///< watched x frames, less the pixel's first value; threads write apart from each other
   Buffer<float> sums;                ///< see SegmentView; planes 1, functions, squares, first frame less the film's first
 
   std::size_t segments() const { return centre.size(); }
