@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
+#include "core/mapped.hpp"
 #include "core/problems.hpp"
 #include "core/text.hpp"
 #include "statistics/clusters.hpp"
@@ -110,11 +110,7 @@ imaging::FoundCircles circles_of(const recipe::FilmRecipe& recipe, const FloatIm
 }
 
 void take_materials(const recipe::FilmRecipe& recipe, const std::string& where, PictureGrains& grains) {
-  std::vector<std::int32_t> order(recipe.materials.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) {
-    return recipe.materials[static_cast<std::size_t>(a)].brightness < recipe.materials[static_cast<std::size_t>(b)].brightness;
-  });
+  const auto order = ordered_by(recipe.materials.size(), [&](std::size_t m) { return recipe.materials[m].brightness; });
   const auto classes = statistics::cluster(grains.brightness, {.most = order.size()});
   if (classes.size() != order.size())
     throw refusal(
@@ -122,7 +118,7 @@ void take_materials(const recipe::FilmRecipe& recipe, const std::string& where, 
         "(picture.optical) or a list of the grains (picture.grains)",
         where, classes.size(), classes.size() == 1 ? "kind" : "kinds", order.size());
   grains.material.clear();
-  for (const auto k : classes.of) grains.material.push_back(order[static_cast<std::size_t>(k)]);
+  for (const auto k : classes.of) grains.material.push_back(static_cast<std::int32_t>(order[static_cast<std::size_t>(k)]));
 }
 
 PictureGrains optical_grains(const recipe::FilmRecipe& recipe, const FilmInfo& film, const std::vector<float>& frame, std::vector<std::string>& notes) {

@@ -87,10 +87,10 @@ double closing_time(const dem::Stage& stage, const Pressures& pressures, bool wi
 Bulk bulk_of(const Packing& packing, const dem::ContactParameters& contact) {
   const Grains& g = packing.grains;
   Bulk bulk{0, 0, 0, 0, packing.domain.width(), packing.domain.height(), packing.domain.thickness, 1};
-  double mass = 0, area = 0;
+  const double area = g.area();
+  double mass = 0;
   for (std::size_t k = 0; k < g.size(); ++k) {
     mass += texture::mass_of(packing, k);
-    area += std::numbers::pi * g.radius[k] * g.radius[k];
     bulk.diameter += 2 * g.radius[k] / static_cast<double>(g.size());
   }
   bulk.density = mass / (area * bulk.thickness);

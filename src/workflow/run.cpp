@@ -66,7 +66,10 @@ class Run {
     const GrainStage stage{recipe_, s, plan_[s].hash, before, &outcome_.measured.stages.emplace_back()};
     const auto made = [&](const fs::path& checkpoint) { return make(stage, checkpoint); };
     auto result = carry_out_stage<StageResult>({plan_[s], folder_ / plan_[s].file, made, io::write_stage, io::read_stage});
-    if (!result) return outcome_.measured.stages.pop_back(), false;
+    if (!result) {
+      outcome_.measured.stages.pop_back();
+      return false;
+    }
     outcome_.stages.push_back(std::move(*result));
     return true;
   }
@@ -137,15 +140,15 @@ class Run {
     const Packing& packing = outcome_.stages.back().snapshots.back().packing;
     if (!add_field(first, [&](const fs::path&) { return std::optional(make_cemented_sample(recipe_, packing)); })) return;
     const auto& texture = outcome_.measured.stages.back();
-    if (recipe_.loads.empty()) return;
-    const auto contacts = contact_stresses(outcome_.fields.front(), packing, texture ? texture->per_grain.sigma : std::vector<Tensor2>{});
+    std::optional<std::vector<Tensor2>> contacts;  // for all loads that are made
     const auto watch = watch_of(progress_, options_);
     std::size_t s = first;
     for (const recipe::Load& load : recipe_.loads) {
       ++s;
       const auto make = [&](const fs::path& kept) {
+        if (!contacts) contacts = contact_stresses(outcome_.fields.front(), packing, texture ? texture->per_grain.sigma : std::vector<Tensor2>{});
         const auto checkpoint = load.failure ? failure_checkpoint(kept, plan_[s].hash, options_) : FailureCheckpoint{};
-        return apply_load(load, outcome_.fields.front(), watch, checkpoint, options_.page_follows ? &outcome_.measured.fields.back() : nullptr, &contacts);
+        return apply_load(load, outcome_.fields.front(), watch, checkpoint, options_.page_follows ? &outcome_.measured.fields.back() : nullptr, &*contacts);
       };
       if (!add_field(s, make)) return;
     }

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <numeric>
 #include <utility>
 
 #include "core/error.hpp"
@@ -153,9 +152,7 @@ FoundCircles find_circles(const FloatImage& image, const CircleOptions& options)
   check(image);
   const DiskSearch search = search_disks(image, options);
   const auto& disks = search.model.disks();
-  std::vector<std::size_t> order(disks.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::stable_sort(order, {}, [&](std::size_t k) { return std::pair(disks[k].centre.y, disks[k].centre.x); });
+  const auto order = ordered_by(disks.size(), [&](std::size_t k) { return std::pair(disks[k].centre.y, disks[k].centre.x); });
   const auto errors = search.model.errors();
   const auto evidence = search.model.evidence();
   const auto brightness = mapped(disks, [&](const auto& disk) { return brightness_of(image, disk); });

@@ -173,9 +173,7 @@ Presence presence(const ContactEvidence& evidence) {
 }
 
 std::vector<std::uint8_t> taken_as_present(const Presence& presence) {
-  std::vector<std::size_t> order(presence.probability.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return presence.probability[a] > presence.probability[b]; });
+  const auto order = ordered_by(presence.probability.size(), [&](std::size_t c) { return -presence.probability[c]; });
   std::vector<std::uint8_t> out(order.size(), 0);
   const auto many = static_cast<std::size_t>(std::lround(presence.expected));
   for (std::size_t k = 0; k < std::min(many, order.size()); ++k) out[order[k]] = 1;
