@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "commands.hpp"
@@ -71,6 +72,16 @@ template <class Family, class Row> void print_formats(const char* title, const s
   for (const auto* format : all) fmt::print("| `{}` | {} |\n", format->name, list_of(row(*format), " | "));
 }
 
+/// What the formats of a family state, a row for each thing; formats that state nothing have none.
+template <class Family> void print_statements(const char* heads, const Family& all) {
+  if (std::ranges::none_of(all, [](const auto* format) { return format->states.begin() != format->states.end(); })) return;
+  fmt::print("\n| format | {} |\n|---|---|---|\n", heads);
+  for (const auto* format : all)
+    for (const io::Stated& row : format->states) fmt::print("| `{}` | {} | {} |\n", format->name, row.what, row.done);
+}
+
+constexpr const char* read_heads = "a file states | what is done with it";
+
 void print_format_reference() {
   using Cells = std::vector<std::string>;
   const auto yes = [](bool holds) { return std::string(holds ? "yes" : ""); };
@@ -83,15 +94,19 @@ void print_format_reference() {
                   return Cells{std::string(f.sentence), endings[1].empty() ? endings[0] : list_of(endings), yes(f.create != nullptr),
                                yes(f.create != nullptr && !f.levels_only), yes(f.has_datasets)};
                 });
+  print_statements(read_heads, io::films::all);
   print_formats("Pictures", {"format", "what it is", "exact values", "several datasets"}, io::pictures::all, [&](const io::PictureFormat& f) {
     return Cells{std::string(f.sentence), yes(!f.blurs), yes(f.has_datasets)};
   });
+  print_statements(read_heads, io::pictures::all);
   print_formats("Grains and contacts", {"format", "grains", "contacts"}, io::samples::all, [](const io::SampleFormat& f) {
     return Cells{std::string(f.grains_are), std::string(f.contacts_are)};
   });
+  print_statements(read_heads, io::samples::all);
   print_formats("Exports", {"format", "what for", "fields on nodes"}, io::exports::all, [&](const io::ExportFormat& f) {
     return Cells{std::string(f.sentence), yes(f.of_field != nullptr)};
   });
+  print_statements("of a state | what its files hold", io::exports::all);
 }
 
 }  // namespace

@@ -1,15 +1,19 @@
 #pragma once
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <initializer_list>
 #include <iterator>
 #include <string>
 #include <string_view>
 #include <vector>
 
-// All file formats that are read or written, but for our own (io/results): a word a format, in the order in which a file is tried. Each is one file
-// of its name in its family's folder (film, image, sample, export), which ends with its record: name, sentence, how a file is recognised, what reads
-// and writes it. Choices by name, ending and content, messages, help texts, docs/formats.md and fuzz targets follow from these lists.
+// All file formats that are read or written, but for our own (io/results): a word a format, in the order in which a
+// file is tried. Each is one file of its name in its family's folder (film, image, sample, export), which ends with its
+// record: name, sentence, how a file is recognised, what reads and writes it, what it states and what is done with that.
+// Choices by name, ending and content, messages, help texts, docs/formats.md and fuzz targets follow from these lists.
 #define ARENITE_FILM_FORMATS(each) each(tiff) each(npy) each(hdf5) each(sfmov) each(ptw) each(hcc) each(raw) each(text)
 #define ARENITE_PICTURE_FORMATS(each) each(png) each(tiff) each(jpeg) each(hdf5)
 #define ARENITE_SAMPLE_FORMATS(each) each(lammps) each(yade) each(mercury) each(csv)
@@ -23,6 +27,28 @@
   formats(ARENITE_FORMAT_DECLARED) inline constexpr const Known* all[] = {formats(ARENITE_FORMAT_ADDRESS)};
 
 namespace arenite::io {
+
+/// Something that files of a format may state (or an export carries), and what is done with it: used, refused or told.
+/// Both are phrases without a full stop; a row of docs/formats.md each.
+struct Stated {
+  std::string_view what, done;
+};
+
+/// All that a format states, in its record: .states = {{"time", "taken from .."}, {"units", "told in a note"}}.
+class Statements {
+ public:
+  constexpr Statements() = default;
+  constexpr Statements(std::initializer_list<Stated> list) : count_(list.size()) {
+    std::copy(list.begin(), list.end(), all_.begin());
+  }
+  constexpr const Stated* begin() const { return all_.data(); }
+  constexpr const Stated* end() const { return all_.data() + count_; }
+
+ private:
+  static constexpr std::size_t most = 16;
+  std::array<Stated, most> all_{};
+  std::size_t count_ = 0;
+};
 
 /// The first format of a family for which something holds, or null.
 template <class Family, class Fits> auto first_format(const Family& all, Fits fits) {

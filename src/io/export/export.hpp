@@ -52,6 +52,7 @@ struct NamedBytes {
 /// snapshots by their times. A format of whole loadings has `of_loading` instead, which gets all snapshots and what made the last.
 struct ExportFormat {
   std::string_view name, sentence;
+  Statements states = {};   ///< what its files carry of a state, and what they leave out
   bool wants_grid = false;  ///< coarse-grained fields, ExportSnapshot::grid
   std::vector<NamedBytes> (*of_snapshot)(const ExportSnapshot&) = nullptr;
   std::vector<NamedBytes> (*index)(const std::vector<double>& times) = nullptr;

@@ -31,6 +31,7 @@ using FilmWriterPointer = std::unique_ptr<FilmWriter>;
 /// How a format is known, read and written.
 struct FilmFormat {
   std::string_view name, sentence;
+  Statements states = {};
   std::array<std::string_view, 2> endings = {};  ///< of names of films that are to be written in it
   bool marked = false;                           ///< begins with a mark that nothing else begins with
   bool has_datasets = false;                     ///< may hold several films, of which FilmChoice::dataset names one

@@ -41,6 +41,7 @@ std::string picture_formats(bool exact = false);
 /// How a format is known and read.
 struct PictureFormat {
   std::string_view name, sentence;
+  Statements states = {};
   bool has_datasets = false;  ///< may hold several pictures, of which ImageChoice::dataset names one
   bool blurs = false;         ///< values across edges: not for phases, so it is read only where a channel is chosen
   bool (*is)(std::string_view bytes);

@@ -114,6 +114,7 @@ void assign_materials(const RawGrains& raw, const std::optional<std::filesystem:
 /// Contacts of every format are also accepted as a table, since many codes have no format of their own for them.
 struct SampleFormat {
   std::string_view name, grains_are, contacts_are;
+  Statements states = {};
   bool (*is_grains)(std::string_view first_line);
   bool (*is_contacts)(std::string_view first_line);
   RawGrains (*grains)(std::string_view text, const SampleOptions& options, Problems& problems);
