@@ -17,6 +17,9 @@ enum class Purpose : std::uint32_t {
   photograph = 11,
   bonds = 12,
   orientation = 13,
+  flicker = 14,
+  level_jump = 15,
+  emissivity = 16,
   test = 99
 };
 

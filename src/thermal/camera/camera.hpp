@@ -21,6 +21,8 @@ struct Optics {
   double pixel = 1.6e-3;                   ///< side of a pixel on the sample, m
   double blur = 0.5;                       ///< standard deviation of the lens' Gaussian blur, pixels
   double vignetting = 0;                   ///< loss of light in the corners over that in the middle
+  double halo = 0;                         ///< share of the light that the lens scatters round its place
+  double halo_width = 4;                   ///< standard deviation of that, Gaussian too, pixels
   std::int64_t supersampling = 6;          ///< points of the scene along a side of a pixel
 };
 
@@ -35,6 +37,12 @@ struct Detector {
   double bad_share = 0.003;      ///< pixels that are dead, hot or noisy
   double noise_correlation = 0;  ///< of a pixel's noise in one frame with that in the next: first-order autoregressive
   double common_noise = 0;       ///< standard deviation of what all pixels of a frame share, as correlated, K
+  double common_flicker =
+      0;  ///< of 1/f noise that all pixels share, from once in the film up, K
+  double column_flicker = 0;  ///< of such noise that the pixels of a column share, K
+  double jump = 0;            ///< by which all levels rise at `jump_time`, as after a shutter's correction, K
+  double jump_pattern = 0;    ///< standard deviation of what every pixel rises by beside, K
+  double jump_time = 0;       ///< s after the first frame
 };
 
 /// A line of the electronics in the film.
@@ -65,6 +73,9 @@ struct Surroundings {
   double drift_growth = 0;              ///< K/s^2, of that rate
   double warm_up = 0;                   ///< K by which the scene warms beside, exponentially
   double warm_up_time = 10;             ///< s after which 1/e of that is left to come
+  double drift_wave = 0;                ///< K, amplitude of a slow sine, as of a room whose heating goes on and off
+  double drift_period = 30;             ///< s, of that sine
+  double emissivity_scatter = 0;        ///< standard deviation of grains' emissivities about their material's, over it
   /// By how much the scene is warmer at a time than at the film's begin, K.
   double warmer(double time) const;
   bool radiometry = true;  ///< false: the level is linear in temperature and everything is black
@@ -78,7 +89,9 @@ struct Timing {
   double load_frequency = 3;      ///< as given to the laboratory, Hz
   double frequency_error = 1e-3;  ///< the true one is larger by this share
   double second_harmonic = 0.02;
-  double dropped = 0.001;  ///< share of frames that are missing; the time stamps show it
+  double dropped = 0.001;             ///< share of frames that are missing; the time stamps show it
+  std::int64_t dropped_together = 1;  ///< one after the other
+  bool time_stamps = true;            ///< false: the film does not say when its frames were taken
 };
 
 struct Parameters {
@@ -122,8 +135,9 @@ Scene scene_of_state(const Packing& state, const Parameters& parameters);
 /// the mean displacement of their nodes. Throws InputError for a sample without load, or one whose grains are no disks.
 Scene scene_of_field(const FieldResult& result, const Parameters& parameters);
 
-/// The picture of the scene at load fraction s: photons over those of a black body at 296 K, pixel by pixel, from the top.
-std::vector<float> expose(const Scene& scene, const Parameters& parameters, double s);
+/// The picture of the scene at load fraction s: photons over those of a black body at 296 K, pixel by pixel, from the
+/// top. Where emissivities scatter, those of the grains follow from the seed.
+std::vector<float> expose(const Scene& scene, const Parameters& parameters, double s, std::uint64_t seed = 1);
 
 /// What the ordinary camera sees of the sample at the smallest load: one grey a material, of `brightness` 0 to 1, half of the
 /// way between the grains. Levels from 0 to 1 with noise, rows from the top; as wide and high on the sample as the film.

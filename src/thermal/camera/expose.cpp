@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "core/problems.hpp"
 #include "core/random.hpp"
@@ -38,9 +39,11 @@ struct Drawing {
   optics::Canvas canvas;
   std::vector<float> depth;  ///< of the point in the grain that is seen there, m^2: power distance, below 0
 
-  Drawing(const Scene& scene, const Optics& optics)
+  /// Of a picture with so many pixels more on each side.
+  Drawing(const Scene& scene, const Optics& optics, int beyond = 0)
       : lens(optics::make_lens(optics.blur, static_cast<int>(optics.supersampling), 5)),
-        canvas(lens, static_cast<int>(optics.width), static_cast<int>(optics.height), middle_of(scene), {optics.pixel / lens.fine, -optics.pixel / lens.fine}),
+        canvas(lens, static_cast<int>(optics.width) + 2 * beyond, static_cast<int>(optics.height) + 2 * beyond,
+               middle_of(scene), {optics.pixel / lens.fine, -optics.pixel / lens.fine}),
         depth(canvas.light.size()) {}
 
   /// Calls paint(light of a point, offset from the centre) for every point in the disk. Grains that press on each other are
@@ -85,6 +88,34 @@ void paint_container(optics::Canvas& canvas, const Scene& scene, const View& vie
     for (int c = 0; c < canvas.width; ++c) *light++ = inside.holds(view.place(canvas.place(c, r))) ? background : container;
 }
 
+/// What a picture with `halo.margin` more pixels on each side is where the lens scatters that share of its light.
+std::vector<float> with_halo(const optics::Lens& halo, double share, const std::vector<float>& wide, int width,
+                             int height) {
+  std::vector<float> picture = optics::through_lens(halo, wide, width, height);
+  const std::ptrdiff_t across = width + 2 * halo.margin;
+  for (int r = 0; r < height; ++r)
+    for (int c = 0; c < width; ++c) {
+      float& light =
+          picture[static_cast<std::size_t>(r) * static_cast<std::size_t>(width) + static_cast<std::size_t>(c)];
+      const float sharp = wide[static_cast<std::size_t>((r + halo.margin) * across + c + halo.margin)];
+      light = static_cast<float>(1 - share) * sharp + static_cast<float>(share) * light;
+    }
+  return picture;
+}
+
+/// Emissivity of every grain: its material's, which may scatter from grain to grain as paint and polish do.
+std::vector<double> grain_emissivities(const Scene& scene, const Surroundings& around, std::uint64_t seed) {
+  std::vector<double> emissivity;
+  for (std::size_t i = 0; i < scene.grains.size(); ++i) {
+    const auto m = static_cast<std::size_t>(scene.grains.material[i]);
+    emissivity.push_back(m < around.emissivity.size() ? around.emissivity[m] : 0.9);
+    if (around.emissivity_scatter <= 0) continue;
+    const double share = 1 + around.emissivity_scatter * RandomStream(seed, Purpose::emissivity, i).normal();
+    emissivity.back() = std::clamp(emissivity.back() * share, 0.01, 1.0);
+  }
+  return emissivity;
+}
+
 void darken_corners(std::vector<float>& picture, const Optics& optics) {
   if (optics.vignetting <= 0) return;
   const Vec2 middle{0.5 * (static_cast<double>(optics.width) - 1), 0.5 * (static_cast<double>(optics.height) - 1)};
@@ -97,21 +128,29 @@ void darken_corners(std::vector<float>& picture, const Optics& optics) {
 
 }  // namespace
 
-std::vector<float> expose(const Scene& scene, const Parameters& p, double s) {
+std::vector<float> expose(const Scene& scene, const Parameters& p, double s, std::uint64_t seed) {
   check_points(p.optics);
-  Drawing drawing(scene, p.optics);
+  const optics::Lens halo = optics::make_lens(p.optics.halo > 0 ? p.optics.halo_width : 0, 1, 4);
+  Drawing drawing(scene, p.optics, halo.margin);
   const auto& around = p.surroundings;
   paint_container(drawing.canvas, scene, {middle_of(scene), {}}, p.motion ? s : 0, static_cast<float>(exitance_near(p, around.background_emissivity)(0)),
                   static_cast<float>(exitance_near(p, around.container_emissivity)(0)));
-  std::vector<Exitance> exitance;
-  for (std::size_t m = 0; m < scene.materials.size(); ++m) exitance.push_back(exitance_near(p, m < around.emissivity.size() ? around.emissivity[m] : 0.9));
+  const std::vector<double> emissivity = grain_emissivities(scene, around, seed);
+  std::map<double, Exitance> of_emissivity;
   for (std::size_t i = 0; i < scene.grains.size(); ++i) {
     const auto m = static_cast<std::size_t>(scene.grains.material[i]);
+    if (!of_emissivity.contains(emissivity[i])) of_emissivity[emissivity[i]] = exitance_near(p, emissivity[i]);
+    const Exitance& exitance = of_emissivity[emissivity[i]];
     const double warming = -scene.materials[m].thermoelastic_factor * s;
     drawing.disk(scene.grains.position[i] + (p.motion ? s : 0) * scene.travel[i], scene.grains.radius[i],
-                 [&](float& light, Vec2 offset) { light = static_cast<float>(exitance[m](warming * static_cast<double>(scene.stress[i].at(offset)))); });
+                 [&](float& light, Vec2 offset) {
+                   light = static_cast<float>(exitance(warming * static_cast<double>(scene.stress[i].at(offset))));
+                 });
   }
-  auto picture = optics::through_lens(drawing.lens, drawing.canvas.light, static_cast<int>(p.optics.width), static_cast<int>(p.optics.height));
+  const int width = static_cast<int>(p.optics.width), height = static_cast<int>(p.optics.height);
+  auto picture =
+      optics::through_lens(drawing.lens, drawing.canvas.light, width + 2 * halo.margin, height + 2 * halo.margin);
+  if (p.optics.halo > 0) picture = with_halo(halo, p.optics.halo, picture, width, height);
   darken_corners(picture, p.optics);
   return picture;
 }

@@ -16,7 +16,7 @@ constexpr double most_bytes = 4e9;
 /// Pictures at even load fractions; those between follow from the four nearest (Lagrange's cubic).
 class Exposures {
  public:
-  Exposures(const Scene& scene, const Parameters& p, double low, double high) : low_(low) {
+  Exposures(const Scene& scene, const Parameters& p, double low, double high, std::uint64_t seed) : low_(low) {
     // A twelfth of a pixel's travel between two pictures keeps what the cubic leaves out below a tenth of a millikelvin.
     double travel = 0;
     for (const Vec2 v : scene.travel) travel = std::max(travel, p.motion ? norm(v) / p.optics.pixel : 0.0);
@@ -25,7 +25,7 @@ class Exposures {
     if (const double bytes = 4.0 * (intervals + 3) * static_cast<double>(p.optics.width) * static_cast<double>(p.optics.height); bytes > most_bytes)
       throw refusal("{} pictures of {} x {} pixels between the two loads take {:.2g} GB; lower camera.width and height", intervals + 3, p.optics.width,
                     p.optics.height, 1e-9 * bytes);
-    for (int k = -1; k <= intervals + 1; ++k) picture_.push_back(expose(scene, p, low + k * step_));
+    for (int k = -1; k <= intervals + 1; ++k) picture_.push_back(expose(scene, p, low + k * step_, seed));
   }
 
   void between(double s, std::vector<float>& out) const {
@@ -73,8 +73,14 @@ double load_fraction(const Timing& timing, double t) {
 std::vector<std::int64_t> frames_taken(const Timing& timing, std::uint64_t seed) {
   std::vector<std::int64_t> taken;
   RandomStream random(seed, Purpose::dropped_frames);
-  for (std::int64_t k = 0; k < timing.frames; ++k)
-    if (random.uniform() >= timing.dropped || k == 0 || k == timing.frames - 1) taken.push_back(k);
+  const double loss = timing.dropped / static_cast<double>(timing.dropped_together);  // begins in a frame
+  std::int64_t lost = 0;
+  for (std::int64_t k = 0; k < timing.frames; ++k) {
+    const bool begins = random.uniform() < loss, kept = k == 0 || k == timing.frames - 1;
+    if (begins && !kept && lost == 0) lost = timing.dropped_together;
+    if (lost > 0 && !kept) --lost;
+    else taken.push_back(k);
+  }
   return taken;
 }
 
@@ -98,22 +104,31 @@ class RecordedFilm : public FilmSource {
 
 }  // namespace
 
-double Surroundings::warmer(double time) const { return drift * time + 0.5 * drift_growth * time * time - warm_up * std::expm1(-time / warm_up_time); }
+double Surroundings::warmer(double time) const {
+  const double curved = 0.5 * drift_growth * time * time - warm_up * std::expm1(-time / warm_up_time);
+  return drift * time + curved +
+         (drift_wave == 0 ? 0 : drift_wave * std::sin(2 * std::numbers::pi * time / drift_period));
+}
 
 std::unique_ptr<FilmSource> film(const Scene& scene, const Parameters& p, std::uint64_t seed) {
   const std::vector<std::int64_t> taken = frames_taken(p.timing, seed);
   FilmInfo info = describe(p, static_cast<std::int64_t>(taken.size()));
-  for (const auto k : taken) info.time.push_back(static_cast<double>(k - taken.front()) / p.timing.frame_rate);
+  if (p.timing.time_stamps)
+    for (const auto k : taken) info.time.push_back(static_cast<double>(k - taken.front()) / p.timing.frame_rate);
   return std::make_unique<RecordedFilm>(
-      std::move(info), [p, seed, taken, exposures = Exposures(scene, p, 0, 1 + std::max(0.0, p.timing.second_harmonic)), detector = Detection(p, seed),
-                        light = std::vector<float>()](std::size_t frame, std::uint16_t* level) mutable {
+      std::move(info),
+      [p, seed, taken, exposures = Exposures(scene, p, 0, 1 + std::max(0.0, p.timing.second_harmonic), seed),
+       detector = Detection(p, seed), light = std::vector<float>()](std::size_t frame, std::uint16_t* level) mutable {
         const double t = static_cast<double>(taken[frame]) / p.timing.frame_rate;
         exposures.between(load_fraction(p.timing, t), light);
         detector.record(light, p.surroundings.warmer(t), t, seed, static_cast<std::uint64_t>(taken[frame]), level);
       });
 }
 
-std::unique_ptr<FilmSource> uniform_film(const Parameters& p, double temperature, std::int64_t frames, std::uint64_t seed) {
+std::unique_ptr<FilmSource> uniform_film(const Parameters& parameters, double temperature, std::int64_t frames,
+                                         std::uint64_t seed) {
+  Parameters p = parameters;
+  p.detector.jump = p.detector.jump_pattern = 0;  // which belong to the film of the sample
   FilmInfo info = describe(p, frames);
   const std::vector<float> light(info.pixels(),
                                  static_cast<float>(radiometry::photon_exitance(p.band, temperature) / radiometry::photon_exitance(p.band, 296)));

@@ -156,6 +156,57 @@ TEST(VirtualCamera, DroppedFramesShowInTheTimeStamps) {
   EXPECT_GT(gaps, 5);
 }
 
+TEST(VirtualCamera, FramesLostWithoutStampsAreOnlyTooFew) {
+  auto p = ideal();
+  p.timing.frames = 3000, p.timing.dropped = 0.1, p.timing.dropped_together = 5;
+  const Scene scene = scene_of_state(pressed_disk(1000), p);
+  const FilmInfo stamped = film(scene, p, 4)->info();
+  p.timing.time_stamps = false;
+  const FilmInfo bare = film(scene, p, 4)->info();
+  EXPECT_TRUE(bare.time.empty());
+  EXPECT_EQ(bare.frames, stamped.frames);
+  EXPECT_DOUBLE_EQ(bare.frame_rate, 148);
+  EXPECT_NEAR(static_cast<double>(stamped.frames), 2700, 100);
+  for (std::size_t k = 2; k + 1 < stamped.time.size(); ++k) {  // two losses may follow on each other
+    const auto missing = std::lround(148 * (stamped.time[k] - stamped.time[k - 1])) - 1;
+    EXPECT_EQ(missing % 5, 0) << k;
+  }
+}
+
+TEST(VirtualCamera, LevelsJumpWhenTheShutterHasCorrectedThem) {
+  auto p = ideal();
+  p.timing.frames = 20, p.detector.jump = 0.1, p.detector.jump_time = 10.0 / 148;
+  const Scene scene = scene_of_state(pressed_disk(0), p);
+  const auto mean = [&](std::int64_t n) { return mean_of(levels(*film(scene, p, 4), n, 1)); };
+  EXPECT_NEAR(mean(9) - mean(0), 0, 0.2);
+  EXPECT_NEAR((mean(10) - mean(9)) / level_per_kelvin, 0.1, 0.003);  // a level is 3.4 mK
+  EXPECT_NEAR(mean(19) - mean(10), 0, 0.2);
+  p.detector.jump = 0, p.detector.jump_pattern = 0.05;
+  const auto before = levels(*film(scene, p, 4), 9, 1), after = levels(*film(scene, p, 4), 10, 1);
+  double square = 0;
+  for (std::size_t i = 0; i < before.size(); ++i)
+    square += std::pow(after[i] - before[i], 2) / static_cast<double>(before.size());
+  EXPECT_NEAR(std::sqrt(square) / level_per_kelvin, 0.05, 0.003);
+  const auto plate = uniform_film(p, 296, 20, 4);
+  EXPECT_EQ(levels(*plate, 0, 1), levels(*plate, 19, 1)) << "black-body references are filmed at another time";
+}
+
+/// Of the light at the centre of a grain, over many grains that differ by their seeds.
+TEST(VirtualCamera, EmissivitiesOfGrainsScatter) {
+  auto p = ideal();
+  p.surroundings.ambient = 30;  // which sends no light into the band
+  p.surroundings.emissivity = {0.8};
+  const Scene scene = scene_of_state(pressed_disk(0), p);
+  const auto centre = [&](std::uint64_t seed) { return static_cast<double>(expose(scene, p, 0, seed)[32 * 64 + 32]); };
+  EXPECT_EQ(centre(1), centre(2));
+  p.surroundings.emissivity_scatter = 0.05;
+  double sum = 0, square = 0;
+  for (std::uint64_t seed = 1; seed <= 200; ++seed)
+    sum += centre(seed) / 200, square += centre(seed) * centre(seed) / 200;
+  EXPECT_NEAR(sum, 0.8, 0.01);
+  EXPECT_NEAR(std::sqrt(square - sum * sum) / sum, 0.05, 0.01);
+}
+
 /// Centroid of what is brighter than the background, pixels.
 double centroid_x(const std::vector<float>& picture, float background) {
   double sum = 0, moment = 0;
@@ -195,6 +246,30 @@ TEST(VirtualCamera, BlurKeepsTheLightAndSpreadsIt) {
   }
   EXPECT_NEAR(sum_b / sum_a, 1, 1e-5);
   EXPECT_LT(steepest_b, 0.75 * steepest_a);
+}
+
+/// Each pixel keeps its share of the light, and the rest goes round it as a Gaussian does, summed here pixel by pixel.
+TEST(VirtualCamera, ALensScattersLightIntoAHalo) {
+  auto sharp = ideal();
+  const Scene scene = scene_of_state(pressed_disk(0, 0.03), sharp);  // near the edge of the picture
+  auto lens = sharp;
+  lens.optics.halo = 0.2, lens.optics.halo_width = 3;
+  sharp.optics.width = sharp.optics.height = 64 + 2 * 15;
+  const auto wide = expose(scene, sharp, 0), seen = expose(scene, lens, 0);
+  for (const int row : {5, 31, 40})
+    for (int column = 0; column < 64; column += 3) {
+      double light = 0, all = 0;
+      for (int dy = -15; dy <= 15; ++dy)
+        for (int dx = -15; dx <= 15; ++dx) {
+          const double weight = std::exp(-(dx * dx + dy * dy) / 18.0);
+          light +=
+              weight * static_cast<double>(wide[static_cast<std::size_t>((row + 15 + dy) * 94 + column + 15 + dx)]);
+          all += weight;
+        }
+      const auto own = static_cast<double>(wide[static_cast<std::size_t>((row + 15) * 94 + column + 15)]);
+      EXPECT_NEAR(seen[static_cast<std::size_t>(row * 64 + column)], 0.8 * own + 0.2 * light / all, 1e-4)
+          << row << " " << column;
+    }
 }
 
 TEST(VirtualCamera, StatesOfDifferentGrainsAreRefused) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "thermal/camera/camera.hpp"
 
@@ -32,6 +33,45 @@ TEST(FrameNoise, IsTheSameInWhateverOrderFramesAreRead) {
   for (std::uint64_t n = 6; n-- > 0;) EXPECT_EQ(back.of(1, n), frames[n]) << n;
 }
 
+TEST(FlickerNoise, HasAsMuchPowerInEveryOctave) {
+  constexpr std::size_t frames = 1024, places = 200;
+  FlickerNoise noise(places, frames);
+  std::vector<std::vector<float>> frame;
+  for (std::uint64_t n = 0; n < frames; ++n) frame.push_back(noise.of(4, n));
+  double square = 0;
+  std::vector<double> octave(9, 0);  // of frequencies from 2^k cycles a film to twice that, by a plain Fourier sum
+  for (std::size_t i = 0; i < places; ++i) {
+    for (const auto& each : frame)
+      square += static_cast<double>(each[i]) * static_cast<double>(each[i]) / (places * frames);
+    if (i >= 40) continue;
+    for (std::size_t k = 1; k < 512; ++k) {
+      double c = 0, s = 0;
+      for (std::size_t n = 0; n < frames; ++n) {
+        const double angle = 2 * std::numbers::pi * static_cast<double>(k * n % frames) / frames;
+        c += static_cast<double>(frame[n][i]) * std::cos(angle),
+            s += static_cast<double>(frame[n][i]) * std::sin(angle);
+      }
+      octave[static_cast<std::size_t>(std::log2(static_cast<double>(k)))] +=
+          2 * (c * c + s * s) / (40.0 * frames * frames);
+    }
+  }
+  EXPECT_NEAR(square, 1, 0.1);
+  double mean = 0, slope = 0;  // of the logarithm over the octaves from the second to the ninth
+  for (std::size_t k = 1; k < octave.size(); ++k) {
+    mean += std::log2(octave[k]) / 8;
+    slope += std::log2(octave[k]) * (static_cast<double>(k) - 4.5) / 42;
+  }
+  EXPECT_NEAR(slope, 0, 0.1) << "the spectrum is f to the power of -1 + this";
+  EXPECT_NEAR(std::exp2(mean), 1.0 / 12, 0.02);
+}
+
+TEST(FlickerNoise, IsTheSameInWhateverOrderFramesAreRead) {
+  FlickerNoise there(20, 300), back(20, 300);
+  std::vector<std::vector<float>> frames;
+  for (std::uint64_t n = 0; n < 300; ++n) frames.push_back(there.of(1, n));
+  for (std::uint64_t n = 300; n-- > 0;) EXPECT_EQ(back.of(1, n), frames[n]) << n;
+}
+
 Parameters camera_before_a_plate() {
   Parameters p;
   p.optics.width = 40, p.optics.height = 30;
@@ -59,6 +99,29 @@ TEST(VirtualCamera, AllPixelsShareTheCommonNoise) {
   for (std::size_t n = 0; n < 5; ++n) EXPECT_NEAR(level[n * 1200 + 7], level[n * 1200 + 900], 5);
 }
 
+TEST(VirtualCamera, FlickerIsSharedByAllPixelsOrByColumns) {
+  Parameters p = camera_before_a_plate();
+  p.detector.netd = 0.001;
+  p.timing.frames = 256;
+  const auto change = [&](const std::vector<double>& level, std::size_t pixel) {
+    return level[200 * 1200 + pixel] - level[3 * 1200 + pixel];
+  };
+  p.detector.common_flicker = 0.1;
+  const std::vector<double> all = reference(p, 256);
+  for (const std::size_t pixel : {8U, 47U, 900U}) EXPECT_NEAR(change(all, pixel), change(all, 7), 6) << pixel;
+  p.detector.common_flicker = 0, p.detector.column_flicker = 0.1;
+  const std::vector<double> columns = reference(p, 256);
+  double square = 0, same = 0, other = 0;
+  for (std::size_t c = 0; c < 39; ++c) {
+    square += std::pow(change(columns, c), 2);
+    same += change(columns, c) * change(columns, 25 * 40 + c);
+    other += change(columns, c) * change(columns, c + 1);
+  }
+  EXPECT_NEAR(same / square, 1, 0.02);
+  EXPECT_LT(std::abs(other / square), 0.5);
+  EXPECT_NEAR(std::sqrt(square / 39) / levels_per_kelvin, 0.1 * std::sqrt(2.0), 0.05);
+}
+
 TEST(VirtualCamera, ALineGoesOverTheRows) {
   Parameters p = camera_before_a_plate();
   p.detector.netd = 0.001;
@@ -81,6 +144,10 @@ TEST(VirtualCamera, TheSceneDriftsAsTold) {
   around.warm_up = 0.5, around.warm_up_time = 10;
   EXPECT_DOUBLE_EQ(around.warmer(10), 0.2 + 0.5 * (1 - std::exp(-1.0)));
   EXPECT_DOUBLE_EQ(around.warmer(0), 0);
+  around = {};
+  around.drift = 0, around.drift_wave = 0.3, around.drift_period = 20;
+  EXPECT_DOUBLE_EQ(around.warmer(5), 0.3);
+  EXPECT_NEAR(around.warmer(10), 0, 1e-12);
 }
 
 }  // namespace
