@@ -4,6 +4,7 @@
 
 #include "commands.hpp"
 #include "io/film/film.hpp"
+#include "print.hpp"
 #include "progress.hpp"
 #include "workflow/run_film.hpp"
 
@@ -33,11 +34,11 @@ int execute(const CameraArguments& a) {
     files = workflow::render_film(recipe, a.result, options);
   }
   if (files.empty()) {
-    fmt::print(stderr, "stopped; the film is not written\n");
+    print(stderr, "stopped; the film is not written\n");
     return other_failure;
   }
-  for (const auto& file : files) fmt::print("{}\n", file.string());
-  fmt::print("\nnow `arenite film {} --recipe {}`\n", files.front().string(), files.back().string());
+  for (const auto& file : files) print("{}\n", file.string());
+  print("\nnow `arenite film {} --recipe {}`\n", files.front().string(), files.back().string());
   return done;
 }
 

@@ -8,6 +8,7 @@
 #include "core/error.hpp"
 #include "io/disk/file.hpp"
 #include "prediction_text.hpp"
+#include "print.hpp"
 #include "recipe/film_recipe.hpp"
 #include "recipe/recipe.hpp"
 #include "workflow/predict.hpp"
@@ -34,27 +35,27 @@ std::optional<workflow::Prediction> predicted(const recipe::Recipe& recipe, std:
 /// The recipe goes to stdout, where it may be kept as a recipe; what is predicted of it to stderr.
 void check_simulation(const recipe::Recipe& recipe, bool json) {
   const std::string text = to_toml(recipe);
-  if (!json) std::fputs(text.c_str(), stdout);
+  if (!json) put(stdout, text);
   std::fflush(stdout);
   std::string why_not;
   const auto prediction = predicted(recipe, why_not);
   if (json) {
     Numbers numbers = prediction ? workflow::numbers(*prediction) : Numbers::tree({{"warnings", std::vector<std::string>{why_not}}});
     numbers["recipe"] = text;
-    std::fputs((to_json(numbers, 2) + "\n").c_str(), stdout);
+    put(stdout, to_json(numbers, 2) + "\n");
     return;
   }
-  std::fputs(prediction ? prediction_text(*prediction).c_str() : fmt::format("\nwarning: `arenite run` will refuse this: {}\n", why_not).c_str(), stderr);
-  if (recipe.has_field()) std::fputs("cement, grid and loads are not included in this estimate\n", stderr);
+  put(stderr, prediction ? prediction_text(*prediction) : fmt::format("\nwarning: `arenite run` will refuse this: {}\n", why_not));
+  if (recipe.has_field()) put(stderr, "cement, grid and loads are not included in this estimate\n");
 }
 
 void check_film(const recipe::FilmRecipe& recipe, bool json) {
   const std::string text = to_toml(recipe);
-  std::fputs(json ? (to_json(Numbers::tree({{"recipe", text}}), 2) + "\n").c_str() : text.c_str(), stdout);
+  put(stdout, json ? to_json(Numbers::tree({{"recipe", text}}), 2) + "\n" : text);
 }
 
 void say(const std::vector<std::string>& notices) {
-  for (const std::string& sentence : notices) fmt::print(stderr, "{}\n", sentence);
+  for (const std::string& sentence : notices) print(stderr, "{}\n", sentence);
 }
 
 void check(const CheckArguments& a) {

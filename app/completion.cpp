@@ -4,6 +4,7 @@
 
 #include "commands.hpp"
 #include "core/text.hpp"
+#include "print.hpp"
 
 namespace arenite::app {
 namespace {
@@ -110,7 +111,7 @@ void add_completion(Options& command, int&) {
   command.footer = "For bash: source <(arenite completion bash)";
   command.work = [shell] {
     const auto tree = command_texts();
-    fmt::print("{}", *shell == "bash" ? bash(tree) : *shell == "zsh" ? zsh(tree) : fish(tree));
+    print("{}", *shell == "bash" ? bash(tree) : *shell == "zsh" ? zsh(tree) : fish(tree));
   };
 }
 

@@ -11,6 +11,7 @@
 #include "commands.hpp"
 #include "core/version.hpp"
 #include "grains/dem/kernels/kernel.hpp"
+#include "print.hpp"
 
 namespace arenite::app {
 namespace {
@@ -46,7 +47,7 @@ std::string kernels() {
   return fmt::format("{} (auto: {})", found, dem::find_kernel("auto").name);
 }
 
-void report(const char* what, const std::string& state) { fmt::print("{:<12} {}\n", what, state); }
+void report(const char* what, const std::string& state) { print("{:<12} {}\n", what, state); }
 
 void report_program(const char* name, const char* purpose) {
   const std::string place = find_program(name);

@@ -6,6 +6,7 @@
 
 #include "commands.hpp"
 #include "film_reading.hpp"
+#include "print.hpp"
 #include "progress.hpp"
 #include "report/page.hpp"
 #include "report/summary.hpp"
@@ -42,13 +43,13 @@ int execute(const FilmArguments& a) {
     outcome = workflow::run_film(a.film, recipe, options);
   }
   if (outcome.interrupted) {
-    fmt::print(stderr, "stopped; the simulation so far is kept in {}\n", folder.string());
+    print(stderr, "stopped; the simulation so far is kept in {}\n", folder.string());
     return other_failure;
   }
   const fs::path page = folder / "report.html";
   report::write_page(page, {.stages = outcome.simulation.stages, .films = {&outcome.result, 1}, .measured = &outcome.simulation.measured});
-  fmt::print("{}", a.json ? to_json(report::film_numbers(outcome.result), 2) + "\n" : report::film_text(outcome.result));
-  if (!a.json) fmt::print("\nresult: {}\npage:   {}   (open it in a browser)\n", outcome.file.string(), page.string());
+  print("{}", a.json ? to_json(report::film_numbers(outcome.result), 2) + "\n" : report::film_text(outcome.result));
+  if (!a.json) print("\nresult: {}\npage:   {}   (open it in a browser)\n", outcome.file.string(), page.string());
   return outcome.result.converged ? done : not_converged;
 }
 

@@ -5,6 +5,7 @@
 #include "commands.hpp"
 #include "io/image/image.hpp"
 #include "io/table/table.hpp"
+#include "print.hpp"
 #include "report/found_grains.hpp"
 #include "workflow/measure_film.hpp"
 #include "workflow/result_folder.hpp"
@@ -74,7 +75,7 @@ void store(const GrainsArguments& a, const report::FoundGrains& grains) {
   io::write_png(folder / "grains.png", report::grains_overlay(grains));
   io::write_atomically(folder / "grains.json", report::grains_json(grains));
   io::write_atomically(folder / "grains.csv", report::grains_csv(grains));
-  if (!a.json) std::printf("\ntable:   %s\npicture: %s\n", (folder / "grains.csv").c_str(), (folder / "grains.png").c_str());
+  if (!a.json) print("\ntable:   {}\npicture: {}\n", (folder / "grains.csv").string(), (folder / "grains.png").string());
 }
 
 void find_grains(const GrainsArguments& a) {
@@ -90,7 +91,7 @@ void find_grains(const GrainsArguments& a) {
   try {
     const imaging::FoundCircles found = find(picture.image, options);
     const report::FoundGrains grains{found, picture, pixel, corner, materials, a.picture};
-    std::fputs((a.json ? report::grains_json(grains) : report::grains_text(grains)).c_str(), stdout);
+    put(stdout, a.json ? report::grains_json(grains) : report::grains_text(grains));
     if (!a.out.empty()) store(a, grains);
   } catch (const InputError& error) { throw in_file(error, a.picture); }
 }

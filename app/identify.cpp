@@ -4,6 +4,7 @@
 #include <string>
 
 #include "commands.hpp"
+#include "print.hpp"
 #include "workflow/identify.hpp"
 
 namespace arenite::app {
@@ -146,7 +147,7 @@ void add_identify(Options& command, int&) {
   command.add("--json", a->json, "Print JSON in SI units: value, error, confidence_95");
   command.work = [a] {
     const auto found = a->what == "stiffness" ? stiffness(*a) : a->what == "adhesion" ? adhesion(*a) : factor(*a);
-    std::fputs((a->json ? to_json(identify::numbers(found), 1) + "\n" : identify::to_text(found)).c_str(), stdout);
+    put(stdout, a->json ? to_json(identify::numbers(found), 1) + "\n" : identify::to_text(found));
   };
 }
 

@@ -5,6 +5,7 @@
 
 #include "commands.hpp"
 #include "io/disk/file.hpp"
+#include "print.hpp"
 #include "recipe/film_recipe.hpp"
 #include "recipe/recipe.hpp"
 
@@ -19,7 +20,7 @@ void write_new(const std::string& file, const std::string& text, const std::stri
   std::error_code error;
   if (std::filesystem::exists(file, error)) { throw InputError(file, 0, "already exists and is left unchanged; give another name"); }
   io::write_atomically(file, text);
-  std::printf("%s written; now `arenite %s %s`\n", file.c_str(), command.c_str(), file.c_str());
+  print("{0} written; now `arenite {1} {0}`\n", file, command);
 }
 
 struct Template {
@@ -38,8 +39,8 @@ std::vector<Template> all_templates() {
 }
 
 void list_templates() {
-  for (const auto& each : all_templates()) std::printf("%-11s %s\n", each.name.c_str(), each.sentence.c_str());
-  std::puts("\n`arenite init NAME recipe.toml` writes one.");
+  for (const auto& each : all_templates()) print("{:<11} {}\n", each.name, each.sentence);
+  print("\n`arenite init NAME recipe.toml` writes one.\n");
 }
 
 }  // namespace
@@ -54,7 +55,7 @@ void add_init(Options& command, int&) {
     if (arguments->name.empty()) return list_templates();
     for (const auto& each : all_templates()) {
       if (arguments->name != each.name) continue;
-      if (arguments->file.empty()) std::fputs(each.text().c_str(), stdout);
+      if (arguments->file.empty()) put(stdout, each.text());
       else write_new(arguments->file, each.text(), each.command);
     }
   };

@@ -8,6 +8,7 @@
 #include "commands.hpp"
 #include "core/units.hpp"
 #include "io/results/results.hpp"
+#include "print.hpp"
 #include "progress.hpp"
 #include "report/page.hpp"
 #include "report/summary.hpp"
@@ -113,15 +114,15 @@ int execute(const LoadArguments& a) {
   watch_for_signals();
   const auto [field, file, measured] = carry_out(a, load);
   if (!field) {
-    if (load.failure && !a.out.empty()) fmt::print(stderr, "stopped; the same command continues from the checkpoint in {}\n", a.out);
-    else fmt::print(stderr, "stopped; nothing was stored\n");
+    if (load.failure && !a.out.empty()) print(stderr, "stopped; the same command continues from the checkpoint in {}\n", a.out);
+    else print(stderr, "stopped; nothing was stored\n");
     return other_failure;
   }
-  fmt::print("{}", a.json ? to_json(report::field_numbers(*field), 2) + "\n" : report::field_summary(*field));
+  print("{}", a.json ? to_json(report::field_numbers(*field), 2) + "\n" : report::field_summary(*field));
   if (!a.out.empty()) {
     const fs::path page = fs::path(a.out) / "report.html";
     report::write_page(page, {.fields = {&*field, 1}, .measured = &measured});
-    if (!a.json) fmt::print("\nresult: {}\npage:   {}\n", file.string(), page.string());
+    if (!a.json) print("\nresult: {}\npage:   {}\n", file.string(), page.string());
   }
   return field->converged ? done : not_converged;
 }

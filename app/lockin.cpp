@@ -1,4 +1,5 @@
 #include "thermal/thermography/lockin.hpp"
+#include "print.hpp"
 
 #include <fmt/core.h>
 
@@ -46,7 +47,7 @@ double read_phase(const std::string& text) {
   const Quantity phase = option_value("--reference-phase", [&] { return parse_quantity(text); });
   if (phase.dimension != dimension::none) throw InputError("--reference-phase: must be an angle, such as \"90 deg\"");
   if (phase.unit.empty())
-    fmt::print(stderr, "--reference-phase {0} is taken to be in radians; write \"{0} rad\" or an angle in degrees, such as \"90 deg\"\n", text);
+    print(stderr, "--reference-phase {0} is taken to be in radians; write \"{0} rad\" or an angle in degrees, such as \"90 deg\"\n", text);
   return phase.value;
 }
 
@@ -116,17 +117,17 @@ int execute(LockinArguments& a) {
     maps = a.nearest_bin ? thermography::nearest_bin_transform(*film, o) : thermography::lock_in(*film, o);
   } catch (const InputError& error) { throw in_file(error, a.film); }
   if (maps.size() == 0) {
-    fmt::print(stderr, "stopped; nothing was stored\n");
+    print(stderr, "stopped; nothing was stored\n");
     return other_failure;
   }
   if (!a.out.empty()) write_maps(a.out, a.format, maps_of(maps, phase_in_degrees(maps)));
-  if (!thermography::shows_load(maps)) fmt::print(stderr, "{}: {}\n", a.film, workflow::no_load_sentence(maps, maps.frequency, "--frequency"));
+  if (!thermography::shows_load(maps)) print(stderr, "{}: {}\n", a.film, workflow::no_load_sentence(maps, maps.frequency, "--frequency"));
   else if (maps.other_frequency > 0)
-    fmt::print(stderr, "{}: the amplitude is larger at {:.4g} Hz than at {:.6g} Hz, a multiple of it\n", a.film, maps.other_frequency, maps.frequency);
+    print(stderr, "{}: the amplitude is larger at {:.4g} Hz than at {:.6g} Hz, a multiple of it\n", a.film, maps.other_frequency, maps.frequency);
   const thermography::Adiabatic heat = adiabatic(a, maps.frequency);
-  if (heat.pixel > 0 && !heat.holds()) fmt::print(stderr, "{}\n", heat.sentence());
+  if (heat.pixel > 0 && !heat.holds()) print(stderr, "{}\n", heat.sentence());
   const Numbers found = numbers(maps, a, film->info(), heat);
-  fmt::print("{}", a.json ? to_json(found, 2) + "\n" : text_of(found));
+  print("{}", a.json ? to_json(found, 2) + "\n" : text_of(found));
   return done;
 }
 

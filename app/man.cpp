@@ -10,6 +10,7 @@
 #include "io/film/formats.hpp"
 #include "io/image/image.hpp"
 #include "io/sample/sample.hpp"
+#include "print.hpp"
 #include "recipe/film_recipe.hpp"
 #include "recipe/recipe.hpp"
 
@@ -54,11 +55,11 @@ std::string section(const CommandText& command) {
 }
 
 void print_page(const std::vector<CommandText>& tree) {
-  fmt::print(".TH ARENITE 1 \"\" \"arenite {}\" \"User commands\"\n", roff(version));
-  fmt::print(".SH NAME\narenite \\- micromechanics of composite and cemented granular materials\n");
-  fmt::print(".SH SYNOPSIS\n.B arenite\n.I COMMAND\n[...]\n.SH COMMANDS\n");
-  for (const auto& command : tree) fmt::print("{}", section(command));
-  fmt::print(
+  print(".TH ARENITE 1 \"\" \"arenite {}\" \"User commands\"\n", roff(version));
+  print(".SH NAME\narenite \\- micromechanics of composite and cemented granular materials\n");
+  print(".SH SYNOPSIS\n.B arenite\n.I COMMAND\n[...]\n.SH COMMANDS\n");
+  for (const auto& command : tree) print("{}", section(command));
+  print(
       ".SH EXIT STATUS\n"
       ".TP\n.B 0\nDone.\n"
       ".TP\n.B 2\nBad input: each problem is one line on stderr, with its place and how to fix it.\n"
@@ -68,8 +69,8 @@ void print_page(const std::vector<CommandText>& tree) {
 
 /// A table in Markdown of a family of formats: the heads of its columns, and what each format has in them.
 template <class Family, class Row> void print_formats(const char* title, const std::vector<std::string>& heads, const Family& all, Row row) {
-  fmt::print("\n## {}\n\n| {} |\n|{}\n", title, list_of(heads, " | "), list_of(std::vector<std::string>(heads.size(), "---|"), ""));
-  for (const auto* format : all) fmt::print("| `{}` | {} |\n", format->name, list_of(row(*format), " | "));
+  print("\n## {}\n\n| {} |\n|{}\n", title, list_of(heads, " | "), list_of(std::vector<std::string>(heads.size(), "---|"), ""));
+  for (const auto* format : all) print("| `{}` | {} |\n", format->name, list_of(row(*format), " | "));
 }
 
 /// What the formats of a family state, a row for each thing; formats that state nothing have none.
@@ -85,7 +86,7 @@ constexpr const char* read_heads = "a file states | what is done with it";
 void print_format_reference() {
   using Cells = std::vector<std::string>;
   const auto yes = [](bool holds) { return std::string(holds ? "yes" : ""); };
-  fmt::print(
+  print(
       "# File formats\n\nThis page is generated from the declarations of the formats: `arenite man --formats`. [extend.md](extend.md) adds one; results of "
       "Arenite are\ndescribed in [hdf5.md](hdf5.md). Files are recognised by their content.\n");
   print_formats("Films", {"format", "what it is", "endings of new films", "written", "temperatures", "several datasets"}, io::films::all,
@@ -118,8 +119,8 @@ void add_man(Options& command, int&) {
   command.add("--formats", *formats, "Print the reference of all file formats instead (Markdown)");
   command.footer = "To read the page: arenite man | man -l -";
   command.work = [keys, film_keys, formats] {
-    if (*keys) fmt::print("{}", recipe::key_reference());
-    else if (*film_keys) fmt::print("{}", recipe::film_key_reference());
+    if (*keys) print("{}", recipe::key_reference());
+    else if (*film_keys) print("{}", recipe::film_key_reference());
     else if (*formats) print_format_reference();
     else print_page(command_texts());
   };

@@ -12,6 +12,7 @@
 #include "io/results/results.hpp"
 #include "io/sample/sample.hpp"
 #include "io/table/table.hpp"
+#include "print.hpp"
 #include "solid/stress/stress.hpp"
 #include "thermal/imaging/proposed_contacts.hpp"
 
@@ -147,7 +148,7 @@ void measure_field(const MeasureArguments& a) {
   stress::StressOptions options = a.stress;
   options.components = {stress::Component::yy, stress::Component::xx, stress::Component::xy, stress::Component::hydrostatic};
   const auto statistics = stress::measure(field.map, field.field, options);
-  std::fputs((a.json ? to_json(stress::numbers(statistics, a.curves), 2) + "\n" : stress::to_text(statistics)).c_str(), stdout);
+  put(stdout, a.json ? to_json(stress::numbers(statistics, a.curves), 2) + "\n" : stress::to_text(statistics));
 }
 
 void add_field_statistics(Options& command, MeasureArguments& a) {

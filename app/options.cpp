@@ -8,6 +8,7 @@
 #include "commands.hpp"
 #include "core/version.hpp"
 #include "io/table/table.hpp"
+#include "print.hpp"
 
 namespace arenite::app {
 namespace {
@@ -34,8 +35,7 @@ bool unknown_command(const std::string& word) {
     names.emplace_back(command.name);
   }
   const std::string near = nearest(word, names);
-  std::fprintf(stderr, "arenite: unknown command \"%s\"; %s\n", word.c_str(),
-               near.empty() ? "`arenite` lists the commands" : ("did you mean `arenite " + near + "`?").c_str());
+  print(stderr, "arenite: unknown command \"{}\"; {}\n", word, near.empty() ? "`arenite` lists the commands" : "did you mean `arenite " + near + "`?");
   return true;
 }
 
@@ -125,7 +125,7 @@ int read_command_line(int argc, char** argv) {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return program.exit(error);
-    std::fprintf(stderr, "%s\n", complaint(program, error).c_str());
+    print(stderr, "{}\n", complaint(program, error));
     return bad_input;
   }
   if (program.get_subcommands().empty()) overview();

@@ -1,4 +1,5 @@
 #include "progress.hpp"
+#include "print.hpp"
 
 #include <fmt/core.h>
 #include <unistd.h>
@@ -14,7 +15,7 @@ namespace {
 
 volatile std::sig_atomic_t requested = 0;
 
-void request_stop(int) { requested = 1; }
+void stop_by_signal(int) { requested = 1; }
 
 /// As duration_text, without tenths.
 std::string whole_seconds(double seconds) { return seconds < 10 ? fmt::format("{:.0f} s", seconds) : duration_text(seconds); }
@@ -28,9 +29,11 @@ std::string bar(double share) {
 }  // namespace
 
 void watch_for_signals() {
-  std::signal(SIGTERM, request_stop);
-  std::signal(SIGINT, request_stop);
+  std::signal(SIGTERM, stop_by_signal);
+  std::signal(SIGINT, stop_by_signal);
 }
+
+void request_stop() { requested = 1; }
 
 bool stop_requested() { return requested != 0; }
 
@@ -54,14 +57,15 @@ bool StatusLine::is_time(std::chrono::milliseconds pause) const {
 
 void StatusLine::write(const std::string& line) {
   last_shown_ = Clock::now();
-  std::fprintf(stderr, terminal_ ? "\r\033[K%s" : "%s\n", line.c_str());
+  if (terminal_) std::fputs("\r\033[K", stderr);
+  put(stderr, terminal_ ? line : line + "\n");
   open_ = terminal_;
   std::fflush(stderr);
 }
 
 void StatusLine::notice(const std::string& sentence) {
   end();
-  std::fprintf(stderr, "%s\n", sentence.c_str());
+  print(stderr, "{}\n", sentence);
 }
 
 bool StageClock::see(const workflow::Progress& progress) {

@@ -11,6 +11,8 @@ namespace arenite::app {
 /// From now on SIGTERM and SIGINT ask for an orderly end.
 void watch_for_signals();
 bool stop_requested();
+/// As those signals do.
+void request_stop();
 
 /// "1.2 s", "12 s", "5 min", "3.2 h".
 std::string duration_text(double seconds);

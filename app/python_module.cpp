@@ -63,7 +63,11 @@ void continue_in_python(const char* what, const char* module, const Numbers& opt
   const Module found = find_module(what);
   const std::string folders = found.folder.string() + (path && *path ? ":" + std::string(path) : "");
   setenv("PYTHONPATH", folders.c_str(), 1);
-  std::vector<std::string> line{found.interpreter, "-m", module, to_json(options)};
+  // `python3 -m` would look for modules in the current folder first, whose files are not ours to run.
+  constexpr const char* start =
+      "import sys; sys.path[:] = [p for p in sys.path if p]; import runpy; "
+      "runpy.run_module(sys.argv.pop(1), run_name='__main__', alter_sys=True)";
+  std::vector<std::string> line{found.interpreter, "-c", start, module, to_json(options)};
   std::vector<char*> arguments;
   for (auto& word : line) arguments.push_back(word.data());
   arguments.push_back(nullptr);

@@ -7,6 +7,7 @@
 
 #include "commands.hpp"
 #include "io/disk/file.hpp"
+#include "print.hpp"
 #include "progress.hpp"
 #include "recipe/film_recipe.hpp"
 #include "report/page.hpp"
@@ -78,18 +79,18 @@ workflow::RunOutcome carry_out(const recipe::Recipe& recipe, const fs::path& fol
 
 Status run_one(const recipe::Recipe& recipe, const fs::path& folder, const RunArguments& arguments) {
   const std::optional<Watcher> watcher = arguments.watch ? std::optional<Watcher>(std::in_place, folder) : std::nullopt;
-  StatusFile status(folder);
+  StatusFile status(folder, request_stop);
   const workflow::RunOutcome outcome = carry_out(recipe, folder, arguments, status);
   if (outcome.interrupted) {
-    fmt::print(stderr, "stopped; the same command continues from the checkpoint in {}\n", folder.string());
+    print(stderr, "stopped; the same command continues from the checkpoint in {}\n", folder.string());
     return other_failure;
   }
-  for (const auto& stage : outcome.stages) fmt::print("{:<12} {}\n", stage.name, stage.outcome);
-  for (const auto& field : outcome.fields) fmt::print("{:<12} {}\n", field.name, field.outcome);
+  for (const auto& stage : outcome.stages) print("{:<12} {}\n", stage.name, stage.outcome);
+  for (const auto& field : outcome.fields) print("{:<12} {}\n", field.name, field.outcome);
   const auto page = folder / "report.html";
   report::write_page(page, {.stages = outcome.stages, .fields = outcome.fields, .measured = &outcome.measured});
   status.finish();
-  fmt::print("\nresults: {0}\npage:    {1}   (open it in a browser)\nnumbers: arenite show {0}\n", folder.string(), page.string());
+  print("\nresults: {0}\npage:    {1}   (open it in a browser)\nnumbers: arenite show {0}\n", folder.string(), page.string());
   return outcome.converged ? done : not_converged;
 }
 
@@ -115,7 +116,7 @@ int execute(const RunArguments& arguments) {
   watch_for_signals();
   int status = done;
   for (std::size_t r = 0; r < recipes.size() && !stop_requested(); ++r) {
-    if (recipes.size() > 1) fmt::print("{}{}\n", r == 0 ? "" : "\n", recipes[r].title);
+    if (recipes.size() > 1) print("{}{}\n", r == 0 ? "" : "\n", recipes[r].title);
     status = std::max<int>(status, run_one(recipes[r], folder_for(arguments.recipes[r], arguments), arguments));
   }
   return status;

@@ -1,5 +1,6 @@
 #include "run_status.hpp"
 
+#include <fcntl.h>
 #include <fmt/chrono.h>
 #include <fmt/core.h>
 #include <unistd.h>
@@ -7,7 +8,6 @@
 #include <cerrno>
 #include <chrono>
 #include <cmath>
-#include <csignal>
 #include <ctime>
 #include <limits>
 #include <map>
@@ -22,6 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* file_name = "status.csv";
+constexpr std::chrono::milliseconds pause(500);
 
 double now() { return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count(); }
 
@@ -31,23 +32,8 @@ std::string host_name() {
   return name;
 }
 
-/// The machine's boot and the clock ticks from there to the start of a process; empty where there is no such process, or no /proc.
-std::string start_of(std::int64_t process) {
-  try {
-    const std::string stat = io::read_file(fmt::format("/proc/{}/stat", process));
-    std::size_t at = stat.rfind(')');  // the program's name, in brackets, may hold anything
-    for (int field = 2; at != std::string::npos && field < 22; ++field) at = stat.find(' ', at + 1);
-    if (at == std::string::npos) return "";
-    std::string boot = io::read_file("/proc/sys/kernel/random/boot_id");
-    while (!boot.empty() && boot.back() == '\n') boot.pop_back();
-    return boot + " " + stat.substr(at + 1, stat.find(' ', at + 1) - at - 1);
-  } catch (const InputError&) { return ""; }
-}
-
-bool is_alive(const RunStatus& status) {
-  if (status.process <= 0 || (::kill(static_cast<pid_t>(status.process), 0) != 0 && errno == ESRCH)) return false;
-  return status.process_start.empty() || start_of(status.process) == status.process_start;
-}
+fs::path lock_of(const fs::path& folder) { return folder / ".status.lock"; }
+fs::path request_in(const fs::path& folder) { return folder / ".stop"; }
 
 Numbers walls_of(const workflow::Progress& p) {
   Numbers walls = Numbers::tree();
@@ -94,7 +80,6 @@ RunStatus status_from(const std::string& text) {
   s.stopped = cells.at("stopped") == "true";
   s.process = whole("process");
   s.host = cells.at("host");
-  s.process_start = cells.at("process_start");
   s.began = number("began");
   s.stage_began = number("stage_began");
   s.heard = number("heard");
@@ -124,15 +109,21 @@ std::optional<RunStatus> read_run_status(const fs::path& folder) {
   }
 }
 
-Life life_of(const RunStatus& status) {
+Life life_of(const RunStatus& status, const fs::path& folder) {
   if (status.stopped) return Life::stopped;
-  if (status.host == host_name()) return is_alive(status) ? Life::running : Life::died;
+  if (io::FileLock::is_held(lock_of(folder))) return Life::running;
+  if (status.host == host_name()) return Life::died;
   constexpr double silence = 60;
   return now() - status.heard < silence ? Life::running : Life::unknown;
 }
 
-bool ask_to_stop(const RunStatus& status) {
-  return !status.stopped && status.host == host_name() && is_alive(status) && ::kill(static_cast<pid_t>(status.process), SIGTERM) == 0;
+bool ask_to_stop(const fs::path& folder) {
+  if (!io::FileLock::is_held(lock_of(folder))) return false;
+  // A link of this name is not followed.
+  const int request = ::open(request_in(folder).c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (request < 0) return errno == EEXIST;
+  ::close(request);
+  return true;
 }
 
 Numbers run_status_numbers(const RunStatus& s) {
@@ -155,7 +146,6 @@ Numbers run_status_numbers(const RunStatus& s) {
                         {"stopped", s.stopped},
                         {"process", s.process},
                         {"host", s.host},
-                        {"process_start", s.process_start},
                         {"key", p.key}});
 }
 
@@ -164,7 +154,7 @@ std::string run_status_text(const fs::path& folder) {
   if (!status) return "";
   const std::string process = fmt::format("process {} on {}", status->process, status->host), at = where(status->progress);
   const std::string heard = fmt::format("last update {}", clock_text(status->heard));
-  switch (life_of(*status)) {
+  switch (life_of(*status, folder)) {
     case Life::running: {
       const std::string left = std::isnan(status->seconds_left) ? "" : fmt::format(", about {} left of the stage", duration_text(status->seconds_left));
       return fmt::format("Running: {}{}\n  since {}, this stage since {}; {}\n", at, left, clock_text(status->began), clock_text(status->stage_began), process);
@@ -176,10 +166,9 @@ std::string run_status_text(const fs::path& folder) {
   return "";
 }
 
-StatusFile::StatusFile(fs::path folder) : folder_(std::move(folder)) {
+StatusFile::StatusFile(fs::path folder, std::function<void()> stop) : folder_(std::move(folder)), stop_(std::move(stop)) {
   status_.process = ::getpid();
   status_.host = host_name();
-  status_.process_start = start_of(status_.process);
   status_.began = status_.stage_began = now();
   status_.progress.name = "packing";
   status_.progress.stages = 1;
@@ -205,8 +194,8 @@ void StatusFile::finish() {
   wake_.notify_all();
   writer_.join();
   std::error_code ignored;
-  const auto kept = read_run_status(folder_);  // by another run meanwhile, of which two in one folder would be one too many
-  if (!kept || kept->process == status_.process) fs::remove(folder_ / file_name, ignored);
+  if (lock_) fs::remove(folder_ / file_name, ignored);  // without it, the file is another run's
+  lock_.reset();
 }
 
 void StatusFile::show(const workflow::Progress& progress) {
@@ -216,10 +205,26 @@ void StatusFile::show(const workflow::Progress& progress) {
   changed_ = true;
 }
 
+bool StatusFile::has_lock() {
+  std::error_code ignored;
+  if (lock_ || !fs::is_directory(folder_, ignored)) return lock_.has_value();
+  try {
+    lock_ = io::FileLock::try_take(lock_of(folder_));
+  } catch (const InputError&) {  // the folder is not for writing, of which the run itself will speak
+  }
+  if (lock_) fs::remove(request_in(folder_), ignored);  // meant for a run before this one
+  return lock_.has_value();
+}
+
+void StatusFile::see_whether_to_stop() {
+  std::error_code ignored;
+  if (lock_ && fs::remove(request_in(folder_), ignored)) stop_();
+}
+
 void StatusFile::keep() {
-  constexpr std::chrono::milliseconds pause(500);
   std::unique_lock lock(mutex_);
   while (!over_) {
+    see_whether_to_stop();
     if (changed_) {
       changed_ = false;
       lock.unlock();
@@ -239,8 +244,7 @@ bool StatusFile::write() {
     status.seconds_left = clock_.seconds_left(status.progress.share);
   }
   status.heard = now();
-  std::error_code ignored;
-  if (!fs::is_directory(folder_, ignored)) return false;
+  if (!has_lock()) return false;
   try {
     std::string text = "name,value\n";
     add_rows(text, "", run_status_numbers(status));

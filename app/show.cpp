@@ -7,6 +7,7 @@
 
 #include "commands.hpp"
 #include "film_reading.hpp"
+#include "print.hpp"
 #include "report/summary.hpp"
 #include "run_status.hpp"
 #include "validation/studies.hpp"
@@ -94,7 +95,7 @@ std::string shown_with_status(const ShowArguments& a) {
   if (!a.json) return run_status_text(a.result) + (has_stages ? "\n" + shown(a) : "");
   Numbers numbers = has_stages ? report::Summary(a.result).numbers() : Numbers::tree();
   numbers["running"] = run_status_numbers(*status);
-  numbers["running"]["alive"] = life_of(*status) == Life::running;
+  numbers["running"]["alive"] = life_of(*status, a.result) == Life::running;
   return to_json(numbers, 2) + "\n";
 }
 
@@ -116,7 +117,7 @@ void add_show(Options& command, int&) {
       .not_with("--json")
       .not_with("--all");
   a->reading.add_to(command);
-  command.work = [a] { std::fputs(shown_with_status(*a).c_str(), stdout); };
+  command.work = [a] { put(stdout, shown_with_status(*a)); };
 }
 
 }  // namespace arenite::app

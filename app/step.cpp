@@ -4,6 +4,7 @@
 
 #include "commands.hpp"
 #include "film_reading.hpp"
+#include "print.hpp"
 #include "progress.hpp"
 #include "thermal/thermography/step_load.hpp"
 
@@ -60,12 +61,12 @@ int execute(StepArguments& a) {
     maps = thermography::step_load(*film, o);
   } catch (const InputError& error) { throw in_file(error, a.film); }
   if (maps.size() == 0) {
-    fmt::print(stderr, "stopped; nothing was stored\n");
+    print(stderr, "stopped; nothing was stored\n");
     return other_failure;
   }
   if (!a.out.empty()) write_maps(a.out, a.format, maps_of(maps));
   const Numbers found = numbers(maps, a, film->info());
-  fmt::print("{}", a.json ? to_json(found, 2) + "\n" : to_text(found));
+  print("{}", a.json ? to_json(found, 2) + "\n" : to_text(found));
   return done;
 }
 

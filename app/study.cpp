@@ -9,6 +9,7 @@
 #include "campaign/collect.hpp"
 #include "commands.hpp"
 #include "io/disk/file.hpp"
+#include "print.hpp"
 #include "progress.hpp"
 #include "study_parts.hpp"
 #include "workflow/result_folder.hpp"
@@ -51,13 +52,13 @@ int run_command(const StudyArguments& arguments, const campaign::Study& study, c
   options.checkpoint_seconds = arguments.checkpoint_seconds;
   watch_for_signals();
   const campaign::StudyOutcome outcome = run_missing(study, folder, options, arguments.quiet);
-  fmt::print("{}", status_text(study, folder));
+  print("{}", status_text(study, folder));
   if (outcome.interrupted) {
-    fmt::print(stderr, "stopped; the same command continues with the {} remaining runs\n", outcome.left);
+    print(stderr, "stopped; the same command continues with the {} remaining runs\n", outcome.left);
     return other_failure;
   }
-  fmt::print("\nresults: {0}\nnumbers: arenite study collect {1} --out {0}\n", folder.out.string(), arguments.recipe);
-  fmt::print("page:    {}\n", write_study_figures(study, folder).string());
+  print("\nresults: {0}\nnumbers: arenite study collect {1} --out {0}\n", folder.out.string(), arguments.recipe);
+  print("page:    {}\n", write_study_figures(study, folder).string());
   return outcome.not_done > 0 ? not_converged : done;
 }
 
@@ -71,7 +72,7 @@ int collect_command(const StudyArguments& arguments, const campaign::Study& stud
   for (const auto& [ending, text] : {std::pair(".csv", table.csv()), std::pair(".json", table.json())}) {
     const fs::path file = folder.out / (name + ending);
     io::write_atomically(file, text);
-    fmt::print("{}\n", file.string());
+    print("{}\n", file.string());
   }
   return done;
 }
@@ -79,7 +80,7 @@ int collect_command(const StudyArguments& arguments, const campaign::Study& stud
 int execute(const StudyArguments& arguments) {
   const campaign::StudyFolder folder = folder_of(arguments);
   if (arguments.what == "plan") {
-    fmt::print("{}", plan_text(campaign::read_study(arguments.recipe, arguments.overrides), folder, arguments.jobs));
+    print("{}", plan_text(campaign::read_study(arguments.recipe, arguments.overrides), folder, arguments.jobs));
     return done;
   }
   if (arguments.what == "script") {
@@ -91,7 +92,7 @@ int execute(const StudyArguments& arguments) {
                       arguments.shard.empty() ? "--retry" : "--shard"));
     const auto study = campaign::read_study(arguments.recipe, arguments.overrides);  // so that slips show here
     workflow::make_folder(folder.out);
-    fmt::print("{}", slurm_script(arguments, folder));
+    print("{}", slurm_script(arguments, folder));
     return done;
   }
   if (arguments.what != "run" && !fs::exists(folder.out))
@@ -104,10 +105,10 @@ int execute(const StudyArguments& arguments) {
   if (arguments.what == "run") return run_command(arguments, study, folder);
   if (arguments.what == "collect") return collect_command(arguments, study, folder);
   if (arguments.what == "page") {
-    fmt::print("{}\n", write_study_figures(study, folder).string());
+    print("{}\n", write_study_figures(study, folder).string());
     return done;
   }
-  fmt::print("{}", status_text(study, folder));
+  print("{}", status_text(study, folder));
   return done;
 }
 

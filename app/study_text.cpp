@@ -1,3 +1,4 @@
+#include "print.hpp"
 #include "study_parts.hpp"
 
 #include <fmt/core.h>
@@ -97,7 +98,7 @@ std::string status_text(const campaign::Study& study, const campaign::StudyFolde
 campaign::StudyOutcome run_missing(const campaign::Study& study, const campaign::StudyFolder& folder, campaign::StudyOptions options, bool quiet) {
   options.numbers = [](const workflow::RunOutcome& outcome) { return report::Summary(outcome).numbers(); };
   options.asked_to_stop = stop_requested;
-  options.notice = [](const std::string& sentence) { fmt::print(stderr, "{}\n", sentence); };
+  options.notice = [](const std::string& sentence) { print(stderr, "{}\n", sentence); };
   for (const std::string& sentence : study.notices) options.notice(sentence);
   StudyLine line(quiet);
   options.progress = [&](const campaign::StudyProgress& progress) { line.show(progress); };
@@ -113,7 +114,7 @@ std::vector<report::Figure> read_study_figures(const campaign::Study& study) {
   if (!in) throw InputError(declared.string(), 0, "cannot be read; it declares the figures of the study, each as one [[figures]] (docs/studies.md)");
   std::vector<std::string> notices;
   auto figures = report::read_figures({std::istreambuf_iterator<char>(in), {}}, declared.string(), &notices);
-  for (const std::string& sentence : notices) fmt::print(stderr, "{}: {}\n", declared.string(), sentence);
+  for (const std::string& sentence : notices) print(stderr, "{}: {}\n", declared.string(), sentence);
   return figures;
 }
 

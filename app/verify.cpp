@@ -12,6 +12,7 @@
 #include "commands.hpp"
 #include "core/version.hpp"
 #include "io/disk/file.hpp"
+#include "print.hpp"
 #include "progress.hpp"
 #include "report/study_page.hpp"
 #include "study_parts.hpp"
@@ -44,7 +45,7 @@ bool complete(const campaign::Study& study, const campaign::StudyFolder& folder,
 bool make_films(const campaign::Study& study, const campaign::StudyFolder& folder, const campaign::CollectedTable& table) {
   const auto filmed = report::filmed_runs(read_study_figures(study), table);
   workflow::RunOptions options;
-  options.notice = [](const std::string& sentence) { fmt::print(stderr, "{}\n", sentence); };
+  options.notice = [](const std::string& sentence) { print(stderr, "{}\n", sentence); };
   options.asked_to_stop = stop_requested;
   return std::ranges::all_of(
       study.runs, [&](const campaign::StudyRun& run) { return std::ranges::count(filmed, run.name) == 0 || campaign::make_film(study, folder, run, options); });
@@ -65,7 +66,7 @@ bool run_studies(char letter, const fs::path& out, const VerifyArguments& a) {
     const auto folder = source ? folder_of(*source, out, a) : std::nullopt;
     if (!folder || !source->has_runs()) continue;
     const campaign::Study study = validation::unpack_study(*source, folder->out, a.small, a.overrides);
-    if (!a.quiet) fmt::print(stderr, "{}: {} runs\n", name, study.runs.size());
+    if (!a.quiet) print(stderr, "{}: {} runs\n", name, study.runs.size());
     if (!complete(study, *folder, a)) return false;
   }
   return true;
@@ -103,7 +104,7 @@ bool run_all(const fs::path& out, const VerifyArguments& a) {
 }
 
 int stopped() {
-  fmt::print(stderr, "stopped; the same command continues where it stopped\n");
+  print(stderr, "stopped; the same command continues where it stopped\n");
   return other_failure;
 }
 
@@ -168,13 +169,13 @@ int execute(const VerifyArguments& a) {
     all.studies.insert(all.studies.end(), one.studies.begin(), one.studies.end());
     std::move(one.claims.begin(), one.claims.end(), std::back_inserter(all.claims));
   }
-  fmt::print("{}", a.json ? validation::ledger_json(all) : validation::ledger_text(all));
+  print("{}", a.json ? validation::ledger_json(all) : validation::ledger_text(all));
   if (!a.markdown.empty()) write_page(all, a);
   if (!a.csv.empty()) io::write_atomically(a.csv, validation::ledger_csv(all));
   if (!a.verdicts.empty()) io::write_atomically(a.verdicts, validation::ledger_verdicts(all, a.small));
   if (a.expected.empty()) return fails(all) ? not_converged : done;
   const auto changes = validation::changed_verdicts(all, io::read_file(a.expected), a.expected, a.small);
-  for (const auto& change : changes) fmt::print(stderr, "{}\n", change);
+  for (const auto& change : changes) print(stderr, "{}\n", change);
   return changes.empty() ? done : not_converged;
 }
 

@@ -6,6 +6,7 @@
 
 #include "commands.hpp"
 #include "core/error.hpp"
+#include "print.hpp"
 #include "progress.hpp"
 #include "run_status.hpp"
 #include "watch_server.hpp"
@@ -24,8 +25,8 @@ void watch(const WatchArguments& a) {
   if (!std::filesystem::is_directory(a.folder)) throw InputError(a.folder, 0, "is not a folder; give the one that `arenite run` writes");
   watch_for_signals();
   const auto tell = [&](const std::string& url) {
-    if (!runs) fmt::print("the run in {} has ended; its page: ", a.folder);
-    fmt::print("{}{}\n", url, runs ? "" : "page");
+    if (!runs) print("the run in {} has ended; its page: ", a.folder);
+    print("{}{}\n", url, runs ? "" : "page");
     std::fflush(stdout);
   };
   serve_watch(a.folder, a.port, tell, stop_requested);

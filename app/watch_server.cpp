@@ -20,6 +20,7 @@
 #include <thread>
 
 #include "core/error.hpp"
+#include "print.hpp"
 #include "watch_state.hpp"
 
 namespace arenite::app {
@@ -77,6 +78,8 @@ class Answers {
     harden(response);
     const std::size_t slash = request.path.find('/', 1);
     const std::string given = request.path.substr(request.path.empty() ? 0 : 1, slash == std::string::npos ? slash : slash - 1);
+    // Many ranges of one page would each be answered, with many times the bytes of the page.
+    if (request.ranges.size() > 1) return refuse(response, 416);
     if (!is_own_host(request.get_header_value("Host"), port) || !same(given, token_)) return refuse(response, 403);
     const std::string what = slash == std::string::npos ? "?" : request.path.substr(slash + 1);
     try {
@@ -117,7 +120,10 @@ class Answers {
 
 void serve_watch(const std::filesystem::path& folder, int port, const std::function<void(const std::string& url)>& tell, const std::function<bool()>& is_over) {
   httplib::Server server;
-  server.new_task_queue = [] { return new httplib::ThreadPool(4); };
+  // Connections that send nothing take a thread each, so there are many, and for a second only.
+  server.new_task_queue = [] { return new httplib::ThreadPool(64); };
+  server.set_read_timeout(1);
+  server.set_keep_alive_timeout(1);
   server.set_keep_alive_max_count(1);
   server.set_socket_options([](int socket) {  // a port that somebody has is not shared, which httplib would allow
     const int yes = 1;
@@ -176,11 +182,11 @@ Watcher::Watcher(const std::filesystem::path& folder) {
   std::signal(SIGCHLD, SIG_DFL);
   try {
     const auto tell = [](const std::string& url) {
-      fmt::print(stderr, "watch: {}\n", url);
+      print(stderr, "watch: {}\n", url);
       let_go_of_output();
     };
     serve_watch(folder, 0, tell, after_end_of(ends[0]));
-  } catch (const std::exception& error) { fmt::print(stderr, "--watch: {}; the run continues\n", error.what()); }
+  } catch (const std::exception& error) { print(stderr, "--watch: {}; the run continues\n", error.what()); }
   ::_exit(0);
 }
 

@@ -178,7 +178,7 @@ Numbers WatchState::numbers() {
     add_now(*status);
   }
   Numbers n = Numbers::tree({{"title", title_of(folder_)}, {"folder", folder_.string()}});
-  n["life"] = status ? word_of(life_of(*status)) : stages_.empty() ? "waiting" : "ended";
+  n["life"] = status ? word_of(life_of(*status, folder_)) : stages_.empty() ? "waiting" : "ended";
   if (status) n["status"] = run_status_numbers(*status);
   n["stages"] = Numbers::list();
   for (const auto& [file, stage] : stages_) n["stages"].push_back(Numbers::tree({{"name", stage.name}, {"outcome", stage.outcome}}));
@@ -197,9 +197,6 @@ std::string WatchState::page() {
   return page_;
 }
 
-bool WatchState::stop() const {
-  const auto status = read_run_status(folder_);
-  return status && ask_to_stop(*status);
-}
+bool WatchState::stop() const { return ask_to_stop(folder_); }
 
 }  // namespace arenite::app

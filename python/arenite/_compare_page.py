@@ -147,7 +147,7 @@ def picture(drawn, columns=3):
     from matplotlib.figure import Figure
 
     from .figures.loadings import draw_curve
-    from .figures.style import colours, journal_style
+    from .figures.style import colours, journal_style, plain
 
     with journal_style(**{"svg.fonttype": "path"}):
         across = -(-len(drawn) // columns)
@@ -157,7 +157,7 @@ def picture(drawn, columns=3):
             for letter, colour, (x, y) in zip("AB", colours, both):
                 seen = np.isfinite(y) & ((y > 0) | (scales == "linear"))
                 draw_curve(axes, x[seen], y[seen], colour, letter, 2.0 if letter == "A" else 0.9)  # equal ones are both seen
-            axes.set(title=part, xlabel=x_label, ylabel=y_label, xscale="log" if scales == "log log" else "linear", yscale="linear" if scales == "linear" else "log")
+            axes.set(title=plain(part), xlabel=x_label, ylabel=y_label, xscale="log" if scales == "log log" else "linear", yscale="linear" if scales == "linear" else "log")
             axes.legend()
         store = io.BytesIO()
         canvas.savefig(store, format="svg", metadata={"Date": None})

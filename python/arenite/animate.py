@@ -3,13 +3,13 @@
 ffmpeg, if installed, writes an MP4; Pillow, which comes with Matplotlib, a GIF.
 """
 
-import json
 import os
 import pathlib
 import sys
 
 from ._core import open as open_result
-from ._said import said
+from ._said import carry_out, said, tell
+from ._written import written_whole
 
 no_ffmpeg = "ffmpeg is not installed (Debian: apt-get install ffmpeg), so this is a GIF: larger, and with fewer colours"
 colourings = ("material", "forces", "pressure", "deviator", "z", "velocity", "displacement", "rotation", "mobilisation")
@@ -38,7 +38,9 @@ def save(result, path, by="material", *, stage=None, chains=False, colour_map=No
         even = [2 * (n // 2) for n in size]  # video codecs halve both sides
         pictures = moving.Pictures(shots, by, chains, colour_map, low, high, even, curve and moving.Beside(result, curve))
         path.parent.mkdir(parents=True, exist_ok=True)
-        (write_mp4 if path.suffix == ".mp4" else write_gif)(path, pictures, fps, progress or (lambda share, name: None))
+        with written_whole(path) as beside:
+            write = write_mp4 if path.suffix == ".mp4" else write_gif
+            write(beside, pictures, fps, progress or (lambda share, name: None))
     return path
 
 
@@ -124,8 +126,8 @@ def main(result, out=None, by="material", stage=None, chains=False, map=None, lo
     except OSError as error:
         return said(f"{error.filename or out}: cannot be written ({error.strerror or error}); choose another file with --out")
     if written.suffix == ".gif" and not (out or "").endswith(".gif"):
-        print(f"arenite: {no_ffmpeg}", file=sys.stderr)
-    print(written)
+        tell(f"arenite: {no_ffmpeg}", sys.stderr)
+    tell(f"{written}")
     return 0
 
 
@@ -147,4 +149,4 @@ def progress_on(stream):
 
 
 if __name__ == "__main__":
-    sys.exit(main(**json.loads(sys.argv[1])))
+    carry_out(main)

@@ -6,15 +6,14 @@ differences of numbers without errors are listed but not judged.
 
 import csv
 import dataclasses
-import json
 import math
 import os
 import pathlib
 import re
-import sys
 
 from ._core import open as open_result
-from ._said import said
+from ._said import carry_out, said, tell
+from ._written import written_whole
 
 beyond, within, equal, unjudged, alone = "beyond errors", "within errors", "equal", "no errors given", "in one only"
 sure = 2  # standard errors of the difference
@@ -168,7 +167,7 @@ def in_errors(row):
 
 def save_table(found, path):
     """The rows as CSV."""
-    with open(path, "w", newline="", encoding="utf-8") as file:
+    with written_whole(path) as beside, open(beside, "w", newline="", encoding="utf-8") as file:
         table = csv.writer(file)
         table.writerow(["part", "name", "a", "a_error", "b", "b_error", "difference", "difference_error", "verdict"])
         for row in found:
@@ -184,7 +183,9 @@ def save_page(a, b, path, names=None):
     one, other = opened(a), opened(b)
     path = pathlib.Path(path)
     path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(page(one, other, names or [name_of(one, a), name_of(other, b)]), encoding="utf-8")
+    text = page(one, other, names or [name_of(one, a), name_of(other, b)])
+    with written_whole(path) as beside:
+        beside.write_text(text, encoding="utf-8")
     return path
 
 
@@ -208,11 +209,11 @@ def main(a, b, out="compare.html", csv=None, all=False):
         return said(f"{error.filename or out}: cannot be written ({error.strerror or error}); choose another file with --out or --csv")
     shown = found if all else [row for row in found if row.verdict == beyond]
     if shown:
-        print(text_table(shown))
-    print(summary(found))
-    print(f"page:    {written}   (open it in a browser)")
+        tell(text_table(shown))
+    tell(summary(found))
+    tell(f"page:    {written}   (open it in a browser)")
     return 0
 
 
 if __name__ == "__main__":
-    sys.exit(main(**json.loads(sys.argv[1])))
+    carry_out(main)

@@ -186,10 +186,23 @@ GrainMotion motion_of(const FilmLike& film, const LockinMaps& maps, const Pictur
   });
 }
 
+/// Refuses maps of which a part was not kept, as those of a stored result are.
+void require_all(const LockinMaps& maps) {
+  for (const auto& [name, map] : {std::pair{"mean", &maps.mean},
+                                  {"amplitude", &maps.amplitude},
+                                  {"phase", &maps.phase},
+                                  {"residual", &maps.residual},
+                                  {"standard_error", &maps.standard_error},
+                                  {"noise_floor", &maps.noise_floor}})
+    if (map->size() != static_cast<std::size_t>(maps.width) * static_cast<std::size_t>(maps.height))
+      throw InputError(fmt::format("these maps lack `{}`, as those of a stored result do; give maps made by lock_in", name));
+}
+
 LockinMaps followed(const FilmLike& film, const LockinMaps& maps, const PictureGrains& grains, const GrainMotion& motion, const Quantity& frame_rate,
                     const std::optional<ArrayLike>& time, double blur) {
   if (motion.size() != grains.size())
     throw InputError(fmt::format("the motion is that of {} grains, but there are {}; give grain_motion of these grains", motion.size(), grains.size()));
+  require_all(maps);
   const double rate = frame_rate.si(dimension::frequency, "frame_rate");
   const auto source = film_of(film, rate, time);
   Call call;

@@ -41,10 +41,9 @@ py::dict coarse_grained(const Packing& packing, const Quantity& width, const std
   choice.tilt_rate = tilt_rate;
   if (kernel != "lucy" && kernel != "gaussian") throw InputError("kernel \"" + kernel + "\" is neither \"lucy\" nor \"gaussian\"");
   choice.kernel = kernel == "lucy" ? fields::KernelShape::lucy : fields::KernelShape::gaussian;
+  const double between = spacing ? spacing->si(dimension::length, "spacing") : choice.width;
   Call call;
-  auto f = call.without_lock([&] {
-    return fields::coarse_grain(packing, fields::grid_over(packing.domain, spacing ? spacing->si(dimension::length, "spacing") : choice.width), choice);
-  });
+  auto f = call.without_lock([&] { return fields::coarse_grain(packing, fields::grid_over(packing.domain, between), choice); });
   const Shape shape{f.grid.rows, f.grid.columns};
   std::vector<double> x, y;
   for (int c = 0; c < f.grid.columns; ++c) x.push_back(f.grid.point(c, 0).x);

@@ -108,26 +108,38 @@ void note_state(const io::AppendLog& journal, const std::string& run, const RunS
   journal.add(fmt::format("{}\t{}\t{}", now.count(), run, text_of(state)));
 }
 
+namespace {
+
+/// Of a run that was begun more than once, or has not ended by its journal: its lock says whether it runs, its own file how
+/// it ended, and the journal what that cost.
+RunState state_now(const StudyFolder& folder, const std::string& run, const std::vector<RunState>& ended) {
+  if (io::FileLock::is_held(folder.lock(run))) return {Kind::running, 0, {}};
+  RunState state = read_status(folder, run).value_or(RunState{});
+  for (const RunState& attempt : ended)
+    if (attempt.kind == state.kind && attempt.reason == state.reason) state.seconds = attempt.seconds;
+  return state;
+}
+
+}  // namespace
+
 RunStates read_states(const StudyFolder& folder) {
-  struct Dated {
-    std::int64_t time = -1;
-    RunState state;
+  struct Attempts {
+    int begun = 0;
+    std::vector<RunState> ended;
   };
-  std::unordered_map<std::string, Dated> latest;
+  std::unordered_map<std::string, Attempts> known;
   io::read_log(folder.journal(), [&](std::string_view line) {
-    const auto time = parse_number<std::int64_t>(cut(line)).value_or(0);
+    cut(line);  // when: clocks of several machines do not say which of two lines came last
     const std::string run(cut(line));
     auto state = state_in(line);
-    Dated& known = latest[run];
-    if (state && time >= known.time) known = {time, std::move(*state)};
+    if (!state) return;
+    if (state->kind == Kind::running) ++known[run].begun;
+    else known[run].ended.push_back(std::move(*state));
   });
   RunStates states;
-  for (auto& [run, dated] : latest) {
-    if (dated.state.kind == Kind::running && !io::FileLock::is_held(folder.lock(run))) {
-      // It ended between two lines of its journal, or it was killed.
-      dated.state = read_status(folder, run).value_or(RunState{});
-    }
-    states.emplace(run, std::move(dated.state));
+  for (auto& [run, attempts] : known) {
+    const bool once = attempts.begun <= 1 && attempts.ended.size() == 1;
+    states.emplace(run, once ? std::move(attempts.ended.front()) : state_now(folder, run, attempts.ended));
   }
   return states;
 }

@@ -69,6 +69,26 @@ inline bool is_utf8(std::string_view text) {
   return true;
 }
 
+/// For a terminal: what would move its cursor, change its colours or its title, or speak for the user is shown as a sign that
+/// does nothing: control characters as their pictures (U+2400 and on), what is no character of UTF-8 as U+FFFD. Line ends and
+/// tabs stay.
+inline std::string printable(std::string_view text) {
+  std::string shown;
+  for (std::size_t at = 0; at < text.size();) {
+    const auto lead = static_cast<unsigned char>(text[at]);
+    const std::size_t length = lead < 0x80 ? 1 : lead >> 5 == 6 ? 2 : lead >> 4 == 14 ? 3 : 4;
+    const std::string_view one = text.substr(at, length);
+    const bool whole = is_utf8(one);
+    const bool second_controls = whole && length == 2 && lead == 0xc2 && static_cast<unsigned char>(one[1]) < 0xa0;
+    if (!whole || second_controls) shown += "\xef\xbf\xbd";
+    else if (lead == 0x7f) shown += "\xe2\x90\xa1";
+    else if (lead < 0x20 && lead != '\n' && lead != '\t') shown += {'\xe2', '\x90', static_cast<char>(0x80 + lead)};
+    else shown += one;
+    at += whole ? length : 1;
+  }
+  return shown;
+}
+
 /// A text that is a number of this type and nothing else; empty otherwise.
 template <class T> std::optional<T> parse_number(std::string_view text) {
   T value{};

@@ -13,10 +13,15 @@
 
 namespace arenite::report {
 
-void replace_once(std::string& text, std::string_view mark, const std::string& with) {
-  const std::size_t at = text.find(mark);
-  if (at == std::string::npos) throw std::logic_error("the page's template lacks " + std::string(mark));
-  text.replace(at, mark.size(), with);
+std::string filled(std::string_view page, const std::vector<Filling>& fillings) {
+  std::string text;
+  for (const auto& [mark, filling] : fillings) {
+    const std::size_t at = page.find(mark);
+    if (at == page.npos) throw std::logic_error("the page's template lacks " + std::string(mark));
+    text.append(page.substr(0, at)).append(filling);
+    page.remove_prefix(at + mark.size());
+  }
+  return text.append(page);
 }
 
 std::string html_text(std::string_view plain) {
@@ -45,11 +50,9 @@ std::string page(const PageData& given) {
   PageData data = given;
   if (data.title.empty()) data.title = title_of(data);
   const PageDocument document = page_document(data);
-  std::string text(page_template());
-  replace_once(text, "__TITLE__", html_text(data.title));
-  replace_once(text, "__DOCUMENT__", packed_text({reinterpret_cast<const std::uint8_t*>(document.json.data()), document.json.size()}));
-  replace_once(text, "__NUMBERS__", document.numbers);
-  return text;
+  const auto* json = reinterpret_cast<const std::uint8_t*>(document.json.data());
+  return filled(page_template(),
+                {{"__TITLE__", html_text(data.title)}, {"__DOCUMENT__", packed_text({json, document.json.size()})}, {"__NUMBERS__", document.numbers}});
 }
 
 void write_page(const std::filesystem::path& path, const PageData& data) { io::write_atomically(path, page(data)); }

@@ -1,6 +1,7 @@
 #pragma once
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace arenite::report {
 
@@ -11,8 +12,14 @@ std::string_view page_template();
 /// The page of a study without its figures: marks __TITLE__ and __FIGURES__, once each.
 std::string_view study_template();
 
-/// Puts `with` in the place of a mark of a page's template; throws std::logic_error where the template lacks it.
-void replace_once(std::string& text, std::string_view mark, const std::string& with);
+/// What stands in the place of a mark of a page's template.
+struct Filling {
+  std::string_view mark;
+  std::string text;
+};
+/// The template with every mark replaced, in the order in which they stand there. What is put in is never searched for
+/// marks: a title may be "__DOCUMENT__". Throws std::logic_error where the template lacks one.
+std::string filled(std::string_view page, const std::vector<Filling>& fillings);
 
 /// Text as HTML shows it.
 std::string html_text(std::string_view plain);

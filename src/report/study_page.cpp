@@ -174,10 +174,7 @@ Numbers document_of(const StudyPage& page) {
 std::string html_of(const Numbers& document) {
   std::string json = to_json(document, -1);
   for (std::size_t at = 0; (at = json.find("</", at)) != std::string::npos; at += 3) json.replace(at, 2, "<\\/");
-  std::string text(study_template());
-  replace_once(text, "__TITLE__", html_text(document["title"].get<std::string>()));
-  replace_once(text, "__FIGURES__", json);
-  return text;
+  return filled(study_template(), {{"__TITLE__", html_text(document["title"].get<std::string>())}, {"__FIGURES__", json}});
 }
 
 fs::path numbers_beside(fs::path page) { return page.replace_extension(".hdf5"); }

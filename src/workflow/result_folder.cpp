@@ -42,8 +42,17 @@ bool is_of_version_0_1(const fs::path& file) {
   } catch (const InputError&) { return false; }
 }
 
-ResultFolder::ResultFolder(fs::path out, const std::vector<std::string>& names) : out_(std::move(out)) {
-  make_folder(out_);
+namespace {
+
+io::FileLock lock_in(const fs::path& folder) {
+  make_folder(folder);
+  if (auto lock = io::FileLock::try_take(folder / ".lock")) return std::move(*lock);
+  refuse(folder.string(), "another run writes into this folder; wait for its end, stop it, or choose another folder with --out");
+}
+
+}  // namespace
+
+ResultFolder::ResultFolder(fs::path out, const std::vector<std::string>& names) : out_(std::move(out)), lock_(lock_in(out_)) {
   for (const auto& path : other_results(out_, names)) put_aside(path);
   for (const auto& name : names)
     if (fs::exists(out_ / "earlier" / name)) fs::rename(out_ / "earlier" / name, out_ / name);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "grains/texture/texture.hpp"
+#include "io/disk/file.hpp"
 #include "model/packing.hpp"
 #include "model/result.hpp"
 #include "statistics/numbers.hpp"
@@ -22,7 +23,7 @@ std::vector<std::filesystem::path> other_results(const std::filesystem::path& fo
 bool is_of_version_0_1(const std::filesystem::path& file);
 
 /// A run's folder: result files of this recipe on top, those of other versions of it under earlier/, from where they
-/// come back when they are wanted again.
+/// come back when they are wanted again. One writer at a time has it: another is refused.
 class ResultFolder {
  public:
   ResultFolder(std::filesystem::path out, const std::vector<std::string>& names);
@@ -33,6 +34,7 @@ class ResultFolder {
  private:
   void put_aside(const std::filesystem::path& path);
   std::filesystem::path out_;
+  io::FileLock lock_;
   std::vector<std::string> put_aside_;
 };
 

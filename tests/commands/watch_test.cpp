@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
+#include <sys/wait.h>
 #include <unistd.h>
 #include <nlohmann/json.hpp>
 
@@ -83,22 +84,30 @@ struct Answer {
   std::string text;
 };
 
-/// One request, as it stands.
-Answer ask(int port, const std::string& method, const std::string& path, const std::string& host, const std::string& more = "") {
+/// -1 where nobody listens.
+int connection_to(int port) {
   const int connection = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
   sockaddr_in to{};
   to.sin_family = AF_INET;
   to.sin_port = htons(static_cast<std::uint16_t>(port));
   to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  if (::connect(connection, reinterpret_cast<const sockaddr*>(&to), sizeof to) == 0) return connection;
+  ::close(connection);
+  return -1;
+}
+
+/// One request, as it stands.
+Answer ask(int port, const std::string& method, const std::string& path, const std::string& host, const std::string& more = "") {
+  const int connection = connection_to(port);
   std::string all;
-  if (::connect(connection, reinterpret_cast<const sockaddr*>(&to), sizeof to) == 0) {
+  if (connection >= 0) {
     const std::string request = method + " " + path + " HTTP/1.1\r\nHost: " + host + "\r\n" + more + "Connection: close\r\nContent-Length: 0\r\n\r\n";
     if (::send(connection, request.data(), request.size(), MSG_NOSIGNAL) > 0) {
       char part[4096];
       for (ssize_t n = 0; (n = ::recv(connection, part, sizeof part, 0)) > 0;) all.append(part, static_cast<std::size_t>(n));
     }
   }
-  ::close(connection);
+  if (connection >= 0) ::close(connection);
   if (all.size() < 12) return {};
   const auto body = all.find("\r\n\r\n");
   return {std::stoi(all.substr(9, 3)), body == std::string::npos ? "" : all.substr(body + 4)};
@@ -209,6 +218,73 @@ TEST(Watch, RefusesWhoLacksTheTokenComesByAnotherNameOrAsksForAnythingElse) {
   EXPECT_EQ(ask(page.port, "DELETE", page.path, page.host).status, 405);
   EXPECT_EQ(page.post("stop", "Origin: http://example.org\r\n").status, 403);
   EXPECT_EQ(page.post("stop").status, 409) << "nothing runs";
+}
+
+/// A status as a run writes it, with this process and host.
+std::string status_naming(long process) {
+  char host[256] = {};
+  ::gethostname(host, sizeof host - 1);
+  std::string text = "name,value\n";
+  for (const char* cell : {"stage,1", "stages,2", "name,shear", "share,0.5", "step,7", "unbalanced_ratio,0.1", "field,false", "key,k", "increment,1",
+                           "increments,1", "time_s,1", "stopped,false", "began,1", "stage_began,1", "heard,1", "seconds_left,unknown", "process_start,"})
+    text += std::string(cell) + "\n";
+  return text + "process," + std::to_string(process) + "\nhost," + host + "\n";
+}
+
+TEST(Watch, StopsNoProcessThatAFileNames) {
+  const test::TemporaryFolder folder;
+  const pid_t bystander = ::fork();
+  if (bystander == 0) {
+    ::pause();
+    ::_exit(0);
+  }
+  // The second is -1 where it is cut to the 32 bits of a process number.
+  for (const long named : {static_cast<long>(bystander), 0xffffffffL}) {
+    std::ofstream(folder / "status.csv") << status_naming(named);
+    Background watch("watch " + folder.path().string(), folder / "watch.out", folder / "watch.err");
+    const Page page(folder / "watch.out");
+    ASSERT_GT(page.port, 0) << test::slurp(folder / "watch.err");
+    EXPECT_EQ(page.state()["life"], "died");
+    EXPECT_EQ(page.post("stop").status, 409);
+    EXPECT_EQ(watch.end(SIGTERM), 0);
+  }
+  int ended = 0;
+  EXPECT_EQ(::waitpid(bystander, &ended, WNOHANG), 0) << "it was signalled";
+  ::kill(bystander, SIGKILL);
+  ::waitpid(bystander, &ended, 0);
+}
+
+TEST(Watch, AnswersBesideConnectionsThatSendNothing) {
+  const test::TemporaryFolder folder;
+  const auto file = folder / "recipe.toml", out = folder / "out";
+  std::ofstream(file) << recipe_of("0.01 s");
+  ASSERT_EQ(test::arenite("run " + file.string() + " --quiet --out " + out.string()).status, 0);
+  Background watch("watch " + out.string(), folder / "watch.out", folder / "watch.err");
+  const Page page(folder / "watch.out");
+  ASSERT_GT(page.port, 0);
+  std::vector<int> silent;
+  for (int k = 0; k < 40; ++k) silent.push_back(connection_to(page.port));
+  EXPECT_EQ(page.state()["life"], "ended");
+  for (const int connection : silent) ::close(connection);
+  std::string ranges = "Range: bytes=0-";
+  for (int k = 0; k < 300; ++k) ranges += ",0-";
+  EXPECT_LT(ask(page.port, "GET", page.path + "page", page.host, ranges + "\r\n").text.size(), 1000u);
+}
+
+TEST(Run, ASecondOneIntoTheSameFolderIsRefused) {
+  const test::TemporaryFolder folder;
+  const auto file = folder / "recipe.toml", other = folder / "other.toml", out = folder / "out";
+  std::ofstream(file) << recipe_of("20 s");
+  std::ofstream(other) << recipe_of("10 s");
+  const auto line = [&](const fs::path& recipe) { return "run " + recipe.string() + " --quiet --out " + out.string(); };
+  Background run(line(file), folder / "run.out", folder / "run.err");
+  ASSERT_TRUE(becomes([&] { return fs::exists(out / "status.csv"); }));
+  const auto second = test::arenite(line(other));
+  EXPECT_EQ(second.status, 2);
+  EXPECT_NE(second.err.find("another run writes into this folder"), std::string::npos) << second.err;
+  EXPECT_FALSE(fs::exists(out / "earlier"));
+  EXPECT_TRUE(fs::exists(out / "status.csv")) << "of the first run";
+  EXPECT_EQ(run.end(SIGTERM), 1);
 }
 
 TEST(Watch, OfWhatIsNoResultIsBadInput) {

@@ -94,6 +94,32 @@ def test_the_command_draws(result, tmp_path):
     assert (tmp_path / "rest-packing.png").exists()
 
 
+def test_files_of_the_current_folder_are_not_run(result, tmp_path):
+    (tmp_path / "json.py").write_text("import pathlib\npathlib.Path('ran').touch()\n")
+    for line in (["figures", result.path, "--out", "f", "--format", "png", "--only", "packing"], ["compare", result.path, result.path, "--out", "c.html"]):
+        run = subprocess.run([os.environ["ARENITE"], *line], cwd=tmp_path, capture_output=True, text=True)
+        assert run.returncode == 0, run.stderr
+    assert not (tmp_path / "ran").exists()
+
+
+def test_files_are_whole_or_not_there(result, tmp_path):
+    (tmp_path / "compare.html").write_text("before")
+    for line in (f"figures {result.path} --out {tmp_path} --format png --only packing", f"compare {result.path} {result.path} --out {tmp_path}/compare.html"):
+        run = subprocess.run(["bash", "-c", f"ulimit -f 1; exec {os.environ['ARENITE']} {line}"], capture_output=True, text=True)
+        assert run.returncode == 2 and run.stderr.count("\n") == 1 and "cannot be written" in run.stderr, run.stderr
+    assert [path.name for path in tmp_path.iterdir()] == ["compare.html"] and (tmp_path / "compare.html").read_text() == "before"
+    full = subprocess.run(["bash", "-c", f"exec {os.environ['ARENITE']} compare {result.path} {result.path} --out {tmp_path}/c.html > /dev/full"], capture_output=True, text=True)
+    assert full.returncode == 2 and full.stderr.count("\n") == 1, full.stderr
+
+
+def test_names_are_no_formulas(tmp_path):
+    packing = arenite.Packing([1e-3, 3e-3], [1e-3, 1e-3], [1e-3, 1e-3], width=4e-3, height=2e-3, material=[0, 1],
+                              materials=[arenite.Material("$_{$"), arenite.Material("$a")])
+    figure = catalogue.Figure("key", "stage", lambda canvas, part: packings.material_key(canvas.add_subplot(), part))
+    saving.save(figure, packing, tmp_path / "key.svg")
+    assert (tmp_path / "key.svg").stat().st_size > 0
+
+
 def test_bad_requests_are_refused_in_one_sentence(result, tmp_path):
     with pytest.raises(ValueError, match="no figure nothing; there are packing, "):
         figures.save_all(result, tmp_path, names=["nothing"])

@@ -4,7 +4,7 @@ import numpy as np
 from matplotlib.colors import to_rgba
 
 from .films import mean_stress, normalised
-from .style import colours, force_symbols, scaled, sigma_norm, soft, strong, tension
+from .style import colours, force_symbols, plain, scaled, sigma_norm, soft, strong, tension
 
 simulation_names = {"peak_to_peak": "simulation, peak to peak", "state": "simulation, state"}
 
@@ -13,7 +13,7 @@ def materials_of(film):
     """(name, colour, which grains) of the materials present."""
     material = np.asarray(film.packing.material)
     names = [m.name for m in film.packing.materials] or ["grains"]
-    return [(name, colours[m % len(colours)], material == m) for m, name in enumerate(names) if np.any(material == m)]
+    return [(plain(name), colours[m % len(colours)], material == m) for m, name in enumerate(names) if np.any(material == m)]
 
 
 def uncertain(film):

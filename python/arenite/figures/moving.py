@@ -11,7 +11,7 @@ from .. import curves
 from . import motion
 from .loadings import draw_curve
 from .packings import material_key
-from .style import bare, colours, length_bar, scaled, strong
+from .style import bare, colours, length_bar, plain, scaled, strong
 
 dots = 100  # pixels an inch
 text_size = {"font.size": 9, "axes.labelsize": 9, "xtick.labelsize": 8, "ytick.labelsize": 8, "legend.fontsize": 8}
@@ -42,7 +42,7 @@ class Pictures:
             artist.remove()
         shot = self.shots[k]
         self.drawn = motion.draw_shot(self.axes, shot, self.values[k], **self.style)
-        self.heading.set_text(f"{shot.stage.name}, {shot.snapshot.label}, {shot.snapshot.time:.4g} s")
+        self.heading.set_text(f"{plain(shot.stage.name)}, {plain(shot.snapshot.label)}, {shot.snapshot.time:.4g} s")
         if self.beside:
             self.beside.show(shot)
         self.figure.canvas.draw()

@@ -5,7 +5,7 @@ from matplotlib.collections import PatchCollection, PolyCollection
 from matplotlib.patches import Circle, Rectangle
 
 from .._core import measure_grains
-from .style import bare, chain_width, colours, force_symbols, key_below, length_bar, most_stress, pale, patch, scaled, stress_map, strong, tension, weak, widest_chain
+from .style import bare, chain_width, colours, force_symbols, key_below, length_bar, most_stress, pale, patch, plain, scaled, stress_map, strong, tension, weak, widest_chain
 
 
 def container(axes, packing):
@@ -32,7 +32,7 @@ def circles(x, y, radius, **options):
 
 def material_key(axes, packing):
     names = [(m, material.name) for m, material in enumerate(packing.materials) if np.any(packing.material == m)]
-    key_below(axes, [patch(colours[m % len(colours)] + "bf", f"{name} ({np.sum(packing.material == m)})") for m, name in names])
+    key_below(axes, [patch(colours[m % len(colours)] + "bf", f"{plain(name)} ({np.sum(packing.material == m)})") for m, name in names])
 
 
 def draw_packing(axes, packing, by="material", colour_map=stress_map, most=most_stress):

@@ -4,7 +4,7 @@ import numpy as np
 
 from .._core import Recipe, asked_size_curve, coarse_grained, size_curve
 from .motion import Shot, deviator, pressure
-from .style import bare, colours, diverging_map, even_map, scaled, soft, stress_map, strong
+from .style import bare, colours, diverging_map, even_map, plain, scaled, soft, stress_map, strong
 
 # What the grains of a state may be drawn by: label, unit, and the values of a Shot.
 quantities = {
@@ -27,7 +27,7 @@ def draw_grains_against(axes, shot, x="diameter", y="pressure"):
     for m, material in enumerate(packing.materials):
         of = packing.material == m
         if np.any(of):
-            axes.plot(drawn[0][0][of], drawn[1][0][of], ".", color=colours[m % len(colours)], markersize=2.5, alpha=0.7, label=material.name)
+            axes.plot(drawn[0][0][of], drawn[1][0][of], ".", color=colours[m % len(colours)], markersize=2.5, alpha=0.7, label=plain(material.name))
     axes.set(xlabel=drawn[0][1], ylabel=drawn[1][1])
     if len(packing.materials) > 1:
         axes.legend(markerscale=2)

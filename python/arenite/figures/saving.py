@@ -7,6 +7,7 @@ import typing
 
 from matplotlib.figure import Figure as Canvas
 
+from .._written import written_whole
 from .style import column_width, journal_style, make_ticks_plain, page_width
 
 
@@ -37,9 +38,11 @@ def save(figure, part, paths, width=None, **style):
         canvas.set_layout_engine("none")
         for path in map(pathlib.Path, [paths] if isinstance(paths, (str, pathlib.Path)) else paths):
             # Without a date the same result gives the same bytes.
-            canvas.savefig(path, metadata={"pdf": {"CreationDate": None}, "svg": {"Date": None}}.get(path.suffix[1:], {}))
-            if path.suffix == ".svg":
-                number_clips(path)
+            metadata = {"pdf": {"CreationDate": None}, "svg": {"Date": None}}.get(path.suffix[1:], {})
+            with written_whole(path) as beside:
+                canvas.savefig(beside, metadata=metadata)
+                if path.suffix == ".svg":
+                    number_clips(beside)
 
 
 def number_clips(path):

@@ -11,7 +11,7 @@ from matplotlib.patches import Circle
 
 from .. import _core
 from .fields import crack_dots
-from .style import bare, colours, length_bar, phase_colours, soft, strong
+from .style import bare, colours, length_bar, phase_colours, plain, soft, strong
 
 stress_map, most_stress, most_stress_of_nodes = "magma_r", 3, 2
 
@@ -50,7 +50,7 @@ def not_drawn(path):
 
 def label(text):
     """"σ_{norm}" for matplotlib."""
-    return re.sub(r"([_^])\{([^}]*)\}", lambda m: f"${m[1]}\\mathrm{{{m[2]}}}$".replace("%", r"\%"), text)
+    return re.sub(r"([_^])\{([^}]*)\}", lambda m: f"${m[1]}\\mathrm{{{m[2]}}}$".replace("%", r"\%"), plain(text))
 
 
 def _colours(figure):
@@ -224,7 +224,7 @@ def _material_key(axes, sample):
     names = [(m, name) for m, name in enumerate(sample.get("materials", [])) if m in sample["material"]]
     if "stress" in sample or len(names) < 2:
         return
-    handles = [axes.plot([], [], "o", color=colours[m % len(colours)], alpha=0.8, label=name)[0] for m, name in names]
+    handles = [axes.plot([], [], "o", color=colours[m % len(colours)], alpha=0.8, label=plain(name))[0] for m, name in names]
     axes.legend(handles=handles, loc="upper right", bbox_to_anchor=(1, 0.005), ncols=len(handles), handletextpad=0.1, columnspacing=0.8, borderpad=0)
 
 

@@ -84,6 +84,11 @@ def estimate(statistic):
     return statistic["value"], statistic.get("error") or 0.0
 
 
+def plain(name):
+    """A name of somebody's as it is, whose dollar signs begin no formula."""
+    return name.replace("$", r"\$")
+
+
 def measured(statistic):
     """"0.31 ± 0.12" of {"value", "error"}: two digits of the error."""
     value, error = estimate(statistic)

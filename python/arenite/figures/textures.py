@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from .style import colour_of, colours, estimate, force_symbols, measured, sigma_norm, soft, strong, weak
+from .style import colour_of, colours, estimate, force_symbols, measured, plain, sigma_norm, soft, strong, weak
 
 over_mean = f"${force_symbols['fn']}/\\langle {force_symbols['fn']}\\rangle$"
 a_c = r"$a_{\mathrm{c}}$"
@@ -17,7 +17,7 @@ def sets_of(distribution, materials=()):
 
 def name_of(name):
     """"HDPE-POM" as it is printed."""
-    return name.replace("-ANY", "–any").replace("-", "–").replace("_", " ")
+    return plain(name).replace("-ANY", "–any").replace("-", "–").replace("_", " ")
 
 
 def draw_cumulative(axes, distribution, label=sigma_norm, share="P0", materials=(), log=True):

@@ -79,6 +79,21 @@ TEST(Journal, ARunThatItsProcessLeftIsNotRunning) {
   EXPECT_EQ(read_states(place).at("a").kind, Kind::running);
 }
 
+TEST(Journal, AClockThatIsAheadDoesNotDecide) {
+  const test::TemporaryFolder folder;
+  const StudyFolder place(folder.path());
+  std::filesystem::create_directories(place.journal());
+  std::filesystem::create_directories(place.run("a"));
+  std::ofstream(place.journal() / "1.log") << "99999999999999999\ta\trunning\t0\t\n99999999999999999\ta\tfailed\t1\tno memory\n";
+  std::ofstream(place.journal() / "2.log") << "17\ta\trunning\t0\t\n18\ta\tdone\t2.5\t\n";
+  write_status(place, "a", {Kind::done, 2.5, {}});
+  EXPECT_EQ(read_states(place).at("a").kind, Kind::done);
+  EXPECT_EQ(read_states(place).at("a").seconds, 2.5);
+  std::filesystem::create_directories(place.lock("a").parent_path());
+  const auto lock = io::FileLock::try_take(place.lock("a"));
+  EXPECT_EQ(read_states(place).at("a").kind, Kind::running);
+}
+
 TEST(Journal, ALineThatWasCutShortIsPassedOver) {
   const test::TemporaryFolder folder;
   const StudyFolder place(folder.path());

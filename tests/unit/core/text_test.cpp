@@ -38,6 +38,20 @@ TEST(Utf8, IsTheSameToAReaderOfJson) {
   }
 }
 
+TEST(Printable, ShowsWhatATerminalWouldObey) {
+  EXPECT_EQ(printable("µm: 3 ± 1\tand\n"), "µm: 3 ± 1\tand\n");
+  EXPECT_EQ(printable("\x1b]0;title\x07 \x1b[2J"), "␛]0;title␇ ␛[2J");
+  EXPECT_EQ(printable("a\rb\x7f"), "a␍b␡");
+  EXPECT_EQ(printable("\xc2\x9b"
+                      "31m"),
+            "\xef\xbf\xbd"
+            "31m");  // one character that begins what escape and [ begin
+  EXPECT_EQ(printable("\x9b"
+                      "31m \xff"),
+            "\xef\xbf\xbd"
+            "31m \xef\xbf\xbd");
+}
+
 TEST(ListOf, PutsWordsOneAfterTheOther) {
   EXPECT_EQ(list_of(std::vector<std::string>{}), "");
   EXPECT_EQ(list_of(std::vector<std::string>{"one"}), "one");

@@ -7,6 +7,16 @@
 
 using namespace arenite;
 
+TEST(Page, ATitleMayBeAMarkOfTheTemplate) {
+  const test::PageSample sample(60);
+  report::PageData data = sample.data;
+  data.title = "__DOCUMENT__ and __NUMBERS__";
+  const std::string page = report::page(data), usual = report::page(sample.data);
+  EXPECT_NE(page.find("<title>__DOCUMENT__ and __NUMBERS__</title>"), std::string::npos);
+  EXPECT_GT(page.size(), usual.size() - 200);
+  EXPECT_LT(page.size(), usual.size() + 200);
+}
+
 TEST(Page, IsOneFileThatAsksNobodyForAnything) {
   const test::PageSample sample(60);
   const std::string html = report::page(sample.data);
