@@ -39,10 +39,12 @@ dist:
 	@ninja -C $(BUILD) pages
 	@scripts/dist $(BUILD)
 
+# Benchmarks and fuzz targets, too: what nobody compiles and runs does not stay whole.
 test:
-	@scripts/setup run python test docs
-	@$(COMMON) $(WITH_MODULE) -DARENITE_TESTS=ON >/dev/null
+	@scripts/setup run python test bench fuzz docs
+	@$(COMMON) $(WITH_MODULE) -DARENITE_TESTS=ON -DARENITE_BENCH=ON >/dev/null
 	@ninja -C $(BUILD) -j $(JOBS)
+	@$(MAKE) --no-print-directory fuzz FUZZ_SECONDS=1
 	@ctest --test-dir $(BUILD) -j $$(($(JOBS) + 1)) --timeout 1200 --output-on-failure  # some wait for a browser or a killed run
 
 bench:
@@ -52,7 +54,7 @@ bench:
 	@for b in $(BUILD)/bench/*; do [ -x $$b ] && [ -f $$b ] && $$b || true; done
 
 peers:
-	@scripts/setup run python bench
+	@scripts/setup run python bench peers
 	@$(COMMON) $(WITH_MODULE) -DARENITE_BENCH=ON >/dev/null
 	@ninja -C $(BUILD) -j $(JOBS)
 	@bench/peers/run $(BUILD)
@@ -66,8 +68,11 @@ fuzz:
 	@cmake --build --preset fuzz -j $(JOBS)
 	@cd build-fuzz && for f in tests/fuzz/fuzz_*; do \
 	  what=$${f##*fuzz_}; mkdir -p found/$$what; \
-	  $$f -max_total_time=$(FUZZ_SECONDS) -max_len=4096 -dict=../tests/fuzz/$$what.dict -artifact_prefix=found/ \
-	    found/$$what ../tests/fuzz/corpus/$$what 2>&1 | tail -2 || exit 1; \
+	  dict=../tests/fuzz/$$what.dict; [ -e $$dict ] && words=-dict=$$dict || words=; \
+	  $$f -max_total_time=$(FUZZ_SECONDS) -max_len=4096 -timeout=60 -detect_leaks=0 $$words \
+	    -artifact_prefix=found/$$what- found/$$what ../tests/fuzz/corpus/$$what > found/$$what.log 2>&1 \
+	    || { tail -60 found/$$what.log; echo "$$f found this, in build-fuzz/found"; exit 1; }; \
+	  echo "$$f: $$(tail -1 found/$$what.log)"; \
 	done
 
 # HTML of all pages with search and the reference of Python and C++, in $(BUILD)/html; it is made with the Python module.

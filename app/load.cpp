@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 struct LoadArguments {
   std::string map, phases, labels = "components", crop, dataset, label_dataset, dx, loading = "tension", axis = "y", lower = "fixed";
-  std::string method = "static_solve", stiffness, toughness, out;
+  std::string method = "static_solve", stiffness, toughness, strength, out;
   std::int64_t slice = -1, label_slice = -1;
   double smoothing = 1;
   recipe::Load load;
@@ -56,6 +56,10 @@ recipe::Load load_of(const LoadArguments& a) {
   load.method = recipe::chosen<peridynamics::Method>(a.method, "--method");
   read_by_type(a.stiffness, "--stiffness", dimension::pressure, "GPa", load.stiffness.matrix, load.stiffness.interface, load.stiffness.particle);
   read_by_type(a.toughness, "--toughness", dimension::toughness, "MPa m^0.5", load.toughness.matrix, load.toughness.interface, load.toughness.particle);
+  if (double matrix = 0; !a.strength.empty()) {
+    read_by_type(a.strength, "--strength", dimension::pressure, "MPa", matrix, load.strength.interface, load.strength.particle);
+    if (matrix > 0) load.strength.matrix = matrix;
+  }
   if (load.failure && a.dx.empty() && io::stored_kind(a.map) != "field")
     throw InputError("a crack needs a length; give the size of a pixel, for example --dx \"25 um\"");
   return load;
@@ -153,15 +157,20 @@ void add_loading(Options& command, LoadArguments& a) {
   command.add("--tolerance", load.tolerance, "Relative residual at equilibrium; default 1e-6").type("NUMBER");
   command.add("--stiffness", a.stiffness, "Young's moduli of bonds, e.g. \"matrix=1 GPa,particle=4 GPa\" (the default; interface as the matrix)")
       .type("MODULI");
+  command.add("--stop-at-voids", load.stop_at_voids, "No bond passes through a void node; otherwise bonds reach across cracks thinner than 3 nodes");
   command.add("--exact-stretch", load.exact_stretch, "Use the exact (non-linearised) bond stretch");
-  command.add("--moduli", load.moduli, "Also load along both axes and in shear, for the moduli of the sample");
+  command.add("--moduli", load.moduli, "Also load along both axes and in shear, for the apparent moduli between rigid clamps");
   command.add("--failure", load.failure, "Load to failure; needs --dx");
   command
       .add("--toughness", a.toughness,
            "Fracture toughness of bonds, e.g. \"matrix=0.1 MPa m^0.5\" (the default; interface the same, particle 3.5 times as much)")
       .type("TOUGHNESS");
+  command
+      .add("--strength", a.strength, "Tensile strength of bonds beside their toughness, e.g. \"matrix=3 MPa\" (interface the same, particle 3.5 times as much)")
+      .type("STRENGTH");
+  command.add("--cracks-stay-open", load.cracks_stay_open, "Failure: faces that have parted do not push where they meet again");
   command.add("--max-strain", load.max_strain, "Strain at which a test to failure ends at the latest; default 0.1").type("NUMBER");
-  command.add("--clamp-rows", load.statistics.clamp_rows, "Rows at both edges that the statistics leave out; default 4").type("N");
+  command.add("--clamp-rows", load.statistics.clamp_rows, "Rows at both edges that the statistics leave out; default 4").between(0, 10'000).type("N");
   command.add("--leave-out-surface", load.statistics.leave_out_surface, "Exclude nodes that border another phase or grain from the statistics");
 }
 

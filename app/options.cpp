@@ -1,7 +1,9 @@
 
+#include <fmt/core.h>
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <string>
 
@@ -56,10 +58,19 @@ template <class T> CLI::Option* declare(CLI::App& to, const Option& option, cons
   }
 }
 
+/// What is wrong with a number's text, "" where nothing is: "nan" compares false with both ends of a range, and no option means it.
+std::string out_of_range(const Option& option, const std::string& text) {
+  double value = 0;
+  if (!CLI::detail::lexical_cast(text, value)) return {};  // the reading of the value says so
+  if (std::isnan(value) || (option.is_real() && std::isinf(value))) return fmt::format("{} is no finite number", text);
+  if (!option.range || (value >= option.range->first && value <= option.range->second)) return {};
+  return fmt::format("Value {} not in range {} to {}", text, option.range->first, option.range->second);
+}
+
 CLI::Option* declare(CLI::App& to, const Option& option, const std::string& name) {
   CLI::Option* declared = std::visit([&](auto* target) { return declare(to, option, name, *target); }, option.to);
   if (!option.choices.empty()) declared->check(CLI::IsMember(option.choices));
-  if (option.range) declared->check(CLI::Range(option.range->first, option.range->second).description(""));
+  if (option.is_real() || option.range) declared->check(CLI::Validator([option](std::string& text) { return out_of_range(option, text); }, ""));
   const auto now = [former = option.former_choices](std::string& word) {
     if (const auto at = former.find(word); at != former.end()) word = at->second;
     return std::string();

@@ -33,6 +33,8 @@ struct Option {
 
   bool is_named() const { return name.starts_with('-'); }
   bool is_flag() const { return std::holds_alternative<bool*>(to) || name.ends_with('}'); }
+  /// Whether its value is a real number; such a value is finite, whatever its range.
+  bool is_real() const { return std::holds_alternative<double*>(to) || std::holds_alternative<std::optional<double>*>(to); }
   bool repeats() const { return std::holds_alternative<std::vector<std::string>*>(to); }
 
   // What a table says of an option; none is inline, for each of the many calls would compile it again.

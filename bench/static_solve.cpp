@@ -64,7 +64,13 @@ void samples(benchmark::internal::Benchmark* b) {
 }  // namespace
 
 BENCHMARK(static_solve)->Apply(samples);
-BENCHMARK(static_solve)->Args({2048, 250, 40})->Args({4096, 250, 40})->ArgNames({"nodes", "gamma", "bridge"})->Unit(benchmark::kMillisecond)->Iterations(1);
+BENCHMARK(static_solve)
+    ->Args({128, 250, 40})
+    ->Args({2048, 250, 40})
+    ->Args({4096, 250, 40})
+    ->ArgNames({"nodes", "gamma", "bridge"})
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(1);
 BENCHMARK(adaptive_relaxation)->Args({1024, 250, 40})->ArgNames({"nodes", "gamma", "bridge"})->Unit(benchmark::kMillisecond)->Iterations(1);
 
 BENCHMARK_MAIN();

@@ -8,9 +8,10 @@ target_compile_options(arenite_options INTERFACE "$<$<CXX_COMPILER_ID:GNU>:-Wno-
 # GCC spends a twentieth of its time on freeing memory that it need not reuse: most batches of sources take less than a gigabyte in all.
 target_compile_options(arenite_options INTERFACE "$<$<CXX_COMPILER_ID:GNU>:SHELL:--param ggc-min-heapsize=1000000>")
 # Sources that are compiled together see each other's globals, which no one shadows by mistake, and look to GCC like a header that shows its
-# anonymous namespace.
+# anonymous namespace. Clang cannot tell such shadows from others.
 set(together "$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>")
-target_compile_options(arenite_options INTERFACE "$<IF:$<AND:$<CXX_COMPILER_ID:GNU>,${together}>,-Wshadow=local;-Wno-subobject-linkage,-Wshadow>")
+set(shadows_of_together "$<$<CXX_COMPILER_ID:GNU>:-Wshadow=local;-Wno-subobject-linkage>")
+target_compile_options(arenite_options INTERFACE "$<IF:${together},${shadows_of_together},-Wshadow>")
 if(ARENITE_WERROR)
   target_compile_options(arenite_options INTERFACE -Werror)
 endif()

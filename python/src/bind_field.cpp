@@ -42,7 +42,8 @@ PhaseMap rasterised(const Packing& packing, const Cement& cement, std::int64_t n
 
 FieldResult loaded(const PhaseMap& map, const std::string& loading, const Quantity& strain, const std::string& axis, const std::string& lower,
                    const std::string& method, const Quantity& tolerance, bool moduli, bool failure, const Quantity& matrix,
-                   const std::optional<Quantity>& interface, const std::optional<Quantity>& particle, const Progress& progress) {
+                   const std::optional<Quantity>& interface, const std::optional<Quantity>& particle, bool stop_at_voids, const Quantity& toughness,
+                   const std::optional<Quantity>& strength, bool cracks_stay_open, const Quantity& max_strain, const Progress& progress) {
   using peridynamics::Loading, peridynamics::LowerEdge, peridynamics::Method;
   recipe::Load load;
   load.name = failure ? "failure" : loading;
@@ -57,6 +58,11 @@ FieldResult loaded(const PhaseMap& map, const std::string& loading, const Quanti
   load.stiffness.matrix = matrix.si(dimension::pressure, "matrix");
   load.stiffness.interface = si(interface, dimension::pressure, "interface");
   load.stiffness.particle = si(particle, dimension::pressure, "particle");
+  load.stop_at_voids = stop_at_voids;
+  load.toughness.matrix = toughness.si(dimension::toughness, "toughness");
+  load.strength.matrix = si(strength, dimension::pressure, "strength");
+  load.cracks_stay_open = cracks_stay_open;
+  load.max_strain = max_strain.si(dimension::none, "max_strain");
   Call call;
   auto result = call.without_lock([&] {
     const peridynamics::Watch watch = [&](const auto& at) {
@@ -97,10 +103,14 @@ void bind_field(py::module_& m) {
       py::arg("recipe"), py::arg("packing"), "Cement and grid according to the recipe, with phases, pores, voids and coordination as numbers.");
   m.def("load", &loaded, py::arg("map"), py::arg("loading") = "tension", py::kw_only(), py::arg("strain") = 1e-4, py::arg("axis") = "y",
         py::arg("lower") = "fixed", py::arg("method") = "static_solve", py::arg("tolerance") = 1e-6, py::arg("moduli") = false, py::arg("failure") = false,
-        py::arg("matrix") = "1 GPa", py::arg("interface") = py::none(), py::arg("particle") = py::none(), py::arg("progress") = py::none(),
+        py::arg("matrix") = "1 GPa", py::arg("interface") = py::none(), py::arg("particle") = py::none(), py::arg("stop_at_voids") = false,
+        py::arg("toughness") = "0.1 MPa m^0.5", py::arg("strength") = py::none(), py::arg("cracks_stay_open") = false, py::arg("max_strain") = 0.1,
+        py::arg("progress") = py::none(),
         "Loads a phase map by peridynamics (P II.C): \"tension\", \"compression\" or \"shear\" by displacement of the top row. `matrix`, `interface` (E_m), "
         "`particle` (4 E_m): moduli of "
-        "the bonds, Pa or text. `failure`: loaded to failure. `moduli`: also effective moduli along both axes and in shear.");
+        "the bonds, Pa or text. `stop_at_voids`: no bond passes through a void node. `failure`: loaded to failure, with `toughness` and, if given, `strength` "
+        "of the matrix and the interfaces (3.5 times as much in particles), to `max_strain` at most; faces that have parted push where they meet again, unless "
+        "`cracks_stay_open`. `moduli`: also apparent moduli along both axes and in shear, between rigid clamps.");
 }
 
 }  // namespace arenite::python

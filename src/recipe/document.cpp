@@ -37,7 +37,7 @@ std::vector<Entry> entries_of(const toml::table& table) {
 }
 
 Node converted(const toml::node& node) {
-  Node result{.kind = Node::Kind::date, .place = place_of(node.source())};
+  Node result{.kind = Node::Kind::date, .entries = {}, .place = place_of(node.source())};
   const auto take = [&](Node::Kind kind, auto& member, auto&& value) {
     result.kind = kind;
     member = std::forward<decltype(value)>(value);
@@ -121,9 +121,9 @@ std::size_t item_index(const std::string& part, const Node& array) {
 /// The value under `part`; made where there is none, and turned into a table where `part` needs one.
 Node& step_into(Node& node, const std::string& part, const Place& place) {
   if (node.kind == Node::Kind::array) return node.items[item_index(part, node)];
-  if (node.kind != Node::Kind::table) node = {.place = place};
+  if (node.kind != Node::Kind::table) node = {.entries = {}, .place = place};
   const auto at = std::ranges::find(node.entries, part, &Entry::key);
-  return at != node.entries.end() ? at->value : node.entries.emplace_back(Entry{part, place, {.place = place}}).value;
+  return at != node.entries.end() ? at->value : node.entries.emplace_back(Entry{part, place, {.entries = {}, .place = place}}).value;
 }
 
 }  // namespace
@@ -193,7 +193,7 @@ Node parse_value(const std::string& text) {
   } catch (const InputError&) {
     // Then it is text.
   }
-  return {.kind = Node::Kind::text, .text = std::string(trimmed(text))};
+  return {.kind = Node::Kind::text, .text = std::string(trimmed(text)), .entries = {}};
 }
 
 std::string toml_text(std::string_view text) {

@@ -30,8 +30,8 @@ struct Node {
   std::int64_t integer = 0;
   double real = 0;
   std::string text = {};
-  std::vector<Node> items = {};     ///< array
-  std::vector<Entry> entries = {};  ///< table, in the order of the text
+  std::vector<Node> items = {};  ///< array
+  std::vector<Entry> entries;    ///< table, in the order of the text; no initialiser, which would need the whole Entry here
   Place place = {};
 
   const Entry* find(std::string_view key) const;

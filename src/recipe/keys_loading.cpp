@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/error.hpp"
 #include "core/mapped.hpp"
@@ -97,6 +98,12 @@ void declare(Visitor& v, ToughnessSection& toughness) {
   v.number({"particle", "Fracture toughness of the grains; unless given, 3.5 times the matrix's."}, toughness.particle, "MPa m^0.5", range::positive);
 }
 
+void declare(Visitor& v, StrengthSection& strength) {
+  v.number({"matrix", "Tensile strength of the matrix; unless given, toughness alone breaks its bonds."}, strength.matrix, "MPa", range::positive);
+  v.number({"interface", "Tensile strength of the interfaces; unless given, the matrix's."}, strength.interface, "MPa", range::positive);
+  v.number({"particle", "Tensile strength of the grains; unless given, 3.5 times the matrix's."}, strength.particle, "MPa", range::positive);
+}
+
 void declare(Visitor& v, stress::StressOptions& statistics) {
   v.integer({"clamp_rows", "Rows of nodes left out at the lower and the upper edge."}, statistics.clamp_rows, {0, 10'000});
   v.flag({"leave_out_surface", "Leave out nodes with a neighbour of another phase or grain."}, statistics.leave_out_surface);
@@ -120,15 +127,18 @@ void declare(Visitor& v, Load& load, const Recipe& recipe) {
   v.require(load.loading != Loading::shear || load.lower == peridynamics::LowerEdge::fixed, {"lower", "loading"},
             "a sliding lower edge carries no shear; fix it, or choose tension or compression");
   v.member({"bond_law", "Law of the bonds between nodes."}, load.law);
+  v.flag({"stop_at_voids",
+          "No bond passes through a void node, so that a crack of one node cuts; otherwise bonds reach across voids thinner than the horizon of 3 nodes."},
+         load.stop_at_voids);
   v.flag({"failure",
-          "Load to failure: bonds break at the critical stretch of their type, load by load. In compression a sample splits and keeps carrying load; "
+          "Load to failure: bonds break at the critical stretch of their type, load by load. In compression a sample splits and keeps carrying load: "
           "max_strain ends the test."},
          load.failure);
   v.when(!load.failure, "failure = false", [&](Visitor& inner) {
     inner.number({"strain", "Nominal strain: displacement of the top row over the height."}, load.strain, "", range::above(0, 0.5));
     inner.choice({"method", "Solution method for the equilibrium field."}, load.method, words(load.method));
     inner.flag({"exact_stretch", "Exact stretch of the rotated bond, as printed in the paper; otherwise linearised."}, load.exact_stretch);
-    inner.flag({"moduli", "Also load along both axes and in shear, for moduli and Poisson's ratios of the sample."}, load.moduli);
+    inner.flag({"moduli", "Also load along both axes and in shear, for the apparent moduli and Poisson's ratios between rigid clamps."}, load.moduli);
     inner.integer({"max_iterations", "Iterations after which a solve gives up; 0: 50, or a million steps of dynamics."}, load.max_iterations,
                   {0, 1'000'000'000});
   });
@@ -138,8 +148,11 @@ void declare(Visitor& v, Load& load, const Recipe& recipe) {
     inner.number({"end_stress", "The test also ends when the stress has fallen to this fraction of its maximum."}, load.end_stress, "", range::above(0, 1));
     inner.number({"band", "Bonds within this fraction of the one furthest beyond its critical stretch break in one round: larger is faster and coarser."},
                  load.band, "", range::between(0, 1));
-    inner.section({"toughness", "Fracture toughness, which sets the critical stretch of the bonds."},
+    inner.flag({"cracks_stay_open", "A broken bond is gone; otherwise faces that have parted push where they meet again."}, load.cracks_stay_open);
+    inner.section({"toughness", "Fracture toughness: bonds break at the critical stretch that it sets, which grows as the node spacing to the power -1/2."},
                   [&](Visitor& section) { declare(section, load.toughness); });
+    inner.section({"strength", "Tensile strength: bonds break at its strain where that is below the critical stretch of the toughness, on any grid."},
+                  [&](Visitor& section) { declare(section, load.strength); });
   });
   v.section({"stiffness", "Young's moduli of the bonds by type."}, [&](Visitor& inner) { declare(inner, load.stiffness); });
   v.section({"statistics", "Nodes that the statistics leave out."}, [&](Visitor& inner) { declare(inner, load.statistics); });
@@ -150,6 +163,11 @@ void declare(Visitor& v, Load& load, const Recipe& recipe) {
 peridynamics::Stiffness StiffnessSection::resolved() const { return {matrix, interface.value_or(matrix), particle.value_or(4 * matrix), calibrated}; }
 
 peridynamics::Toughness ToughnessSection::resolved() const { return {matrix, interface.value_or(matrix), particle.value_or(3.5 * matrix)}; }
+
+peridynamics::Strength StrengthSection::resolved() const {
+  const double of_matrix = matrix.value_or(HUGE_VAL);
+  return {of_matrix, interface.value_or(of_matrix), particle.value_or(3.5 * of_matrix)};
+}
 
 void declare_field(Visitor& v, Recipe& recipe) {
   v.optional_section<cement::CementParameters>({"cement", "Binding matrix between the grains, added after the last stage."}, recipe.cement,

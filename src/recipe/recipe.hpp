@@ -88,6 +88,13 @@ struct ToughnessSection {
   peridynamics::Toughness resolved() const;
 };
 
+/// Tensile strength of the bonds, Pa: none is given, or the matrix's with what follows from it.
+struct StrengthSection {
+  std::optional<double> matrix, interface, particle;
+  bool operator==(const StrengthSection&) const = default;
+  peridynamics::Strength resolved() const;
+};
+
 /// One loading of the cemented sample by peridynamics.
 struct Load : peridynamics::LoadCase, peridynamics::FieldChoices, peridynamics::FailureChoices {
   enum class Axis { y, x };
@@ -98,6 +105,7 @@ struct Load : peridynamics::LoadCase, peridynamics::FieldChoices, peridynamics::
   bool failure = false;  ///< pull until it breaks
   StiffnessSection stiffness;
   ToughnessSection toughness;
+  StrengthSection strength;
   stress::StressOptions statistics;
   bool operator==(const Load&) const = default;
 };

@@ -83,7 +83,7 @@ void measure_stress(const recipe::Load& load, FieldResult& result, std::optional
 std::optional<FieldResult> load_until_failure(const recipe::Load& load, FieldResult result, const peridynamics::Watch& watch,
                                               const FailureCheckpoint& checkpoint) {
   using Ending = peridynamics::DamageResult::Ending;
-  peridynamics::DamageOptions options{load, load, load.stiffness.resolved(), watch, load.toughness.resolved()};
+  peridynamics::DamageOptions options{load, load, load.stiffness.resolved(), watch, load.toughness.resolved(), load.strength.resolved()};
   options.keep = checkpoint.keep;
   if (checkpoint.resume) options.resume = &*checkpoint.resume;
   auto tested = peridynamics::load_to_failure(result.map, options);
@@ -92,7 +92,8 @@ std::optional<FieldResult> load_until_failure(const recipe::Load& load, FieldRes
   result.outcome = tested.sentence;
   result.curve = curve_of(tested.curve);
   result.cracks = cracks_of(tested.broken, result.map.dx);
-  add_failure(result.numbers, load, tested);
+  add_failure(result.numbers, load, tested, result.map.dx);
+  note_bonds_across_voids(result.numbers, load, result.map);
   result.field = as_stored(std::move(tested.at_strength));
   return result;
 }
@@ -118,6 +119,8 @@ std::optional<FieldResult> apply_load(const recipe::Load& load, const FieldResul
                                       const FailureCheckpoint& checkpoint, std::optional<stress::Statistics>* measured,
                                       const std::vector<Tensor2>* contact_stresses) {
   FieldResult result = upright(sample, load.axis);
+  // A map that is too narrow for bonds is refused for that.
+  if (result.map.height > 2 * peridynamics::horizon) stress::check_clamp_rows(result.map, load.statistics.clamp_rows);
   result.name = load.name;
   if (load.failure) {
     auto tested = load_until_failure(load, std::move(result), watch, checkpoint);
@@ -139,6 +142,7 @@ std::optional<FieldResult> apply_load(const recipe::Load& load, const FieldResul
     }
   }
   add_load(result.numbers, load, loaded.report, moduli);
+  note_bonds_across_voids(result.numbers, load, result.map);
   result.field = as_stored(std::move(loaded.field));
   measure_stress(load, result, measured, contact_stresses);
   return result;

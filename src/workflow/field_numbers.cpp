@@ -1,5 +1,7 @@
 #include "workflow/field_stages.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,6 +9,7 @@
 #include "model/elasticity/bounds.hpp"
 #include "recipe/recipe.hpp"
 #include "solid/grid/cavities.hpp"
+#include "solid/peridynamics/bonds.hpp"
 #include "statistics/numbers.hpp"
 
 namespace arenite::workflow {
@@ -30,6 +33,14 @@ Numbers support(const peridynamics::Support& s) {
           {"held_above", described(s.held_above, "", "Nodes connected to the upper clamp only, without stress")},
           {"floating", described(s.floating, "", "Nodes connected to neither clamp, without stress")},
           {"islands", described(s.islands, "", "Separate parts of these")}};
+}
+
+/// Those that are finite.
+Numbers limits(const peridynamics::Strength& f) {
+  Numbers j = Numbers::tree();
+  for (const auto& [type, value] : {std::pair{"matrix", f.matrix}, std::pair{"interface", f.interface}, std::pair{"particle", f.particle}})
+    if (std::isfinite(value)) j[type] = value;
+  return described(std::move(j), "Pa", "Tensile strength of these bonds");
 }
 
 Numbers as_asked(const recipe::Load& load) {
@@ -99,18 +110,54 @@ void add_load(Numbers& j, const recipe::Load& load, const peridynamics::LoadRepo
       j["modulus_bounds_Pa"] = described(bounds(j["phases"], load.stiffness.resolved()), "Pa", "Bound of Young's modulus from the phase fractions");
   }
   if (moduli)
-    j["moduli"] = {{"E_x_Pa", described(moduli->young_x, "Pa", "Young's modulus along x")},
-                   {"E_y_Pa", described(moduli->young_y, "Pa", "Young's modulus along y")},
-                   {"nu_xy", described(moduli->poisson_xy, "", "Poisson's ratio for tension along x")},
-                   {"nu_yx", described(moduli->poisson_yx, "", "Poisson's ratio for tension along y")},
-                   {"G_Pa", described(moduli->shear, "Pa", "Shear modulus")}};
+    j["apparent_moduli"] = {{"E_x_Pa", described(moduli->young_x, "Pa", "Apparent Young's modulus along x, between rigid clamps")},
+                            {"E_y_Pa", described(moduli->young_y, "Pa", "Apparent Young's modulus along y, between rigid clamps")},
+                            {"nu_xy", described(moduli->poisson_xy, "", "Apparent Poisson's ratio for tension along x, of the middle half")},
+                            {"nu_yx", described(moduli->poisson_yx, "", "Apparent Poisson's ratio for tension along y, of the middle half")},
+                            {"G_Pa", described(moduli->shear, "Pa", "Apparent shear modulus between rigid clamps, with free sides")}};
 }
 
-void add_failure(Numbers& j, const recipe::Load& load, const peridynamics::DamageResult& result) {
+void note_bonds_across_voids(Numbers& j, const recipe::Load& load, const PhaseMap& upright) {
+  if (load.stop_at_voids) return;
+  const std::size_t across = peridynamics::bonds_across_voids(upright);
+  j["load"]["bonds_across_voids"] = described(across, "", "Bonds that pass through a void node: they carry load across cracks thinner than 3 nodes");
+  const Numbers* carrying = j.at_path("/load/nodes/carrying");
+  const bool carries = carrying ? carrying->get<double>() > 0 : j["strength_Pa"].get<double>() > 0;
+  // What bonds join that stop at voids is joined side by side: solid where voids go through corners.
+  if (across == 0 || !carries || grid::find_percolation(upright, true).solid_bottom_top) return;
+  j["notes"].push_back(
+      "no solid joins the two clamps: all load passes through bonds that reach across voids thinner than 3 nodes; stop_at_voids "
+      "(--stop-at-voids) lets no bond pass");
+}
+
+namespace {
+
+/// What breaks the bonds of this grid, and what a strength found on it hangs on.
+void add_criterion(Numbers& j, const recipe::Load& load, double dx) {
+  const peridynamics::Stiffness e = load.stiffness.resolved();
+  peridynamics::DamageOptions options{load, load, e, {}, load.toughness.resolved(), {}};
+  const auto of_toughness = peridynamics::critical_stretches(options, dx);
+  options.strength = load.strength.resolved();
+  const auto s = peridynamics::critical_stretches(options, dx);
+  const auto governs = [&](std::size_t type) { return s[type] < of_toughness[type] ? "strength" : "toughness"; };
+  j["failure"]["critical_stretch"] =
+      described({{"matrix", s[1]}, {"interface", s[2]}, {"particle", s[3]}}, "", "Stretch at which these bonds break on this grid");
+  j["failure"]["governed_by"] = {{"matrix", governs(1)}, {"interface", governs(2)}, {"particle", governs(3)}};
+  const bool tough = s[1] == of_toughness[1] || s[2] == of_toughness[2];
+  j["notes"].push_back(fmt::format("the strength is that of this grid, of node spacing {:.4g} m: {}; compare samples at one spacing (docs/peridynamics.md)", dx,
+                                   tough ? "bonds break at a stretch that follows from their toughness and grows as the spacing to the power -1/2"
+                                         : "bonds break at the strength given, which is reached the sooner where stress concentrates the finer the grid"));
+}
+
+}  // namespace
+
+void add_failure(Numbers& j, const recipe::Load& load, const peridynamics::DamageResult& result, double dx) {
   Numbers l = as_asked(load);
   const peridynamics::Toughness k = load.toughness.resolved();
   l["toughness_Pa_m0.5"] =
       described({{"matrix", k.matrix}, {"interface", k.interface}, {"particle", k.particle}}, "Pa m^0.5", "Fracture toughness of these bonds");
+  if (load.strength.matrix || load.strength.interface || load.strength.particle) l["strength_Pa"] = limits(load.strength.resolved());
+  l["cracks_stay_open"] = load.cracks_stay_open;
   l.update({{"ending", peridynamics::damage_endings[static_cast<std::size_t>(result.ending)].word},
             {"solves", described(result.solves, "", "Static solutions")},
             {"iterations", described(result.iterations, "", "Iterations of the solver")}});
@@ -130,6 +177,7 @@ void add_failure(Numbers& j, const recipe::Load& load, const peridynamics::Damag
                     {"bond_energy_J_per_m", described(last.bond_energy, "J/m", "Part of it that was stored in the broken bonds")}});
   }
   j["failure"] = failure;
+  add_criterion(j, load, dx);
 }
 
 }  // namespace arenite::workflow

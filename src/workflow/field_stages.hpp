@@ -94,6 +94,9 @@ void add_reports(Numbers& numbers, const SampleReports& reports);
 
 /// Add numbers of a load to those of its sample.
 void add_load(Numbers& numbers, const recipe::Load& load, const peridynamics::LoadReport& report, const std::optional<peridynamics::EffectiveModuli>& moduli);
-void add_failure(Numbers& numbers, const recipe::Load& load, const peridynamics::DamageResult& result);
+void add_failure(Numbers& numbers, const recipe::Load& load, const peridynamics::DamageResult& result, double dx);
+
+/// Tells how many bonds reach across voids, and notes where nothing else ties the clamps of a map, upright as it was loaded.
+void note_bonds_across_voids(Numbers& numbers, const recipe::Load& load, const PhaseMap& upright);
 
 }  // namespace arenite::workflow

@@ -25,6 +25,7 @@ constexpr std::int64_t loading_version = 4;
 constexpr std::int64_t clipped_dashpot_version = 1;  // of loadings whose dashpots cannot pull, alone
 constexpr std::int64_t cement_version = 1;
 constexpr std::int64_t load_version = 2;
+constexpr std::int64_t closing_version = 1;  // of loads to failure whose cracks close, alone
 
 recipe::Recipe without_what_changes_no_bit(recipe::Recipe recipe) {
   recipe.title.clear();
@@ -141,6 +142,7 @@ std::string load_key(const recipe::Load& load, const std::string& cement_hash) {
   part.loads = {load};
   HashBuilder hash;
   hash.add("load version", load_version).add("sample", cement_hash).add("recipe", changed_keys(part));
+  if (load.failure && !load.cracks_stay_open) hash.add("closing version", closing_version);
   return hash.hex();
 }
 
@@ -178,7 +180,8 @@ recipe::Recipe part_of(const recipe::Recipe& recipe, std::size_t s) {
 }
 
 std::string key_versions() {
-  return fmt::format("changed keys {} {} {} {} {}", packing_version, loading_version, cement_version, load_version, clipped_dashpot_version);
+  return fmt::format("changed keys {} {} {} {} {} {}", packing_version, loading_version, cement_version, load_version, clipped_dashpot_version,
+                     closing_version);
 }
 
 std::string film_key(const fs::path& film, FilmSource& source, const recipe::FilmRecipe& recipe) {

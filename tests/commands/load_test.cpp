@@ -101,6 +101,36 @@ TEST(Load, SeveredAndEmptySamplesEndWithStatus3AndAName) {
   for (const char* number : {": nan", ": null", " inf"}) EXPECT_EQ(cut.out.find(number), std::string::npos) << number;
 }
 
+const std::string hairlines = ARENITE_SOURCE_DIR "/tests/data/phase_maps/";
+
+TEST(Load, HairlineCrackIsToldAndStopsBondsWhereAsked) {
+  for (const std::string crack : {"cut1", "cut2", "cut3", "diag1"}) {
+    const std::string line = "load " + hairlines + crack + ".png --phases 0=void,1=matrix --json";
+    const auto across = arenite(line), stopped = arenite(line + " --stop-at-voids");
+    EXPECT_EQ(stopped.status, 3) << crack;
+    EXPECT_EQ(Json::parse(stopped.out)["load"]["ending"], "severed") << crack;
+    const Json j = Json::parse(across.out);
+    if (crack == "cut3") continue;  // as wide as the horizon: no bond reaches across
+    EXPECT_EQ(across.status, 0) << across.err;
+    EXPECT_GE(j["load"]["bonds_across_voids"], 100) << crack;
+    ASSERT_TRUE(j.contains("notes")) << crack;
+    EXPECT_NE(j["notes"][0].get<std::string>().find("--stop-at-voids"), std::string::npos) << crack;
+  }
+}
+
+TEST(Load, TellsWhatTheStrengthHangsOn) {
+  const TemporaryFolder folder;
+  const std::string map = picture(folder / "plate.h5", 24, 24, "x < 12, 1, 2") + " --phases 1=matrix,2=particle --dx '1 mm'";
+  const std::string line = "load " + map + " --failure --json --max-strain 1e-2 ";
+  const Json hangs = Json::parse(arenite(line).out), own = Json::parse(arenite(line + "--strength 'matrix=0.5 MPa'").out);
+  EXPECT_EQ(hangs["failure"]["governed_by"]["matrix"], "toughness");
+  ASSERT_TRUE(hangs.contains("notes"));
+  EXPECT_NE(hangs["notes"][0].get<std::string>().find("spacing to the power -1/2"), std::string::npos);
+  EXPECT_EQ(own["failure"]["governed_by"]["matrix"], "strength");
+  EXPECT_NEAR(own["failure"]["critical_stretch"]["matrix"].get<double>(), 0.5e6 / 1e9, 1e-12);
+  EXPECT_NE(own["notes"][0].get<std::string>().find("where stress concentrates"), std::string::npos);
+}
+
 TEST(Load, SlipsAreOneSentenceEach) {
   const TemporaryFolder folder;
   const std::string map = layers(folder / "map.h5"), thin = picture(folder / "thin.h5", 4, 4, "x < 2, 1, 2");
@@ -120,6 +150,11 @@ TEST(Load, SlipsAreOneSentenceEach) {
                                                         {map + " --phases 1=particle,2=matrix --strain -1", "strain"},
                                                         {map + " --phases 1=particle,2=matrix --crop 50,50,20,20", "crop"},
                                                         {map + " --phases 1=particle,2=matrix --dx '0 um'", "above 0"},
+                                                        {map + " --phases 1=particle,2=matrix --clamp-rows -1", "--clamp-rows"},
+                                                        {map + " --phases 1=particle,2=matrix --clamp-rows 2147483647", "--clamp-rows"},
+                                                        {map + " --phases 1=particle,2=matrix --clamp-rows 30", "30 rows"},
+                                                        {map + " --phases 1=particle,2=matrix --strain nan", "--strain"},
+                                                        {map + " --phases 1=particle,2=matrix --dx '1 mm' --failure --strength 'matrix=0 MPa'", "above 0"},
                                                         {(folder / "none.png").string(), "none.png"}}) {
     const auto refused = arenite("load " + arguments + " --out " + (folder / "out").string());
     EXPECT_EQ(refused.status, 2) << arguments << refused.out;

@@ -1,3 +1,4 @@
+#include <bit>
 #include <cmath>
 #include <cstring>
 
@@ -31,6 +32,36 @@ Buffer<std::int32_t> padded_labels(const PhaseMap& map, const Grid& grid) {
     ++k;
   });
   return labels;
+}
+
+/// What a bond passes on its way: the square of a node (twice the same), or the corner between two, of which one must be solid.
+struct Passage {
+  Offset one, other;
+};
+
+/// Passages of every half bond, in its order; the line from node to node and no more.
+const std::vector<Passage> passages[bonds_per_node] = {
+    {},                                                           // (1, 0)
+    {{{1, 0}, {1, 0}}},                                           // (2, 0)
+    {{{1, 0}, {1, 0}}, {{2, 0}, {2, 0}}},                         // (3, 0)
+    {},                                                           // (0, 1)
+    {{{0, 1}, {0, 1}}},                                           // (0, 2)
+    {{{0, 1}, {0, 1}}, {{0, 2}, {0, 2}}},                         // (0, 3)
+    {{{1, 0}, {0, 1}}},                                           // (1, 1)
+    {{{1, 0}, {0, 1}}, {{1, 1}, {1, 1}}, {{2, 1}, {1, 2}}},       // (2, 2)
+    {{{-1, 0}, {0, 1}}},                                          // (-1, 1)
+    {{{-1, 0}, {0, 1}}, {{-1, 1}, {-1, 1}}, {{-2, 1}, {-1, 2}}},  // (-2, 2)
+    {{{1, 0}, {1, 0}}, {{1, 1}, {1, 1}}},                         // (2, 1)
+    {{{-1, 0}, {-1, 0}}, {{-1, 1}, {-1, 1}}},                     // (-2, 1)
+    {{{0, 1}, {0, 1}}, {{1, 1}, {1, 1}}},                         // (1, 2)
+    {{{0, 1}, {0, 1}}, {{-1, 1}, {-1, 1}}},                       // (-1, 2)
+};
+
+/// All ones where half bond d from these nodes meets solid all the way.
+Lane solid_all_the_way(const std::int32_t* labels, const Grid& grid, int d) {
+  Lane solid = Lane{} == 0;
+  for (const auto& [one, other] : passages[d]) solid &= (load(labels + one.x + one.y * grid.stride) | load(labels + other.x + other.y * grid.stride)) != 0;
+  return solid;
 }
 
 bool crosses(const Cut& cut, Vec2 a, Vec2 b) {
@@ -101,7 +132,7 @@ void check_by_type(const char* parameter, const char* unit, double matrix, doubl
     if (!(value > 0) || !std::isfinite(value)) throw refusal("the {} of {} bonds is {:g} {}; give a positive one", parameter, type, value, unit);
 }
 
-Bonds make_bonds(const PhaseMap& map, const Stiffness& stiffness, const BondLawChoice& law) {
+Bonds make_bonds(const PhaseMap& map, const Stiffness& stiffness, const BondLawChoice& law, bool stop_at_voids) {
   check(map);
   check_by_type("Young modulus", "Pa", stiffness.matrix, stiffness.interface, stiffness.particle);
   if (std::min(map.width, map.height) < 2 * horizon + 1)
@@ -127,12 +158,24 @@ Bonds make_bonds(const PhaseMap& map, const Stiffness& stiffness, const BondLawC
       for (int d = 0; d < bonds_per_node; ++d) {
         const Lane other = load(labels.data() + i + bonds.step(d));
         const Lane same = own == other;
-        word |= ((same & within) | (~same & solid & (other != 0) & interface)) << (2 * d);
+        Lane type = (same & within) | (~same & solid & (other != 0) & interface);
+        if (stop_at_voids) type &= solid_all_the_way(labels.data() + i, grid, d);
+        word |= type << (2 * d);
       }
       std::memcpy(bonds.words.data() + i, &word, sizeof word);
     }
   classify_groups(bonds, 0, grid.height - 1);
   return bonds;
+}
+
+std::size_t bonds_across_voids(const PhaseMap& map) {
+  const Bonds all = make_bonds(map, {}), stopped = make_bonds(map, {}, {}, true);
+  std::size_t across = 0;
+  for (std::size_t i = 0; i < all.words.size(); ++i) {
+    const std::uint32_t missing = all.words[i] ^ stopped.words[i];
+    across += static_cast<std::size_t>(std::popcount((missing | missing >> 1) & 0x55555555u));  // two bits a bond
+  }
+  return across;
 }
 
 void classify_groups(Bonds& bonds, int first, int last) {

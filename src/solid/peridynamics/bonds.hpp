@@ -28,6 +28,7 @@ struct Grid {
   int row_vectors() const { return (width + vector - 1) / vector; }
   std::ptrdiff_t row(int y) const { return (y + 3) * stride + vector; }
   std::ptrdiff_t index(int x, int y) const { return row(y) + x; }
+  std::ptrdiff_t step(int d) const { return half_bonds[d].x + half_bonds[d].y * stride; }  ///< along a half bond
   /// Every node of the sample in the map's order: visit(i, y).
   template <class Visit> void each(const Visit& visit) const {
     for (int y = 0; y < height; ++y)
@@ -75,14 +76,18 @@ struct Bonds {
   unsigned type(std::ptrdiff_t node, int d) const { return words[node] >> (2 * d) & 3u; }
   void break_bond(std::ptrdiff_t node, int d) { words[node] &= ~(3u << (2 * d)); }
   std::uint8_t group_at(int x, int y) const { return group[static_cast<std::ptrdiff_t>(y) * grid.groups + x / Grid::lanes]; }
-  std::ptrdiff_t step(int d) const { return half_bonds[d].x + half_bonds[d].y * grid.stride; }
+  std::ptrdiff_t step(int d) const { return grid.step(d); }
   /// Force over e (e . du)/|e|^3 of a bond of this type, Pa.
   double modulus(unsigned t) const { return scale * static_cast<double>(relative[t]); }
 };
 
-/// Bonds of a sample. Throws InputError for a map narrower than a node's neighbourhood (7 nodes) or a modulus that is
-/// not positive. Moduli are held relative to the matrix's in single precision (exact for ratios such as 4 or 100).
-Bonds make_bonds(const PhaseMap& map, const Stiffness& stiffness, const BondLawChoice& law = {});
+/// Bonds of a sample. With `stop_at_voids` no bond passes through the square of a void node, or between two that meet at a
+/// corner. Throws InputError for a map narrower than a node's neighbourhood (7 nodes) or a modulus that is not positive.
+/// Moduli are held relative to the matrix's in single precision (exact for ratios such as 4 or 100).
+Bonds make_bonds(const PhaseMap& map, const Stiffness& stiffness, const BondLawChoice& law = {}, bool stop_at_voids = false);
+
+/// How many bonds between solid nodes pass through voids.
+std::size_t bonds_across_voids(const PhaseMap& map);
 
 /// Marks groups anew after bonds were broken in rows [first, last].
 void classify_groups(Bonds& bonds, int first, int last);
@@ -99,16 +104,17 @@ struct Bond {
   Offset step() const { return half_bonds[d]; }
 };
 
-/// Every whole bond that starts in row y once, handed to `visit(Bond)`; a visitor may break the bond that it is handed.
-template <class Visit> void each_bond_of_row(const Bonds& bonds, int y, const Visit& visit) {
-  for (int x = 0; x < bonds.grid.width; ++x) {
-    const std::ptrdiff_t i = bonds.grid.index(x, y);
-    const std::uint32_t word = bonds.words[i];
+/// Every bond that `words` (as those of Bonds) hold in row y once, handed to `visit(Bond)`; a visitor may clear its bits.
+template <class Visit> void each_bond_of_row(const Grid& grid, const Buffer<std::uint32_t>& words, int y, const Visit& visit) {
+  for (int x = 0; x < grid.width; ++x) {
+    const std::ptrdiff_t i = grid.index(x, y);
+    const std::uint32_t word = words[i];
     if (!word) continue;
     for (int d = 0; d < bonds_per_node; ++d)
-      if (const unsigned type = word >> (2 * d) & 3u) visit(Bond{i, i + bonds.step(d), x, y, d, type});
+      if (const unsigned type = word >> (2 * d) & 3u) visit(Bond{i, i + grid.step(d), x, y, d, type});
   }
 }
+template <class Visit> void each_bond_of_row(const Bonds& bonds, int y, const Visit& visit) { each_bond_of_row(bonds.grid, bonds.words, y, visit); }
 
 /// The same for all rows, upwards.
 template <class Visit> void each_bond(const Bonds& bonds, const Visit& visit) {

@@ -23,19 +23,6 @@ void check(const DamageOptions& o) {
   if (!(o.band >= 0) || !(o.band < 1)) throw refusal("the band of bonds that break together is {:g}; give one from 0 to below 1", o.band);
 }
 
-/// By BondType; that of `no_bond` is 0.
-std::array<double, 4> critical_stretches(const DamageOptions& o, double dx) {
-  const Stiffness& e = o.stiffness;
-  const Toughness& k = o.toughness;
-  return std::visit(
-      [&](const auto& law) -> std::array<double, 4> {
-        check_by_type("toughness", "Pa m^0.5", k.matrix, k.interface, k.particle);
-        return {0, law.critical_stretch(k.matrix, e.matrix, dx), law.critical_stretch(k.interface, e.interface, dx),
-                law.critical_stretch(k.particle, e.particle, dx)};
-      },
-      o.law);
-}
-
 /// How a test ended and what came of it, in words.
 std::string sentence_of(const DamageResult& r) {
   const char* end = damage_endings[static_cast<std::size_t>(r.ending)].phrase;
@@ -45,11 +32,29 @@ std::string sentence_of(const DamageResult& r) {
 
 }  // namespace
 
+std::array<double, 4> critical_stretches(const DamageOptions& o, double dx) {
+  const Stiffness& e = o.stiffness;
+  const Toughness& k = o.toughness;
+  const Strength& f = o.strength;
+  check_by_type("toughness", "Pa m^0.5", k.matrix, k.interface, k.particle);
+  for (const double strength : {f.matrix, f.interface, f.particle})
+    if (!(strength > 0)) throw refusal("a strength of bonds is {:g} Pa; give a positive one", strength);
+  return std::visit(
+      [&](const auto& law) -> std::array<double, 4> {
+        const auto lower = [&](double toughness, double strength, double modulus) {
+          return std::min(law.critical_stretch(toughness, modulus, dx), strength / modulus);
+        };
+        return {0, lower(k.matrix, f.matrix, e.matrix), lower(k.interface, f.interface, e.interface), lower(k.particle, f.particle, e.particle)};
+      },
+      o.law);
+}
+
 FailureTest::FailureTest(const PhaseMap& map, const DamageOptions& options)
     : map_(map),
       options_(options),
       way_(direction_of(options.loading)),
-      bonds_(make_bonds(map, options.stiffness, options.law)),
+      closes_(!options.cracks_stay_open),
+      bonds_(make_bonds(map, options.stiffness, options.law, options.stop_at_voids)),
       prescribed_(prescribed_rows(map.height, options.loading, options.lower)),
       critical_(critical_stretches(options, map.dx)),
       f_(bonds_.grid.padded_size()),
@@ -57,59 +62,10 @@ FailureTest::FailureTest(const PhaseMap& map, const DamageOptions& options)
   state_.width = map.width;
   state_.height = map.height;
   state_.u = f_;
+  if (closes_) state_.parted = bonds_.words;
   make_cuts(bonds_, options.cuts);
-}
-
-/// Set-up for the bonds as they are; false if nothing ties the clamps any more.
-bool FailureTest::prepare() {
-  state_.words_at_setup = bonds_.words;
-  auto aggregates = cut_into_aggregates(map_, bonds_, prescribed_);
-  Buffer<Tie> tie;
-  if (prune(bonds_, aggregates, prescribed_, tie).carrying == 0) return false;
-  solver_.emplace(bonds_, std::move(aggregates), prescribed_);
-  return true;
-}
-
-void FailureTest::uniform_strain() {
-  auto phase = map_.phase.begin();
-  bonds_.grid.each([&](std::ptrdiff_t i, int y) {
-    if (*phase++ != Phase::empty) state_.u.set(i, y * map_.dx * way_);
-  });
-}
-
-bool FailureTest::watched(int iterations, double residual) {
-  if (!options_.watch) return true;
-  const double fallen = state_.strength > 0 ? (1 - state_.now.stress / state_.strength) / (1 - options_.end_stress) : 0;
-  state_.share = std::clamp(std::max({fallen, state_.now.strain / options_.max_strain, static_cast<double>(state_.solves) / (options_.max_events + 1)}),
-                            state_.share, 1.0);
-  return options_.watch({state_.share, state_.iterations + iterations, residual, state_.broken.size(), state_.now.strain, state_.now.stress});
-}
-
-StaticReport FailureTest::solve(int most) {
-  const StaticReport report = solver_->solve(bonds_, state_.u, options_.tolerance, most, [&](const Progress& p) { return watched(p.iterations, p.residual); });
-  state_.iterations += report.iterations;
-  if (report.stopped) ending_ = Ending::stopped;
-  return report;
-}
-
-/// The field at unit strain from the last one. A set-up that the broken bonds have left behind is made anew. False where the test ends here.
-bool FailureTest::equilibrate() {
-  constexpr int tired = 25;
-  ending_ = Ending::not_converged;
-  StaticReport report = solve(2 * tired);
-  ++state_.solves;
-  if (report.stopped) return false;
-  if (report.iterations > tired || !report.converged) {
-    if (!prepare()) {
-      unit_force_ = unit_energy_ = 0;
-      return true;
-    }
-    report = solve(100);
-  }
-  unit_energy_ = -linear_force(bonds_, state_.u, f_) / 2;
-  unit_force_ = 0;
-  for (std::ptrdiff_t i = bonds_.grid.row(map_.height - 1), end = i + map_.width; i < end; ++i) unit_force_ -= dot(f_.at(i), way_);
-  return report.converged;
+  for (std::size_t i = 0; i < state_.parted.size(); ++i) state_.parted[i] ^= bonds_.words[i];
+  resisting_ = bonds_;
 }
 
 /// After a round of breaking, at the strain that it happened at.
@@ -137,7 +93,7 @@ void FailureTest::strain_to(double next) {
 
 void FailureTest::remember() {
   state_.strength = state_.now.stress;
-  state_.strongest_words = bonds_.words;
+  state_.strongest_words = resisting_.words;
   state_.strongest_u = state_.u;
   state_.strongest_strain = state_.now.strain;
 }
@@ -145,24 +101,21 @@ void FailureTest::remember() {
 /// Breaks what is stretched beyond the critical stretch, the worst of it.
 void FailureTest::break_worst(double largest) {
   const double limit = std::max(1 - 1e-9, (1 - options_.band) * state_.now.strain * largest) / state_.now.strain;
-  int low = map_.height, high = -1;
   criterion_.each_above(limit, [&](const Bond& b, double ratio) {
     const double stretch = state_.now.strain * ratio * critical_[b.type];
     const double modulus = bonds_.modulus(b.type) * map_.dx * map_.dx * length(b.step());
     state_.now.bond_energy += std::visit([&](const auto& law) { return law.energy(stretch, modulus); }, bonds_.law);
     bonds_.break_bond(b.i, b.d);
+    if (closes_) state_.parted[b.i] |= b.type << (2 * b.d);
     state_.broken.push_back({b.x, b.y, static_cast<std::uint8_t>(b.d), static_cast<std::uint8_t>(b.type), state_.now.strain});
-    low = std::min(low, b.y);
-    high = std::max(high, b.y);
   });
-  classify_groups(bonds_, low, high);
 }
 
 void FailureTest::run() {
   ending_ = Ending::no_path;
   if (!solver_) {
-    if (!prepare()) return;
     uniform_strain();
+    if (!prepare()) return;
   }
   const auto hand_out = [&] {
     if (options_.keep) options_.keep([&] { return state(); });
@@ -196,10 +149,10 @@ DamageResult FailureTest::finish() {
   static_cast<FailureRecord&>(result) = std::move(state_);
   result.ending = ending_;
   if (result.strength > 0) {
-    bonds_.words = state_.strongest_words;
+    resisting_.words = state_.strongest_words;
     for (auto* component : {&state_.strongest_u.x, &state_.strongest_u.y})
       for (double& u : *component) u *= state_.strongest_strain;
-    result.at_strength = node_stress(bonds_, map_.dx, state_.strongest_u, false);
+    result.at_strength = node_stress(resisting_, map_.dx, state_.strongest_u, false);
   }
   result.sentence = sentence_of(result);
   return result;

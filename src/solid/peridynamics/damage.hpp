@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -42,12 +43,13 @@ struct FailureRecord {
 struct FailureState : FailureRecord {
   std::int32_t width = 0, height = 0;    ///< nodes of the map
   std::int64_t rounds = 0;               ///< of breaking so far
-  Buffer<std::uint32_t> words;           ///< Bonds::words as they are,
-  Buffer<std::uint32_t> words_at_setup;  ///< and when the solver was set up, which it is still
+  Buffer<std::uint32_t> words;           ///< Bonds::words of whole bonds
+  Buffer<std::uint32_t> parted;          ///< the same of bonds whose faces may meet again; empty where cracks stay open
+  Buffer<std::uint32_t> words_at_setup;  ///< of what resisted when the solver was set up, which it is still
   Field<double> u;                       ///< the last equilibrium: the next solve starts from it
   DamageState now;
   double share = 0;  ///< Progress::share
-  /// Bonds and equilibrium when the stress was largest; empty before the first round.
+  /// What resisted and the equilibrium when the stress was largest; empty before the first round.
   Buffer<std::uint32_t> strongest_words;
   Field<double> strongest_u;
   double strongest_strain = 0;
@@ -75,10 +77,16 @@ inline constexpr DamageEnding damage_endings[] = {{"severed", "the sample was se
                                                   {"stopped", "stopped"},
                                                   {"no_path", "the bottom row is not connected to the top row"}};
 
-/// Moves the top row, quasi-statically, breaking bonds as they reach the critical stretch of their type. Loads are found, not stepped: between two
-/// breaks the response is linear, so the next break is known exactly. Bonds break in stretch only, under compression and shear too; broken faces do
-/// not touch again. Under compression a sample splits into columns, which carry on: bound such a run by its strain or its rounds. Throws InputError
-/// for a map or options that make no sense and for a state of a map of another size.
+/// Critical stretch by BondType, the lower of those that toughness and strength give on a grid of this spacing; that of
+/// `no_bond` is 0. Throws InputError for a toughness or strength that is not positive.
+std::array<double, 4> critical_stretches(const DamageOptions& options, double dx);
+
+/// Moves the top row, quasi-statically, breaking bonds as they reach the critical stretch of their type. Loads are found,
+/// not stepped: between two breaks the response is in proportion to the load, because cracks close without a gap, so the
+/// next break is known exactly. Bonds break in stretch only, under compression and shear too; faces that have parted push
+/// where they meet again, unless cracks are to stay open. Under compression a sample splits into columns, which carry on:
+/// bound such a run by its strain or its rounds. Throws InputError for a map or options that make no sense and for a state
+/// of a map of another size.
 DamageResult load_to_failure(const PhaseMap& map, const DamageOptions& options);
 
 }  // namespace arenite::peridynamics

@@ -8,6 +8,7 @@
 
 #include "solid/peridynamics/damage.hpp"
 #include "solid/peridynamics/solvers/solvers.hpp"
+#include "solid/peridynamics/support.hpp"
 
 namespace arenite::peridynamics {
 
@@ -80,11 +81,23 @@ class FailureTest {
   double elastic(double strain) const { return strain * strain * unit_energy_; }
   double stress(double strain) const { return strain * unit_force_ / (map_.width * map_.dx); }
 
-  bool prepare();
+  // Bonds and equilibrium (failure_equilibrium.cpp).
+  struct Joined {
+    bool changed = false;  ///< other bonds resist than before
+    bool outside = false;  ///< some of them did not when the solver was set up
+  };
+  Joined join();
   void uniform_strain();
+  bool prepare();
+  void follow_clamps(const Buffer<Tie>& tie);
+  void drop_loose(const Buffer<Tie>& tie);
   bool watched(int iterations, double residual);
   StaticReport solve(int most);
+  enum class Rest { found, apart, not_found };
+  Rest find_rest();
+  bool shorten_step(const Field<double>& from);
   bool equilibrate();
+
   void settle();
   void strain_to(double next);
   void remember();
@@ -94,13 +107,15 @@ class FailureTest {
 
   const PhaseMap& map_;
   const DamageOptions& options_;
-  const Vec2 way_;  ///< of the top row
-  Bonds bonds_;
+  const Vec2 way_;     ///< of the top row
+  const bool closes_;  ///< faces that have parted push where they meet again
+  Bonds bonds_;        ///< those that are whole
+  Bonds resisting_;    ///< these, and parted ones whose faces press on each other: what the solver sees
   std::vector<std::uint8_t> prescribed_;
   std::array<double, 4> critical_;
   std::optional<StaticSolver> solver_;
   Field<double> f_;
-  FailureState state_;   ///< where the test stands, but for its words: these are in `bonds_`
+  FailureState state_;   ///< where the test stands, but for its words: these are those of `bonds_`
   FailureState before_;  ///< of this round's solve, what it changes; for those who keep states
   FailureCriterion criterion_;
   Ending ending_ = Ending::no_path;

@@ -10,7 +10,7 @@
 namespace arenite::peridynamics {
 namespace {
 
-constexpr std::uint64_t mark = 0x31302d6c6c75702d;  // "-pull-01"; changes with what `transfer` lists
+constexpr std::uint64_t mark = 0x32302d6c6c75702d;  // "-pull-02"; changes with what `transfer` lists
 
 template <class Archive> void transfer(Archive& a, DamageState& s) {
   std::uint64_t broken = s.broken;
@@ -42,7 +42,7 @@ template <class Archive> void transfer(Archive& a, FailureState& s) {
     a(wide);
     *count = static_cast<int>(wide);
   }
-  for (auto* words : {&s.words, &s.words_at_setup, &s.strongest_words}) a(*words);
+  for (auto* words : {&s.words, &s.parted, &s.words_at_setup, &s.strongest_words}) a(*words);
   for (auto* u : {&s.u.x, &s.u.y, &s.strongest_u.x, &s.strongest_u.y}) a(*u);
   for (double* v : {&s.strength, &s.modulus, &s.energy_defect, &s.share, &s.strongest_strain}) a(*v);
   transfer(a, s.now);
@@ -50,9 +50,10 @@ template <class Archive> void transfer(Archive& a, FailureState& s) {
   transfer(a, s.broken);
 }
 
-auto changed_by_solve(auto& s) { return std::tie(s.words, s.words_at_setup, s.u, s.solves, s.iterations, s.share); }
+auto changed_by_solve(auto& s) { return std::tie(s.words, s.parted, s.words_at_setup, s.u, s.solves, s.iterations, s.share); }
 
-bool fits(const FailureState& s, const PhaseMap& map, std::size_t padded) {
+bool fits(const FailureState& s, const PhaseMap& map, std::size_t padded, bool closes) {
+  if (s.parted.size() != (closes ? padded : 0)) return false;
   for (const std::size_t size : {s.words.size(), s.words_at_setup.size(), s.u.x.size(), s.u.y.size()})
     if (size != padded) return false;
   const std::size_t strongest = s.strength > 0 ? padded : 0;
@@ -95,17 +96,18 @@ FailureState FailureTest::state() const {
 }
 
 void FailureTest::resume(const FailureState& s) {
-  if (!fits(s, map_, bonds_.words.size()))
+  if (!fits(s, map_, bonds_.words.size(), closes_))
     throw InputError("the stored state of a test belongs to a phase map of another size; run the load again from its start");
-  const auto take = [&](const Buffer<std::uint32_t>& words) {
-    bonds_.words = words;
-    classify_groups(bonds_, 0, map_.height - 1);
-  };
   state_ = s;
+  bonds_.words = s.words;
   // The set-up lags behind the bonds: it is that of the bonds that it was once made for.
-  take(s.words_at_setup);
-  if (!prepare()) throw InputError("in the stored state of a test the clamps are not connected; run the load again from its start");
-  take(s.words);
+  resisting_.words = s.words_at_setup;
+  classify_groups(resisting_, 0, map_.height - 1);
+  auto aggregates = cut_into_aggregates(map_, resisting_, prescribed_);
+  Buffer<Tie> tie;
+  if (prune(resisting_, aggregates, prescribed_, tie).carrying == 0)
+    throw InputError("in the stored state of a test the clamps are not connected; run the load again from its start");
+  solver_.emplace(resisting_, std::move(aggregates), prescribed_);
 }
 
 }  // namespace arenite::peridynamics

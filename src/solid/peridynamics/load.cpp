@@ -22,7 +22,7 @@ struct Specimen {
   Support support;
   Vec2 top_displacement;
 
-  Specimen(const PhaseMap& m, const LoadOptions& o) : map(m), options(o), bonds(make_bonds(m, o.stiffness, o.law)) {
+  Specimen(const PhaseMap& m, const LoadOptions& o) : map(m), options(o), bonds(make_bonds(m, o.stiffness, o.law, o.stop_at_voids)) {
     prescribed = prescribed_rows(map.height, o.loading, o.lower);
     aggregates = cut_into_aggregates(map, bonds, prescribed);
     support = prune(bonds, aggregates, prescribed, tie);

@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <vector>
@@ -19,6 +20,12 @@ struct Stiffness {
 /// Fracture toughness of the bond types, Pa m^0.5 (P Table I: K_p = 3.5 K_m, K_i = K_m; K_m sets the load scale).
 struct Toughness {
   double matrix = 1, interface = 1, particle = 3.5;
+};
+
+/// Tensile strength of the bond types, Pa: a bond breaks at the lower of the stretches that its toughness and its strength
+/// give. Infinite: toughness alone.
+struct Strength {
+  double matrix = HUGE_VAL, interface = HUGE_VAL, particle = HUGE_VAL;
 };
 
 /// How the top row of nodes is moved against the bottom row: up, down, or to the right.
@@ -59,6 +66,8 @@ struct LoadCase {
   LowerEdge lower = LowerEdge::fixed;
   double tolerance = 1e-6;  ///< of the residual of each static solve, relative to that of uniform strain
   BondLawChoice law{};
+  /// No bond passes through a void node (`bonds.hpp`); otherwise bonds reach across voids thinner than the horizon.
+  bool stop_at_voids = false;
   bool operator==(const LoadCase&) const = default;
 };
 
@@ -78,6 +87,8 @@ struct FailureChoices {
   double end_stress = 0.1;  ///< or when the stress has fallen to this share of the largest
   /// Bonds within this share of the one furthest beyond its critical stretch break in the same round.
   double band = 0.05;
+  /// Broken bonds are gone; otherwise faces that have parted push where they meet again.
+  bool cracks_stay_open = false;
   bool operator==(const FailureChoices&) const = default;
 };
 
@@ -97,6 +108,7 @@ struct DamageOptions : LoadCase, FailureChoices {
   Stiffness stiffness{};
   Watch watch{};
   Toughness toughness{};
+  Strength strength{};
   std::vector<Cut> cuts{};
   int max_events = 10'000;  ///< rounds of breaking after which the test ends
   /// Called before each round of breaking and, with that round's state, where the watch stopped the work.

@@ -62,7 +62,7 @@ Numbers agreement(const std::vector<double>& field, const std::vector<double>& c
 
 GrainStresses measure_grains(const PhaseMap& map, const StressField& field, int clamp_rows, int blocks) {
   const std::size_t n = map.grain_class.size();
-  const int margin = std::max(1, clamp_rows);
+  const int margin = std::clamp(clamp_rows, 1, map.height);
   GrainStresses grains{std::vector<std::int64_t>(n, 0), std::vector<std::uint8_t>(n, 1), std::vector<Vec2>(n), std::vector<Tensor2>(n), {}};
   for (int y = 0; y < map.height; ++y)
     for (int x = 0; x < map.width; ++x) {

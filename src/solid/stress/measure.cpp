@@ -45,10 +45,8 @@ void check(const PhaseMap& map, const StressField& field, const StressOptions& o
   arenite::check(map);
   Problems problems;
   problems.unless(!options.components.empty(), "no stress component is selected; name at least one, such as sigma_yy");
-  problems.unless(options.clamp_rows >= 0, "the number of clamp rows left out is negative; give 0 or more");
+  check_clamp_rows(map, options.clamp_rows);
   problems.unless(options.blocks >= 1 && options.blocks <= 64, "errors need between 1 and 64 blocks per side");
-  problems.unless(options.clamp_rows < 0 || 2 * options.clamp_rows < map.height,
-                  "leaving out {} rows at each clamp leaves none of the map's {}; leave out fewer", options.clamp_rows, map.height);
   const std::size_t n = map.size();
   const bool fits = field.width == map.width && field.height == map.height && field.xx.size() == n && field.yy.size() == n && field.xy.size() == n;
   problems.unless(fits, "the stress field has {} x {} nodes and the phase map {} x {}; both must come from the same sample", field.width, field.height,
@@ -191,6 +189,11 @@ Numbers measure_component(const Selection& selection, const StressField& field, 
 const char* name_of(Component component) {
   constexpr const char* names[] = {"sigma_yy", "sigma_xx", "sigma_xy", "sigma_hyd"};
   return names[static_cast<int>(component)];
+}
+
+void check_clamp_rows(const PhaseMap& map, int rows) {
+  if (rows < 0) throw refusal("the number of clamp rows left out is {}; give 0 or more", rows);
+  if (rows > (map.height - 1) / 2) throw refusal("leaving out {} rows at each clamp leaves none of the map's {}; leave out fewer", rows, map.height);
 }
 
 Statistics measure(const PhaseMap& map, const StressField& field, const StressOptions& options) {

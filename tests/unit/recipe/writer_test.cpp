@@ -74,6 +74,7 @@ Load any_load(int index) {
   load.axis = any_of<Load::Axis>(2);
   load.tolerance = any_number(1e-7);
   load.stiffness = {any_number(1e9), maybe(any_number(1e9)), maybe(any_number(1e9)), *rc::gen::arbitrary<bool>()};
+  load.stop_at_voids = *rc::gen::arbitrary<bool>();
   load.statistics.clamp_rows = *rc::gen::inRange(0, 9);
   load.statistics.leave_out_surface = *rc::gen::arbitrary<bool>();
   load.statistics.leave_out_unloaded = *rc::gen::arbitrary<bool>();
@@ -83,7 +84,9 @@ Load any_load(int index) {
     load.max_strain = any_number(0.1);
     load.end_stress = any_number(0.1);
     load.band = any_number(0.1);
+    load.cracks_stay_open = *rc::gen::arbitrary<bool>();
     load.toughness = {any_number(1e5), maybe(any_number(1e5)), maybe(any_number(1e5))};
+    load.strength = {maybe(any_number(1e6)), maybe(any_number(1e6)), maybe(any_number(1e6))};
     return load;
   }
   load.loading = any_of<peridynamics::Loading>(3);

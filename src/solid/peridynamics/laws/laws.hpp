@@ -16,6 +16,7 @@ concept BondLaw = requires(L choice, const L law, ParameterVisitor& visitor, dou
   { law == law } -> std::convertible_to<bool>;
   { law.force(v, v) } -> std::same_as<double>;                // (extension, modulus); of the kernels' lanes too
   { law.energy(v, v) } -> std::same_as<double>;               // (extension, modulus)
+  { law.resists_broken(v) } -> std::same_as<bool>;            // (extension): whether faces that have parted push
   { law.damage(v, v) } -> std::same_as<double>;               // (stretch, critical stretch), 1 at the break
   { law.critical_stretch(v, v, v) } -> std::same_as<double>;  // (toughness, Young modulus, dx)
 };

@@ -42,6 +42,45 @@ TEST(Bonds, TypeFollowsWhatTheTwoNodesAre) {
         ASSERT_EQ(bonds.type(bonds.grid.index(x, y), d), type_by_rule(map, x, y, half_bonds[static_cast<unsigned>(d)])) << x << " " << y << " " << d;
 }
 
+/// Whether the segment from the middle of one node's square to that of another meets solid all the way, by many points on it: of a
+/// point on a corner one of the squares that meet there along the other diagonal suffices.
+bool solid_on_the_way(const PhaseMap& map, int x, int y, Offset e) {
+  const auto solid = [&](int u, int v) { return map.phase[map.index(u, v)] != Phase::empty; };
+  constexpr int points = 840;  // divides by 2 and 3, so that corners are met exactly
+  for (int k = 0; k <= points; ++k) {
+    // Twice the place, counted from the lower left corner of the first square, in units of 1 / points.
+    const int px = points + 2 * k * e.x, py = points + 2 * k * e.y, side = 2 * points;
+    const auto floor_of = [&](int p) { return p >= 0 ? p / side : -((-p + side - 1) / side); };
+    const int u = floor_of(px), v = floor_of(py);
+    const bool on_x = px % side == 0, on_y = py % side == 0;
+    if (on_x && on_y) {
+      const bool rising = e.x * e.y > 0;
+      if (!(rising ? solid(x + u - 1, y + v) || solid(x + u, y + v - 1) : solid(x + u - 1, y + v - 1) || solid(x + u, y + v))) return false;
+    } else if (!on_x && !on_y && !solid(x + u, y + v)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+TEST(Bonds, StoppedAtVoidsTheyAreThoseWhoseWayIsSolid) {
+  const PhaseMap map = speckled(24, 13, 5);
+  const Bonds all = make_bonds(map, {}), stopped = make_bonds(map, {}, {}, true);
+  std::size_t across = 0, whole = 0;
+  for (int y = 0; y < map.height; ++y)
+    for (int x = 0; x < map.width; ++x)
+      for (int d = 0; d < bonds_per_node; ++d) {
+        const auto i = all.grid.index(x, y);
+        if (all.type(i, d) == no_bond) continue;
+        const bool solid = solid_on_the_way(map, x, y, half_bonds[static_cast<unsigned>(d)]);
+        ASSERT_EQ(stopped.type(i, d), solid ? all.type(i, d) : no_bond) << x << " " << y << " " << d;
+        (solid ? whole : across) += 1;
+      }
+  EXPECT_GT(whole, 100u);
+  EXPECT_GT(across, 100u);
+  EXPECT_EQ(bonds_across_voids(map), across);
+}
+
 TEST(Bonds, GroupsAreUniformOnlyDeepInsideOnePhase) {
   const PhaseMap map = test::homogeneous_sample(40, 16, Phase::particle);
   const Bonds bonds = make_bonds(map, {});

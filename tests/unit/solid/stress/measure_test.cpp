@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
@@ -238,11 +239,17 @@ TEST(NodeStress, BadInputIsNamed) {
   bad.xy[17] = std::nan("");
   EXPECT_NE(refusal(map, bad).find("not a finite number"), std::string::npos);
   StressOptions options;
-  options.clamp_rows = 48;
   options.blocks = 0;
-  const std::string both = refusal(map, field, options);
-  EXPECT_NE(both.find("48 rows"), std::string::npos);
-  EXPECT_NE(both.find("blocks"), std::string::npos);
+  EXPECT_NE(refusal(map, field, options).find("blocks"), std::string::npos);
+  options.blocks = 4;
+  for (const int rows : {48, std::numeric_limits<int>::max()}) {
+    options.clamp_rows = rows;
+    EXPECT_NE(refusal(map, field, options).find(std::to_string(rows) + " rows"), std::string::npos);
+  }
+  for (const int rows : {-1, std::numeric_limits<int>::min()}) {
+    options.clamp_rows = rows;
+    EXPECT_NE(refusal(map, field, options).find("0 or more"), std::string::npos);
+  }
 }
 
 TEST(NodeStress, JsonHoldsNoUnknownNumberAndTheTextNamesEverySet) {

@@ -39,6 +39,21 @@ TYPED_TEST(EveryBondLaw, BreaksAtItsCriticalStretchAndInStretchOnly) {
   EXPECT_LE(law.damage(-2 * critical, critical), 0);
 }
 
+TYPED_TEST(EveryBondLaw, BrokenItPushesAndNeverPullsAndItsForceIsTheGradientOfItsEnergy) {
+  const TypeParam law;
+  const auto energy = [&](double e) { return law.resists_broken(e) ? law.energy(e, 3.0) : 0; };
+  for (const double extension : {-0.02, -0.005, 0.0, 0.003, 0.02}) {
+    const double step = 1e-4, slope = (energy(extension + step) - energy(extension - step)) / (2 * step);
+    const double force = law.resists_broken(extension) ? law.force(extension, 3.0) : 0;
+    EXPECT_LE(force, 0);
+    // At 0 the two halves of the difference meet: off by their curvature times half a step.
+    EXPECT_NEAR(slope, force, extension == 0 ? 3.0 * step / 4 * 1.01 : 1e-12) << extension;
+  }
+  EXPECT_LT(law.force(-0.02, 3.0), 0);
+  EXPECT_TRUE(law.resists_broken(-1e-9));
+  EXPECT_FALSE(law.resists_broken(1e-9));
+}
+
 TYPED_TEST(EveryBondLaw, HasAWordAndASentenceForRecipes) { EXPECT_FALSE(TypeParam::word.word.empty() || TypeParam::word.sentence.empty()); }
 
 }  // namespace
