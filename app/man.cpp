@@ -76,9 +76,9 @@ template <class Family, class Row> void print_formats(const char* title, const s
 /// What the formats of a family state, a row for each thing; formats that state nothing have none.
 template <class Family> void print_statements(const char* heads, const Family& all) {
   if (std::ranges::none_of(all, [](const auto* format) { return format->states.begin() != format->states.end(); })) return;
-  fmt::print("\n| format | {} |\n|---|---|---|\n", heads);
+  print("\n| format | {} |\n|---|---|---|\n", heads);
   for (const auto* format : all)
-    for (const io::Stated& row : format->states) fmt::print("| `{}` | {} | {} |\n", format->name, row.what, row.done);
+    for (const io::Stated& row : format->states) print("| `{}` | {} | {} |\n", format->name, row.what, row.done);
 }
 
 constexpr const char* read_heads = "a file states | what is done with it";

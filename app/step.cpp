@@ -6,6 +6,7 @@
 #include "film_reading.hpp"
 #include "print.hpp"
 #include "progress.hpp"
+#include "thermal/thermography/lost_frames.hpp"
 #include "thermal/thermography/step_load.hpp"
 
 namespace arenite::app {
@@ -37,6 +38,7 @@ Numbers numbers(const thermography::StepMaps& m, const StepArguments& a, const F
           {"time", a.time.empty() ? "found on the film" : "given"},
           {"frames_before", described(m.before, "", "Frames used before the step")},
           {"frames_after", described(m.after, "", "Frames used after it")},
+          {"lost_frames", described(m.lost, "", "Frames that hold no picture and are left out")},
           {"width", described(m.width, "", "Pixels along x")},
           {"height", described(m.height, "", "Pixels along y")},
           {"drift_order", described(m.drift_order, "", "Order of the polynomial that describes the drift of a pixel on each side")},
@@ -64,6 +66,7 @@ int execute(StepArguments& a) {
     print(stderr, "stopped; nothing was stored\n");
     return other_failure;
   }
+  if (!maps.lost.empty()) print(stderr, "{}: {}\n", a.film, thermography::lost_frames_sentence(maps.lost));
   if (!a.out.empty()) write_maps(a.out, a.format, maps_of(maps));
   const Numbers found = numbers(maps, a, film->info());
   print("{}", a.json ? to_json(found, 2) + "\n" : to_text(found));

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,9 @@ struct FilmInfo {
   double emissivity = 0, ambient = 0;  ///< -, K
   double band_low = 0, band_high = 0;  ///< m
   std::vector<double> time;            ///< s after the first frame, one a frame, where frames are stamped; else empty
+  /// Stamp of the first frame, s from any moment that files of one recording share; NaN without stamps.
+  double start = std::numeric_limits<double>::quiet_NaN();
+  std::vector<std::int64_t> number;    ///< of every frame, from 0, where frames are counted and some are missing; else empty
   std::vector<std::string> remarks;    ///< what a user should know about this film, each a sentence
 
   std::size_t pixels() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
@@ -114,9 +118,12 @@ struct LockinMaps {
   double frequency_error = 0;          ///< standard error, Hz
   double reference_phase = 0;          ///< rad
   std::size_t frames = 0;              ///< used
+  std::vector<std::int64_t> lost;      ///< frames of the film that hold no picture and were left out
   double noise_ratio = 1;              ///< variance of the noise at the load's frequency over what the residual would be there if it were white
-  double chance = 0;                   ///< how often noise alone has as much amplitude in one phase as the pixels have at this frequency
-  double one_phase = 1;                ///< share of the amplitude above the noise that has one phase, or its opposite, in all pixels
+  /// How often noise alone has as much amplitude in one phase as the pixels have at this frequency; NaN: unknown.
+  double chance = std::numeric_limits<double>::quiet_NaN();
+  /// Share of the amplitude above the noise that has one phase, or its opposite, in all pixels; NaN: unknown.
+  double one_phase = std::numeric_limits<double>::quiet_NaN();
   double other_frequency = 0;          ///< Hz, at which the film oscillates where the load's frequency shows nothing; 0: none
   int drift_order = 0, harmonics = 1;  ///< that were fitted
   AmplitudeConvention convention = AmplitudeConvention::amplitude;  ///< of every amplitude below

@@ -1,4 +1,6 @@
-#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
 
 #include "core/median.hpp"
 #include "io/film/film.hpp"
@@ -9,6 +11,11 @@ namespace arenite::report {
 namespace {
 
 using statistics::described;
+
+/// Of the values that are numbers.
+float extreme(const std::vector<float>& values, float (*of)(float, float)) {
+  return std::accumulate(values.begin(), values.end(), std::numeric_limits<float>::quiet_NaN(), of);
+}
 
 constexpr const char* quantities[] = {"digital_level", "kelvin", "unknown"};  // in the order of FilmQuantity
 
@@ -43,10 +50,11 @@ Numbers film_summary(FilmSource& source, std::size_t most_frames) {
             {"dropped_frames", described(times.dropped, "", "Missing frames")}};
   j["gaps_before_frames"] = described(times.gap, "", "Frames preceded by missing ones");
   j["pixels"] = {{"frames_read", described(pixels.frames, "", "Number of first frames evaluated")},
-                 {"least", described(level(*std::ranges::min_element(pixels.least)), "", "Smallest value")},
-                 {"most", described(level(*std::ranges::max_element(pixels.most)), "", "Largest value")},
-                 {"median", described(median(pixels.mean), "", "Median of the pixels' means")},
-                 {"median_noise", described(median(pixels.noise), "", "Median noise of a pixel, from frame to frame")},
+                 {"least", described(level(extreme(pixels.least, std::fmin)), "", "Smallest value")},
+                 {"most", described(level(extreme(pixels.most, std::fmax)), "", "Largest value")},
+                 {"median", described(median_of_finite(pixels.mean), "", "Median of the pixels' means")},
+                 {"median_noise", described(median_of_finite(pixels.noise), "", "Median noise of a pixel, from frame to frame")},
+                 {"lost_frames", described(pixels.lost, "", "Frames of these that hold no picture: no numbers, or zeros")},
                  {"constant", described(doubtful.constant, "", "Pixels constant in time (dead)")},
                  {"saturated", described(doubtful.saturated, "", "Pixels that reach the top of the range")}};
   j["remarks"] = film.remarks;

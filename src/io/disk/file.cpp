@@ -61,27 +61,67 @@ bool is_still(int descriptor, const fs::path& name) {
 
 }  // namespace
 
-AtomicFile::AtomicFile(const fs::path& path) : target_(behind_link(path)), beside_(target_.parent_path() / ("." + target_.filename().string() + ".tmp")) {
+AtomicFile::AtomicFile(const fs::path& path, Until until) : target_(behind_link(path)) {
   std::error_code error;
   const auto status = fs::status(target_, error);
   if (fs::exists(status) && !fs::is_regular_file(status))
     arenite::refuse(path.string(), "cannot be written: it is {}; give the name of a file", fs::is_directory(status) ? "a folder" : "not a regular file");
+  struct stat there {};
+  if (::lstat(target_.c_str(), &there) != 0 && errno == ENAMETOOLONG) refuse_by_system(target_, errno);  // before hours of work, not after
+  if (until == Until::nameless && open_nameless()) return;
+  beside_ = folder() / ("." + target_.filename().string() + ".tmp");
   while (!open_locked()) {}
+  named_ = true;
   if (::ftruncate(descriptor_, 0) != 0) refuse_by_system(target_, errno);
 }
 
 AtomicFile::~AtomicFile() {
-  if (!renamed_) ::unlink(beside_.c_str());
+  if (named_) ::unlink(beside_.c_str());
   ::close(descriptor_);
+}
+
+/// False where the system has no files without a name, or no place to find them at.
+bool AtomicFile::open_nameless() {
+  descriptor_ = ::open(folder().c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, 0666);
+  if (descriptor_ < 0) return false;
+  beside_ = fmt::format("/proc/self/fd/{}", descriptor_);
+  struct stat found {};
+  if (::stat(beside_.c_str(), &found) == 0) return true;
+  ::close(descriptor_);
+  return false;
+}
+
+/// A name that nobody can foresee, for the moment until the file is renamed.
+void AtomicFile::give_name() {
+  for (;;) {
+    std::uint64_t random = 0;
+    if (::getentropy(&random, sizeof(random)) != 0) refuse_by_system(target_, errno);
+    const fs::path name = folder() / fmt::format(".arenite-{:016x}.tmp", random);
+    if (::linkat(AT_FDCWD, beside_.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0) {
+      beside_ = name;
+      named_ = true;
+      return;
+    }
+    if (errno != EEXIST) refuse_by_system(target_, errno);
+  }
 }
 
 /// False if another process renamed the file away while we waited for its lock: then ours is the other's result.
 bool AtomicFile::open_locked() {
-  descriptor_ = ::open(beside_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
+  const auto refuse_planted = [&] {
+    arenite::refuse(target_.string(), "cannot be written: {} is there already and is not a file of its own; remove it", beside_.string());
+  };
+  // What somebody else put there must neither lead to another file nor keep us waiting.
+  descriptor_ = ::open(beside_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666);
+  if (descriptor_ < 0 && (errno == ELOOP || errno == ENXIO)) refuse_planted();
   if (descriptor_ < 0) refuse_by_system(target_, errno);
   lock(descriptor_, LOCK_EX);
-  if (is_still(descriptor_, beside_)) return true;
+  struct stat opened {};
+  const bool ours = is_still(descriptor_, beside_);
+  const bool alone = ours && ::fstat(descriptor_, &opened) == 0 && S_ISREG(opened.st_mode) && opened.st_nlink == 1;
+  if (alone) return true;
   ::close(descriptor_);
+  if (ours) refuse_planted();
   return false;
 }
 
@@ -100,13 +140,15 @@ void AtomicFile::overwrite(std::uint64_t offset, std::string_view bytes) {
 }
 
 void AtomicFile::commit() {
-  if (::fsync(descriptor_) != 0 || ::rename(beside_.c_str(), target_.c_str()) != 0) refuse_by_system(target_, errno);
-  renamed_ = true;
+  if (::fsync(descriptor_) != 0) refuse_by_system(target_, errno);
+  if (!named_) give_name();
+  if (::rename(beside_.c_str(), target_.c_str()) != 0) refuse_by_system(target_, errno);
+  named_ = false;
   // The rename itself must survive a power cut; some file systems cannot flush a folder, which is no fault of the file.
-  const int folder = ::open(target_.has_parent_path() ? target_.parent_path().c_str() : ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (folder < 0) return;
-  ::fsync(folder);
-  ::close(folder);
+  const int parent = ::open(folder().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (parent < 0) return;
+  ::fsync(parent);
+  ::close(parent);
 }
 
 void write_atomically(const fs::path& path, std::string_view bytes) {
@@ -154,7 +196,7 @@ FileLock::FileLock(const Held* held) : held_(held) {}
 
 std::optional<FileLock> FileLock::try_take(const std::filesystem::path& file) {
   for (;;) {
-    const int descriptor = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    const int descriptor = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
     if (descriptor < 0) throw InputError(file.string(), 0, std::string("cannot be made: ") + std::strerror(errno) + "; check the folder's permissions");
     if (!lock(descriptor, LOCK_EX | LOCK_NB)) {
       ::close(descriptor);

@@ -12,15 +12,18 @@
 
 namespace arenite::io {
 
-/// Writes `bytes` to `path` all or nothing: beside it as ".name.tmp", flushed to the disk, then renamed. Whatever happens before the rename (full
-/// disk, no permission, a kill), a file that was there stays as it was. Two processes that write the same path take turns; what a killed one left is
-/// taken over. The folder must exist. Throws InputError (place, reason, fix) when the system refuses.
+/// Writes `bytes` to `path` all or nothing: to a file without a name in its folder, flushed to the disk, then named. Whatever
+/// happens before that (full disk, no permission, a kill), a file that was there stays as it was, and nothing else is left.
+/// Where the file system has no files without a name (NFS, for one), it is written beside as ".name.tmp": two processes that
+/// write the same path then take turns, and what a killed one left is taken over. No link that somebody put there is followed.
+/// The folder must exist. Throws InputError (place, reason, fix) when the system refuses.
 void write_atomically(const std::filesystem::path& path, std::string_view bytes);
 
 /// The same for a file that is written part by part: it appears under its name with `commit`, or not at all.
 class AtomicFile {
  public:
-  explicit AtomicFile(const std::filesystem::path& path);
+  enum class Until { nameless, named };  ///< how the file is kept until it is complete; nameless where that is possible
+  explicit AtomicFile(const std::filesystem::path& path, Until until = Until::nameless);
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
   ~AtomicFile();
@@ -30,10 +33,13 @@ class AtomicFile {
   const std::filesystem::path& beside() const { return beside_; }  ///< where the bytes are until then
 
  private:
+  bool open_nameless();
   bool open_locked();
+  void give_name();
+  std::filesystem::path folder() const { return target_.has_parent_path() ? target_.parent_path() : "."; }
   std::filesystem::path target_, beside_;
   int descriptor_ = -1;
-  bool renamed_ = false;
+  bool named_ = false;  ///< `beside_` is a name in the folder
 };
 
 /// All bytes of a file. Throws InputError for a missing file, a folder, no permission.

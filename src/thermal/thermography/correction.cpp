@@ -74,7 +74,7 @@ std::vector<Replacement> replacements(const std::vector<std::uint8_t>& bad, int 
   return list;
 }
 
-double reference_level(const FrameStatistics& reference) { return median(reference.mean); }
+double reference_level(const FrameStatistics& reference) { return median_of_finite(reference.mean); }
 
 void correct_offsets(const FrameStatistics& reference, Correction& correction) {
   correction.width = reference.width;

@@ -9,7 +9,7 @@
 
 namespace arenite::thermography {
 
-/// What every pixel of a film shows over its frames.
+/// What every pixel of a film shows over those frames in which it is a finite number; NaN where it never is.
 struct FrameStatistics {
   int width = 0, height = 0;
   std::size_t frames = 0;
@@ -17,6 +17,7 @@ struct FrameStatistics {
   std::vector<float> noise;  ///< standard deviation from frame to frame: half the mean square of differences of
                              ///< frames that follow each other, which slow changes hardly touch; 0 for one frame
   std::vector<float> least, most;
+  std::vector<std::int64_t> lost = {};  ///< frames that hold no picture (lost_frames.hpp)
 };
 
 /// Of at most `most_frames` frames from the first on, 0 for all; read some at a time.

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "core/mapped.hpp"
 #include "core/median.hpp"
+#include "thermal/thermography/lost_frames.hpp"
 
 namespace arenite::thermography {
 namespace {
@@ -33,7 +35,11 @@ Standing standing(const FrameStatistics& film, int column, int row) {
   std::array<double, 9> value{};  // of the pixel, then of its neighbours
   auto end = value.begin() + 1;
   each_pixel_near({1.0 * column, 1.0 * row}, 1, film.width, film.height,
-                  [&](int c, int r, std::size_t at) { (r == row && c == column ? value[0] : *end++) = static_cast<double>(film.mean[at]); });
+                  [&](int c, int r, std::size_t at) {
+                    const auto mean = static_cast<double>(film.mean[at]);
+                    if (r == row && c == column) value[0] = mean;
+                    else if (std::isfinite(mean)) *end++ = mean;
+                  });
   const double x = value[0];
   const auto begin = value.begin() + 1;
   if (end - begin < 3) return {};
@@ -50,11 +56,11 @@ void mark_levels(const FrameStatistics& film, std::vector<std::uint8_t>& bad) {
   for (int r = 0; r < film.height; ++r)
     for (int c = 0; c < film.width; ++c) {
       all.push_back(standing(film, c, r));
-      deviations.push_back(all.back().from_middle);
+      if (std::isfinite(all.back().from_middle)) deviations.push_back(all.back().from_middle);
     }
   const double usual = robust(std::move(deviations)).deviation;
   for (std::size_t i = 0; i < all.size(); ++i)
-    if (all[i].beyond > limit * std::max(usual, all[i].scatter)) bad[i] |= bad_level;
+    if (!std::isfinite(film.mean[i]) || all[i].beyond > limit * std::max(usual, all[i].scatter)) bad[i] |= bad_level;
 }
 
 /// Marks what lies further than the limit from the middle of all, or is no number.
@@ -78,26 +84,33 @@ FrameStatistics frame_statistics(FilmSource& film, std::size_t most_frames) {
   const FilmInfo& info = film.info();
   const std::size_t n = info.pixels(), all = static_cast<std::size_t>(info.frames);
   FrameStatistics s{info.width, info.height, most_frames == 0 ? all : std::min(all, most_frames), {}, {}, {}, {}};
-  for (auto* array : {&s.mean, &s.noise, &s.least, &s.most}) array->resize(n);
+  for (auto* array : {&s.mean, &s.noise, &s.least, &s.most}) array->assign(n, std::numeric_limits<float>::quiet_NaN());
   std::vector<double> sum(n), differences(n);
-  std::vector<float> before(n);
-  read_frames(film, 0, s.frames, [&](const auto* pixel, std::size_t number, std::size_t some) {
-    for (std::size_t end = number + some; number < end; ++number, pixel += n)
+  std::vector<float> before(n, std::numeric_limits<float>::quiet_NaN());
+  std::vector<std::uint32_t> count(n), steps(n);
+  LostFrames lost;
+  read_frames(film, 0, s.frames, [&](const auto* pixel, std::size_t, std::size_t some) {
+    for (std::size_t k = 0; k < some; ++k, pixel += n) {
+      lost.see(pixel, n);
       for (std::size_t i = 0; i < n; ++i) {
         const auto x = static_cast<float>(pixel[i]);
-        const double d = number == 0 ? 0 : static_cast<double>(x) - static_cast<double>(before[i]);
-        sum[i] += static_cast<double>(x);
-        differences[i] += d * d;
+        const double d = static_cast<double>(x) - static_cast<double>(before[i]);
         before[i] = x;
-        s.least[i] = number == 0 ? x : std::min(s.least[i], x);
-        s.most[i] = number == 0 ? x : std::max(s.most[i], x);
+        if (!std::isfinite(x)) continue;
+        sum[i] += static_cast<double>(x);
+        ++count[i];
+        if (std::isfinite(d)) differences[i] += d * d, ++steps[i];
+        s.least[i] = std::fmin(s.least[i], x);
+        s.most[i] = std::fmax(s.most[i], x);
       }
+    }
     return true;
   });
-  const auto count = static_cast<double>(s.frames);
+  s.lost = lost.all();
   for (std::size_t i = 0; i < n; ++i) {
-    s.mean[i] = static_cast<float>(sum[i] / count);
-    s.noise[i] = s.frames > 1 ? static_cast<float>(std::sqrt(differences[i] / (2 * (count - 1)))) : 0;
+    if (count[i] == 0) continue;
+    s.mean[i] = static_cast<float>(sum[i] / count[i]);
+    s.noise[i] = steps[i] > 0 ? static_cast<float>(std::sqrt(differences[i] / (2.0 * steps[i]))) : 0;
   }
   return s;
 }

@@ -13,6 +13,7 @@
 #include "statistics/correlation.hpp"
 #include "statistics/least_squares.hpp"
 #include "thermal/thermography/harmonic_fit.hpp"
+#include "thermal/thermography/lost_frames.hpp"
 #include "thermal/thermography/refine_frequency.hpp"
 
 namespace arenite::thermography {
@@ -86,10 +87,33 @@ void project(LockinMaps& maps, const std::vector<double>& cosine, const std::vec
   }
 }
 
+/// What a frame without a picture does to the sums: they are no numbers, or all pixels that are watched are 0 in a frame.
+bool may_lack_frames(const SegmentSums& s) {
+  const SegmentView view = s.view();
+  for (std::size_t p = 0; p < s.pixels; ++p)
+    for (std::size_t k = 0; k < s.segments(); ++k)
+      if (!std::isfinite(s.sums[view.at(p, k, 0)])) return true;
+  for (std::size_t n = 0; n < s.time.size(); ++n) {
+    const auto is_zero = [&](std::size_t i) { return !(std::abs(s.seen[i * s.time.size() + n] + s.base[s.watched[i]]) > 0); };
+    std::size_t i = 0;
+    while (i < s.watched.size() && is_zero(i)) ++i;
+    if (i == s.watched.size()) return true;
+  }
+  return false;
+}
+
 LockinMaps locked_in(FilmSource& film, const LockinOptions& o, std::vector<double> time, int harmonics) {
   const ThreadPool pool(o.threads);
-  const SegmentSums sums = sum_segments(film, std::move(time), o.frequency, harmonics, o.drift_order, pool, o.progress);
+  SegmentSums sums = sum_segments(film, std::move(time), o.frequency, harmonics, o.drift_order, pool, o.progress);
   if (sums.sums.empty()) return {};
+  if (may_lack_frames(sums))
+    if (const auto lost = lost_frames(film); !lost.empty()) {
+      FilmWithout kept(film, lost, sums.time);
+      sums = {};
+      LockinMaps maps = locked_in(kept, o, kept.info().time, possible_harmonics(kept.info().time, o));
+      maps.lost = lost;
+      return maps;
+    }
   refuse_constant(sums);
   std::optional<FrequencyFit> refined;
   if (o.refine) refined = refine_frequency(sums, o.drift_order, pool);
@@ -193,6 +217,7 @@ LockinMaps nearest_bin_transform(FilmSource& film, const LockinOptions& options)
   FilmInfo even = film.info();
   if (even.time.size() > 1 && even.frame_rate <= 0) even.frame_rate = static_cast<double>(even.time.size() - 1) / (even.time.back() - even.time.front());
   even.time.clear();
+  even.number.clear();
   std::vector<double> time = frame_times(even, o.frame_rate);
   const int harmonics = possible_harmonics(time, o);
   const double length = static_cast<double>(time.size()) * (time.back() - time.front()) / static_cast<double>(time.size() - 1);

@@ -5,6 +5,7 @@
 
 #include "core/threads.hpp"
 #include "thermal/thermography/harmonic_fit.hpp"
+#include "thermal/thermography/lost_frames.hpp"
 
 namespace arenite::thermography {
 namespace {
@@ -125,15 +126,7 @@ void finish(const LockinMaps& maps, const Bins& bins, const float* drift, std::s
   spline_coefficients(picture, maps.width, maps.height);
 }
 
-}  // namespace
-
-void spline_coefficients(float* picture, int width, int height) {
-  for (int row = 0; row < height; ++row) filter(picture + static_cast<std::ptrdiff_t>(row) * width, width, 1);
-  for (int column = 0; column < width; ++column) filter(picture + column, height, width);
-}
-
-PhasePictures phase_pictures(FilmSource& film, const LockinMaps& maps, const LockinOptions& options, std::size_t parts) {
-  const std::vector<double> time = frame_times(film.info(), options.frame_rate);
+PhasePictures sorted_pictures(FilmSource& film, const std::vector<double>& time, const LockinMaps& maps, const LockinOptions& options, std::size_t parts) {
   const Bins bins = sort_frames(time, maps.frequency, parts, order_of(maps, time));
   PhasePictures result{maps.width, maps.height, bins.frames, bins.phases, {}};
   const std::size_t pixels = result.pixels();
@@ -159,6 +152,20 @@ PhasePictures phase_pictures(FilmSource& film, const LockinMaps& maps, const Loc
   solve_drift(bins, result.spline.data(), pixels, drift.data(), pool);
   pool.for_each(result.size(), [&](std::size_t b) { finish(maps, bins, drift.data(), b, result.spline.data() + b * pixels); });
   return result;
+}
+
+}  // namespace
+
+void spline_coefficients(float* picture, int width, int height) {
+  for (int row = 0; row < height; ++row) filter(picture + static_cast<std::ptrdiff_t>(row) * width, width, 1);
+  for (int column = 0; column < width; ++column) filter(picture + column, height, width);
+}
+
+PhasePictures phase_pictures(FilmSource& film, const LockinMaps& maps, const LockinOptions& options, std::size_t parts) {
+  const std::vector<double> time = frame_times(film.info(), options.frame_rate);
+  if (maps.lost.empty()) return sorted_pictures(film, time, maps, options, parts);
+  FilmWithout kept(film, maps.lost, time);
+  return sorted_pictures(kept, kept.info().time, maps, options, parts);
 }
 
 std::vector<float> picture_of(const PhasePictures& pictures, std::size_t k) {

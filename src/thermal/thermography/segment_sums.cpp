@@ -107,8 +107,8 @@ std::vector<double> frame_times(const FilmInfo& film, double frame_rate) {
     const double rate = frame_rate > 0 ? frame_rate : film.frame_rate;
     if (!(rate > 0) || !std::isfinite(rate))
       throw InputError("the film does not state its frame rate; give it (--frame-rate, frame_rate in [film] of a recipe or beside raw frames)");
-    time.resize(frames);
-    for (std::size_t n = 0; n < frames; ++n) time[n] = static_cast<double>(n) / rate;
+    for (std::size_t n = 0; n < frames; ++n) time.push_back(static_cast<double>(n) / rate);
+    if (film.number.size() == frames) std::ranges::transform(film.number, time.begin(), [&](auto n) { return static_cast<double>(n) / rate; });
   }
   if (time.size() != frames) throw refusal("the film has {} frames but {} time stamps; correct its stamps", frames, time.size());
   for (std::size_t n = 1; n < frames; ++n)

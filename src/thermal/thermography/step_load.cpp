@@ -5,6 +5,7 @@
 
 #include "core/problems.hpp"
 #include "thermal/thermography/harmonic_fit.hpp"
+#include "thermal/thermography/lost_frames.hpp"
 #include "thermal/thermography/step_sides.hpp"
 
 namespace arenite::thermography {
@@ -17,8 +18,7 @@ void check(const StepOptions& o) {
   if (!(o.rise >= 0) || !(o.window >= 0)) throw InputError("the step's rise and window must not be below 0 s");
 }
 
-/// Some thousand pixels of every frame, spread over the picture, less their first value and over their noise from frame to
-/// frame: pixels x frames. Pixels that never change, or are no numbers, are left out. Empty if `progress` stopped it.
+/// Some thousand pixels of every frame, spread over the picture: pixels x frames. Empty if `progress` stopped it.
 Matrix some_pixels(FilmSource& film, const Progress& progress) {
   const auto frames = static_cast<std::size_t>(film.info().frames), pixels = film.info().pixels();
   const std::size_t most = std::clamp<std::size_t>((std::size_t{1} << 25) / std::max<std::size_t>(frames, 1), 64, 1024);  // 256 MB
@@ -30,6 +30,22 @@ Matrix some_pixels(FilmSource& film, const Progress& progress) {
     return !progress || progress(static_cast<double>(n + some) / static_cast<double>(frames));
   };
   if (!read_frames(film, 0, frames, take)) return {};
+  return series;
+}
+
+/// Whether a frame may hold no picture: a pixel is no number there, or all are 0.
+bool may_lack_frames(const Matrix& series) {
+  for (std::size_t n = 0; n < series.columns(); ++n) {
+    const double* frame = series.column(n);
+    if (std::any_of(frame, frame + series.rows(), [](double v) { return !std::isfinite(v); })) return true;
+    if (std::all_of(frame, frame + series.rows(), [](double v) { return v == 0; })) return true;
+  }
+  return false;
+}
+
+/// Pixels less their first value and over their noise from frame to frame. Those that never change, or are no numbers, are left out.
+Matrix changing_pixels(const Matrix& series) {
+  const std::size_t count = series.rows(), frames = series.columns();
   std::vector<double> noise(count);
   for (std::size_t n = 1; n < frames; ++n)
     for (std::size_t i = 0; i < count; ++i) noise[i] += std::pow(series(i, n) - series(i, n - 1), 2) / (2 * static_cast<double>(frames - 1));
@@ -152,11 +168,19 @@ StepMaps step_load(FilmSource& film, const StepOptions& o) {
   if (o.time && !(*o.time > time.front() && *o.time < time.back()))
     throw refusal("the step at {:.6g} s is not within the film, which lasts {:.6g} s", *o.time, time.back());
   bool stopped = false;
-  const Matrix series = some_pixels(film, [&](double share) {
+  const Matrix some = some_pixels(film, [&](double share) {
     stopped = o.progress && !o.progress(share / 2);
     return !stopped;
   });
   if (stopped) return {};
+  if (may_lack_frames(some))
+    if (const auto lost = lost_frames(film); !lost.empty()) {
+      FilmWithout kept(film, lost, time);
+      StepMaps maps = step_load(kept, o);
+      maps.lost = lost;
+      return maps;
+    }
+  const Matrix series = changing_pixels(some);
   if (series.rows() == 0) throw InputError("every pixel of the film is constant in time (or not a number); a step needs a film of a loaded sample");
   const double step = o.time ? *o.time : find_step(series, time, o.drift_order);
   const StepSides sides = step_sides(series, time, step, o);
@@ -164,7 +188,7 @@ StepMaps step_load(FilmSource& film, const StepOptions& o) {
   if (!o.time && !(sides.evidence > chi_squared_above(sides.noise.pixels, std::sqrt(2 * std::log(100 * static_cast<double>(time.size()))))))
     throw InputError("the film shows no step of the load: nowhere do its pixels jump by more than their noise; give the time of the step");
   const auto& [before, after] = sides.side;
-  StepMaps maps{film.info().width, film.info().height, step, before.count, after.count, o.drift_order, before.relaxation, after.relaxation};
+  StepMaps maps{film.info().width, film.info().height, step, before.count, after.count, {}, o.drift_order, before.relaxation, after.relaxation};
   StepSums sums[2] = {StepSums(film.info().pixels(), before.height.rows()), StepSums(film.info().pixels(), after.height.rows())};
   const ThreadPool pool(o.threads);
   std::size_t read = 0;

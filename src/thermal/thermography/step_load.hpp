@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -23,6 +24,7 @@ struct StepMaps {
   int width = 0, height = 0;
   double time = 0;                    ///< of the middle of the step, s after the first frame
   std::size_t before = 0, after = 0;  ///< frames used
+  std::vector<std::int64_t> lost;     ///< frames of the film that hold no picture and were left out
   int drift_order = 0;
   double relaxation_before = 0, relaxation_after = 0;      ///< s, of the exponential that was fitted on a side beside the polynomial; 0: none was
   std::vector<float> jump = {};                            ///< after less before, both continued to the middle of the step: -A times the stress step
