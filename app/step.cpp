@@ -36,15 +36,20 @@ Numbers numbers(const thermography::StepMaps& m, const StepArguments& a, const F
   const auto relaxation = [](double time, const char* sentence) { return described(time > 0 ? Numbers(time) : Numbers(), "s", sentence); };
   return {{"time_s", described(m.time, "s", "Middle of the step after the first frame")},
           {"time", a.time.empty() ? "found on the film" : "given"},
+          {"rise_s",
+           described(m.rise, "s", "Time for which the film shows the load on its way; frames in between are left out")},
           {"frames_before", described(m.before, "", "Frames used before the step")},
           {"frames_after", described(m.after, "", "Frames used after it")},
           {"lost_frames", described(m.lost, "", "Frames that hold no picture and are left out")},
           {"width", described(m.width, "", "Pixels along x")},
           {"height", described(m.height, "", "Pixels along y")},
-          {"drift_order", described(m.drift_order, "", "Order of the polynomial that describes the drift of a pixel on each side")},
+          {"drift_order",
+           described(m.drift_order, "", "Order of the polynomial that describes the drift of a pixel on each side")},
           {"unit", unit_of(film)},
-          {"relaxation_before_s", relaxation(m.relaxation_before, "Time of the exponential by which pixels relax before the step")},
-          {"relaxation_after_s", relaxation(m.relaxation_after, "Time of the exponential by which pixels relax after the step")},
+          {"relaxation_before_s",
+           relaxation(m.relaxation_before, "Time of the exponential by which pixels relax before the step")},
+          {"relaxation_after_s",
+           relaxation(m.relaxation_after, "Time of the exponential by which pixels relax after the step")},
           {"median", medians(maps_of(m), film)}};
 }
 
@@ -67,6 +72,7 @@ int execute(StepArguments& a) {
     return other_failure;
   }
   if (!maps.lost.empty()) print(stderr, "{}: {}\n", a.film, thermography::lost_frames_sentence(maps.lost));
+  for (const std::string& doubt : maps.doubts) print(stderr, "{}: {}\n", a.film, doubt);
   if (!a.out.empty()) write_maps(a.out, a.format, maps_of(maps));
   const Numbers found = numbers(maps, a, film->info());
   print("{}", a.json ? to_json(found, 2) + "\n" : to_text(found));

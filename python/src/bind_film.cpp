@@ -55,6 +55,8 @@ py::dict stepped(const FilmLike& film, const std::optional<Quantity>& time, cons
   const auto map = [&](std::vector<float>& values) { return taken_over(std::move(values), {maps.height, maps.width}); };
   py::dict d;
   d["time"] = maps.time;
+  d["rise"] = maps.rise;
+  d["doubts"] = maps.doubts;
   d["jump"] = map(maps.jump);
   d["standard_error"] = map(maps.standard_error);
   d["residual"] = map(maps.residual);

@@ -6,6 +6,7 @@
 #include "core/problems.hpp"
 #include "thermal/thermography/harmonic_fit.hpp"
 #include "thermal/thermography/lost_frames.hpp"
+#include "thermal/thermography/step_doubts.hpp"
 #include "thermal/thermography/step_sides.hpp"
 
 namespace arenite::thermography {
@@ -58,41 +59,6 @@ Matrix changing_pixels(const Matrix& series) {
   return changing;
 }
 
-/// StepSums over frames so far: of products of polynomials, and of every pixel's values with them.
-struct Side {
-  Matrix normal, value;
-
-  Side(std::size_t size, std::size_t pixels) : normal(size, size), value(size, pixels) {}
-  void add(const double* phi, const double* frame, double sign) {
-    for (std::size_t j = 0; j < normal.rows(); ++j)
-      for (std::size_t k = 0; k < normal.rows(); ++k) normal(j, k) += sign * phi[j] * phi[k];
-    for (std::size_t p = 0; p < value.columns(); ++p)
-      for (std::size_t k = 0; k < value.rows(); ++k) value(k, p) += sign * frame[p] * phi[k];
-  }
-  double explained() const { return statistics::dot(solve_symmetric(normal, value).column(0), value.column(0), value.size()); }
-};
-
-/// The time in the middle between the two frames between which the pixels of `series` (pixels x frames, over their noise) jump most: each split of the film is
-/// judged by what polynomials of this order on both sides explain. InputError for too few frames.
-double find_step(const Matrix& series, const std::vector<double>& time, int drift_order) {
-  const std::size_t frames = time.size(), size = static_cast<std::size_t>(drift_order) + 1, margin = size + 2;
-  if (frames < 2 * margin) throw InputError("the film has too few frames for a step to be found; give its time, or a lower drift order");
-  const double middle = (time.front() + time.back()) / 2, half = (time.back() - time.front()) / 2;
-  Matrix phi(size, frames);
-  for (std::size_t n = 0; n < frames; ++n) legendre((time[n] - middle) / half, size, phi.column(n));
-  Side before(size, series.rows()), after = before;
-  for (std::size_t n = 0; n < frames; ++n) after.add(phi.column(n), series.column(n), 1);
-  std::size_t best = 0;
-  double most = -1;
-  for (std::size_t n = 0; n + margin <= frames; ++n) {
-    if (n >= margin)
-      if (const double explained = before.explained() + after.explained(); explained > most) most = explained, best = n;
-    before.add(phi.column(n), series.column(n), 1);
-    after.add(phi.column(n), series.column(n), -1);
-  }
-  return (time[best - 1] + time[best]) / 2;
-}
-
 /// Weighed sums of all pixels' values, less the pixel's first one.
 class StepSums {
  public:
@@ -142,7 +108,7 @@ class StepSums {
 void fill(StepMaps& maps, const StepSides& sides, const StepSums (&sums)[2]) {
   const std::size_t pixels = static_cast<std::size_t>(maps.width) * static_cast<std::size_t>(maps.height);
   for (auto* map : {&maps.jump, &maps.standard_error, &maps.level, &maps.drift_before, &maps.drift_after, &maps.residual}) map->resize(pixels);
-  const double spread = std::sqrt(sides.variance());
+  const double spread = std::sqrt(sides.variance()), late = maps.time_error;
   const auto& [before, after] = sides.side;
   bool changes = false;
   for (std::size_t p = 0; p < pixels; ++p) {
@@ -154,10 +120,17 @@ void fill(StepMaps& maps, const StepSides& sides, const StepSums (&sums)[2]) {
     maps.drift_before[p] = static_cast<float>(sums[0].at(before.slope, p));
     maps.drift_after[p] = static_cast<float>(sums[1].at(after.slope, p));
     maps.residual[p] = static_cast<float>(std::isfinite(left) ? noise : left);
-    maps.standard_error[p] = static_cast<float>(static_cast<double>(maps.residual[p]) * spread);
+    const double by_time =
+        late * (static_cast<double>(maps.drift_after[p]) - static_cast<double>(maps.drift_before[p]));
+    maps.standard_error[p] = static_cast<float>(std::hypot(static_cast<double>(maps.residual[p]) * spread, by_time));
     changes = changes || sums[0].squares(p) > 0 || sums[1].squares(p) > 0 || std::abs(sums[0].base(p) - sums[1].base(p)) > 0;
   }
   if (!changes) throw InputError("every pixel of the film is constant in time (or not a number); a step needs a film of a loaded sample");
+}
+
+/// The first frame that is not before a time within the film.
+std::size_t frame_at(const std::vector<double>& time, double at) {
+  return static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), at) - time.begin());
 }
 
 }  // namespace
@@ -182,13 +155,18 @@ StepMaps step_load(FilmSource& film, const StepOptions& o) {
     }
   const Matrix series = changing_pixels(some);
   if (series.rows() == 0) throw InputError("every pixel of the film is constant in time (or not a number); a step needs a film of a loaded sample");
-  const double step = o.time ? *o.time : find_step(series, time, o.drift_order);
-  const StepSides sides = step_sides(series, time, step, o);
-  // Jumps that were sought in so many frames are no more than noise makes them once in a hundred films.
-  if (!o.time && !(sides.evidence > chi_squared_above(sides.noise.pixels, std::sqrt(2 * std::log(100 * static_cast<double>(time.size()))))))
+  const std::size_t split = o.time ? frame_at(time, *o.time) : find_step(series, time, o.drift_order);
+  const StepGap rise = find_rise(series, time, split);
+  const double step = o.time ? *o.time : rise.middle;
+  const StepSides sides = step_sides(series, time, step, rise, o);
+  if (!o.time && !is_a_step(sides, time.size()))
     throw InputError("the film shows no step of the load: nowhere do its pixels jump by more than their noise; give the time of the step");
   const auto& [before, after] = sides.side;
-  StepMaps maps{film.info().width, film.info().height, step, before.count, after.count, {}, o.drift_order, before.relaxation, after.relaxation};
+  StepMaps maps{film.info().width, film.info().height, step,          before.count, after.count, {},
+                o.drift_order,     before.relaxation,  after.relaxation};
+  maps.rise = rise.end > rise.first ? time[rise.end] - time[rise.first - 1] : 0;
+  maps.time_error = o.time ? 0 : (time[split] - time[split - 1]) / std::sqrt(12.0);
+  maps.doubts = step_doubts(series, time, rise, sides, o);
   StepSums sums[2] = {StepSums(film.info().pixels(), before.height.rows()), StepSums(film.info().pixels(), after.height.rows())};
   const ThreadPool pool(o.threads);
   std::size_t read = 0;

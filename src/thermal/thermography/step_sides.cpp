@@ -107,7 +107,7 @@ StepSide side_of(const Place& at, double relaxation, bool with_time = false) {
       for (std::size_t j = 0; j < k; ++j) each[k] -= r(j, k) * each[j];
       each[k] /= r(k, k);
     }
-  return {at.first, at.count(), relaxation, std::move(q), value, slope, 0};
+  return {at.first, at.count(), relaxation, std::move(q), value, slope};
 }
 
 Matrix left_by(const Matrix& series, const StepSide& side) {
@@ -118,10 +118,11 @@ Matrix left_by(const Matrix& series, const StepSide& side) {
 /// Weights of all frames for the last function's number: one column.
 Matrix last_function(const StepSide& side) { return side.weight.part(side.weight.columns() - 1, 1); }
 
-/// The time in which all pixels together relax best: on a ladder of times, then between its rungs.
+/// The time in which all pixels together relax best: on a ladder of times, then between its rungs. Within fewer frames
+/// than ten nothing tells heat that flows from a load that is still on its way.
 double best_relaxation(const Matrix& series, const Place& at) {
   constexpr double rung = 1.25;
-  const double shortest = 3 * at.length() / static_cast<double>(at.count());
+  const double shortest = 10 * at.length() / static_cast<double>(at.count());
   const StepSide plain = side_of(at, 0);
   const Matrix rest = left_by(series, plain);
   const auto explained = [&](double log_time) { return squares(rest * last_function(side_of(at, std::exp(log_time)))); };
@@ -180,12 +181,13 @@ double measure_noise(const Matrix& series, StepSides& sides) {
   return squares(left) / static_cast<double>(left.rows()) / sides.freedom();
 }
 
-std::array<Place, 2> places_of(const std::vector<double>& time, double step, const StepOptions& o) {
+std::array<Place, 2> places_of(const std::vector<double>& time, double step, const StepGap& gap, const StepOptions& o) {
   const double far = o.window > 0 ? o.window : time.back() + 1;
   const auto from = [&](double t) { return static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), t) - time.begin()); };
   const auto after = [&](double t) { return static_cast<std::size_t>(std::upper_bound(time.begin(), time.end(), t) - time.begin()); };
-  const std::array places{Place{time, step, o.drift_order, from(step - far), from(step - o.rise / 2)},
-                          Place{time, step, o.drift_order, after(step + o.rise / 2), after(step + far)}};
+  const std::array places{
+      Place{time, step, o.drift_order, from(step - far), std::min(gap.first, from(step - o.rise / 2))},
+      Place{time, step, o.drift_order, std::max(gap.end, after(step + o.rise / 2)), after(step + far)}};
   for (const Place& at : places)
     if (at.end < at.first + static_cast<std::size_t>(o.drift_order) + 3)
       throw refusal(
@@ -217,8 +219,9 @@ double StepSides::variance() const {
   return squares(weight) * noise.widening(weight) + side[0].misfit + side[1].misfit;
 }
 
-StepSides step_sides(Matrix series, const std::vector<double>& time, double step, const StepOptions& options) {
-  const std::array<Place, 2> places = places_of(time, step, options);
+StepSides step_sides(Matrix series, const std::vector<double>& time, double step, const StepGap& gap,
+                     const StepOptions& options) {
+  const std::array<Place, 2> places = places_of(time, step, gap, options);
   weigh(series, places);
   StepSides sides;
   for (std::size_t k = 0; k < 2; ++k) {
@@ -232,8 +235,12 @@ StepSides step_sides(Matrix series, const std::vector<double>& time, double step
   variance = measure_noise(series, sides);
   sides.evidence = std::numeric_limits<double>::infinity();
   if (variance > 0) {
-    Matrix jump = heights(series, sides.side[1]);
-    sides.evidence = squares(jump -= heights(series, sides.side[0])) / static_cast<double>(series.rows()) / variance / sides.variance();
+    const Matrix high = heights(series, sides.side[1]);
+    Matrix jump = high, onward = heights(series, side_of(places[1], 0));
+    jump -= heights(series, sides.side[0]), onward -= high;
+    sides.evidence = squares(jump) / static_cast<double>(series.rows()) / variance / sides.variance();
+    if (sides.side[1].relaxation > 0)
+      sides.side[1].onward = statistics::dot(jump.column(0), onward.column(0), jump.size()) / squares(jump);
   }
   return sides;
 }

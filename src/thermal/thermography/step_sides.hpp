@@ -5,6 +5,7 @@
 
 #include "statistics/least_squares.hpp"
 #include "thermal/thermography/step_load.hpp"
+#include "thermal/thermography/step_rise.hpp"
 
 namespace arenite::thermography {
 
@@ -27,6 +28,7 @@ struct StepSide {
   double relaxation = 0;             ///< s in which an exponential beside the polynomial falls to 1/e; 0: there is none
   statistics::Matrix weight;         ///< frames x functions
   statistics::Matrix height, slope;  ///< columns
+  double onward = 0;                 ///< share of the jump by which the exponential goes on in its direction after it
   double misfit = 0;                 ///< squared error of the height by what is not fitted, over the variance of white noise
 
   statistics::Matrix height_weights() const { return weight * height; }
@@ -44,9 +46,11 @@ struct StepSides {
   double variance() const;
 };
 
-/// Sides of a step at `step` (s) with the window, rise and polynomials of the options. Heat that flows after the step, or a camera that warms up, makes
+/// Sides of a step at `step` (s) with the window, rise and polynomials of the options, without the frames of `gap`.
+/// Heat that flows after the step, or a camera that warms up, makes
 /// pixels relax exponentially: where the pixels of `series` (pixels x frames, each weighed by its noise) show by more than their noise that they do, an
 /// exponential in the time that fits them best is added to a side. Throws InputError for a side with too few frames.
-StepSides step_sides(statistics::Matrix series, const std::vector<double>& time, double step, const StepOptions& options);
+StepSides step_sides(statistics::Matrix series, const std::vector<double>& time, double step, const StepGap& gap,
+                     const StepOptions& options);
 
 }  // namespace arenite::thermography
