@@ -29,6 +29,22 @@ struct ForceFit {
   double load = 0;                                       ///< on the lower wall by forces inferred without it, N; 0: not known
   double model_error = 0;                                ///< error of the disks' fields, share of the signal, that makes the two agree
   std::vector<double> factor_scale, factor_scale_error;  ///< one a material: the film asks for a factor so many times larger
+  double factor_scatter = 0;                             ///< by which factors of grains scatter about those of their materials, relative
+};
+
+/// Light that lens and housing scatter far.
+struct FilmHalo {
+  double share = 0, error = 0;  ///< of the light
+  double width = 0;             ///< standard deviation, pixels
+  double cost = 0;              ///< what grain stresses would be off by with it, root mean square over the mean stress
+};
+
+/// A container whose sides were found where grains touch them; 0 where they are as given.
+struct FilmWalls {
+  Vec2 shift, shift_error;  ///< of the whole container in the film, m, y up
+  BySide<double> inward{};  ///< what is left to single sides at the largest load, m
+  Vec2 smaller;             ///< by which the container is smaller than given along x and y, m
+  double travel = 0;        ///< of the lower wall, as grains show it, m; 0: as given
 };
 
 /// What a film of a loaded packing gives: maps in kelvin, rows from the top, and grains. Grains and contacts with their inferred forces are
@@ -48,6 +64,8 @@ struct FilmResult : ResultHead {
   std::vector<double> presence;            ///< probability that each of the packing's contacts is there; the others that were proposed are not kept
   ForceFit fit;                            ///< how well the forces agree with the film and the load; empty without forces
   double rim_blur = 0;                     ///< of the lens as the rims show it, pixels; 0: not known
+  FilmHalo halo;                           ///< that was taken off
+  FilmWalls walls;                         ///< where the rims show the container, against where it was said to be
   std::vector<std::string> doubts;         ///< what the film says against what was given beside it, one sentence each
   FilmSimulation simulation;
   Numbers numbers;

@@ -41,10 +41,14 @@ void declare(Visitor& v, FilmContainer& container) {
   v.number({"width", "Inner width.", true}, container.width, "mm", range::positive);
   v.number({"height", "Inner height at the smallest load.", true}, container.height, "mm", range::positive);
   v.number({"thickness", "Length of the cylinders, out of the plane.", true}, container.thickness, "mm", range::positive);
-  v.number({"left", "Column of the container's inner left side in the film; unless given, the container is in the middle."}, container.left, "", range::any);
-  v.number({"top", "Row of its inner upper side, from the top."}, container.top, "", range::any);
+  v.number({"left",
+            "Column of the container's inner left side in the film; whole numbers are the centres of pixels, so that the outer edge of the first column is "
+            "-0.5. Unless given, the container is in the middle. If the rims of grains show another place, that is used, and a notice is given."},
+           container.left, "", range::any);
+  v.number({"top", "Row of its inner upper side, from the top, counted likewise."}, container.top, "", range::any);
   v.number({"load_peak_to_peak", "Force on the lower wall, largest minus smallest; 0: not known.", false, "load_swing"}, container.load_peak_to_peak, "kN",
            range::not_negative);
+  v.number({"load_error", "Standard error of that force, relative to it."}, container.load_error, "%", range::above(0, 1));
   v.number({"travel", "Displacement of the lower wall, upwards, from the smallest to the largest load."}, container.travel, "mm", range::any);
 }
 
@@ -113,6 +117,17 @@ void declare(Visitor& v, ForcesSection& forces) {
       {"blur",
        "Standard deviation of the lens blur, in pixels. If the rims in the film show a different blur, a notice is given, and errors include the difference."},
       forces.blur, "", range::between(0, 5));
+  v.number({"halo",
+            "Fraction of the light that lens and housing scatter over many pixels; unless given, it is found in the inner pixels of grains. It is removed from "
+            "the film."},
+           forces.halo, "%", range::between(0, 0.4));
+  v.number({"halo_width", "Standard deviation of a halo that is given, in pixels."}, forces.halo_width, "", range::above(0, 100));
+  v.choice({"factors", "Thermoelastic factors that are used."}, forces.factors,
+           {{"given", "those of the materials, within their error; if film and load disagree with them, a notice is given and errors include the difference"},
+            {"fit", "effective ones, inferred from the film, the balance of forces and the load, which must be known"}});
+  v.number({"factor_error",
+            "Standard error of the thermoelastic factors as given, relative, including what acts like a wrong factor: emissivity, calibration and thickness."},
+           forces.factor_error, "%", range::between(0, 1));
   v.number({"friction", "Coefficient of friction: bounds tangential forces of a state."}, forces.friction, "", range::not_negative);
   v.flag({"state", "The film shows a state loaded from zero, for which the friction cone holds; otherwise the difference between two states."}, forces.state);
 }
@@ -168,6 +183,9 @@ void declare(ParameterVisitor& v, FilmRecipe& recipe) {
   // A virtual camera films its references itself, and its recipe need not say what only a film is measured with.
   v.require(recipe.camera || has_references(recipe), {"temperature", "correction"}, needs_references);
   require_emissivities_used(v, recipe);
+  const bool fitted = recipe.forces.factors == ForcesSection::Factors::fit;
+  v.require(!fitted || recipe.container.load_peak_to_peak > 0, {"forces", "container"}, "factors = \"fit\" needs container.load_peak_to_peak; give it");
+  v.require(!fitted || recipe.forces.from == ForcesSection::From::pixels, {"forces"}, "factors = \"fit\" needs from = \"pixels\"");
 }
 
 }  // namespace arenite::recipe

@@ -26,6 +26,7 @@ struct FilmContainer {
   double width = 0, height = 0, thickness = 0;  ///< m
   std::optional<double> left, top;              ///< its inner upper left corner in the picture, pixels; centred if not given
   double load_peak_to_peak = 0;                 ///< force on the lower wall, largest less smallest, N; 0: not known
+  double load_error = 0.005;                    ///< standard error of that force, relative
   double travel = 0;                            ///< of the lower wall, upwards, from the smallest to the largest load, m
 };
 
@@ -68,6 +69,11 @@ struct ForcesSection {
   From from = From::pixels;
   double central_share = 0.5;  ///< of a grain's area, for its mean
   double blur = 0.5;           ///< of the lens, pixels
+  std::optional<double> halo;  ///< share of the light that is scattered; found on the film if not given
+  double halo_width = 4;       ///< of a halo that is given, pixels
+  enum class Factors { given, fit };
+  Factors factors = Factors::given;
+  double factor_error = 0.02;  ///< standard error of the factors as given, relative, with what acts like them
   double friction = 0.3;
   bool state = false;  ///< the film shows a state (from no load) and no difference: the friction cone holds
 };

@@ -19,11 +19,16 @@ constexpr double hottest = 1000;
 constexpr double largest_amplitude = 5;
 /// Of a cycle: what rims, integration and heat leave at most; and where most of the amplitude is lost.
 constexpr double phase_doubted = 0.03, phase_refused = 0.125;
-/// Factors of two to four per cent are what references differ by; ten are doubted, four times refused.
-constexpr double scale_doubted = 1.1, scale_refused = 4;
+/// Standard errors of the factors as given and as fitted together, from which on they disagree; fitted factors that are off by so much are doubted even
+/// where they are asked for; four times are refused.
+constexpr double errors_doubted = 3, fitted_doubted = 1.1, scale_refused = 4;
 constexpr double blur_doubted = 0.15;  // pixels
-/// Share of the signal that fields of real grains may be off by.
-constexpr double field_doubted = 0.15;
+/// Share of the signal that fields of real grains may be off by, and of what clean films leave in their pixels.
+constexpr double field_doubted = 0.15, noise_doubted = 8;
+/// Of the light: a halo that is told.
+constexpr double halo_told = 0.01;
+/// By which factors of single grains may scatter.
+constexpr double scatter_told = 0.02;
 
 double wrapped(double cycles) { return cycles - std::round(cycles); }
 
@@ -45,7 +50,11 @@ std::vector<Scale> known_scales(const FilmResult& r) {
   return scales;
 }
 
-double beyond(double log, double error) { return std::abs(log) - 4 * error - std::log(scale_doubted); }
+/// What factors differ by beyond what their errors and that of the recipe's factors allow; above 0 where they disagree.
+double beyond(const recipe::FilmRecipe& recipe, double log, double error, double given) {
+  const bool fitted = recipe.forces.factors == recipe::ForcesSection::Factors::fit;
+  return std::abs(log) - errors_doubted * std::hypot(error, fitted ? 0 : given) - (fitted ? std::log(fitted_doubted) : 0);
+}
 
 /// The two materials whose factors fit if each takes the other's; common: what all are off by.
 const Scale* taken_for(const std::vector<Scale>& scales, const Scale& one, const recipe::FilmRecipe& recipe, double common) {
@@ -84,18 +93,59 @@ void add_scales(const recipe::FilmRecipe& recipe, const FilmResult& r, std::vect
   const auto scales = known_scales(r);
   if (scales.empty()) return;
   const auto [low, high] = std::minmax_element(scales.begin(), scales.end(), [](const Scale& a, const Scale& b) { return a.log < b.log; });
-  const bool alike = beyond(high->log - low->log, std::hypot(high->error, low->error)) < 0;
+  const double given = recipe.forces.factor_error, load = recipe.container.load_error;
+  const bool alike = beyond(recipe, high->log - low->log, std::hypot(high->error, low->error), std::sqrt(2.0) * given) < 0;
   if (!alike && std::hypot(high->error, low->error) < 1) doubts.push_back(unequal(recipe, scales, *low, *high));
   if (recipe.container.load_peak_to_peak <= 0) return;
   double sum = 0, weight = 0;
   for (const Scale& s : scales) sum += s.log / (s.error * s.error), weight += 1 / (s.error * s.error);
   const double common = alike ? sum / weight : 0.5 * (low->log + high->log);
-  if (beyond(common, 1 / std::sqrt(weight)) < 0) return;
+  if (beyond(recipe, common, 1 / std::sqrt(weight), std::hypot(given, load)) < 0) return;
   // Where materials stand for each other their mean is off by what their factors and numbers make it: nothing more to say.
   if (!alike && std::abs(common) < 0.5 * (high->log - low->log)) return;
   const std::string sentence = off_scale(recipe, std::exp(common));
   if (std::abs(common) > std::log(scale_refused)) throw InputError(sentence + "; no forces are inferred from such a film");
   doubts.push_back(sentence);
+}
+
+/// Sides that grains show elsewhere than the recipe has them.
+void add_walls(const recipe::FilmRecipe& recipe, const FilmResult& r, std::vector<std::string>& doubts) {
+  const FilmWalls& w = r.walls;
+  const auto& c = recipe.container;
+  const FilmPlace given{r.origin + w.shift, r.pixel}, found{r.origin, r.pixel};
+  const Vec2 corner{0, c.height}, was = given.pixels(corner), is = found.pixels(corner);
+  const auto elsewhere = [&](const char* side, const char* line, double at, double from, double error, const char* key, bool said) {
+    doubts.push_back(
+        fmt::format("the rims of the grains show the container's {} side at {} {:.2f} (+- {:.2f}), not at {:.2f} as {}; it is taken there; give {}", side, line,
+                    at, error / r.pixel, from, said ? fmt::format("container.{} says", key) : "in the middle of the film", key));
+  };
+  if (w.shift.x != 0) elsewhere("left", "column", is.x, was.x, w.shift_error.x, "left", c.left.has_value());
+  if (w.shift.y != 0) elsewhere("upper", "row", is.y, was.y, w.shift_error.y, "top", c.top.has_value());
+  const auto smaller = [&](double by, const char* sides, const char* key) {
+    if (by != 0)
+      doubts.push_back(fmt::format("grains touch {} only if the container is {:.2g} mm {} than container.{} says; check it, and picture.pixel", sides,
+                                   1e3 * std::abs(by), by > 0 ? "smaller" : "larger", key));
+  };
+  smaller(w.smaller.x, "both its left and its right side", "width"), smaller(w.smaller.y, "both its upper and its lower side", "height");
+  if (w.travel != 0 && c.travel != 0)
+    doubts.push_back(fmt::format("grains show that the lower wall travels {:.2g} mm, not {:.2g} mm as container.travel says", 1e3 * w.travel, 1e3 * c.travel));
+}
+
+/// What the lens and the surfaces of single grains do.
+void add_optics(const recipe::FilmRecipe& recipe, const FilmResult& r, std::vector<std::string>& doubts) {
+  if (r.rim_blur > 0 && std::abs(r.rim_blur - recipe.forces.blur) > blur_doubted)
+    doubts.push_back(fmt::format("the rims of grains show a blur of {:.2g} pixels, but forces.blur is {:.2g}; give the blur of the camera's lens", r.rim_blur,
+                                 recipe.forces.blur));
+  if (r.halo.share > halo_told && !recipe.forces.halo)
+    doubts.push_back(
+        fmt::format("the grains show that the lens scatters {:.2g} % (+- {:.1g} %) of the light over about {:.2g} pixels (a halo); it is removed, without "
+                    "which stresses would be off by {:.2g} % of their mean; clean the lens, or give forces.halo",
+                    100 * r.halo.share, std::max(0.1, 100 * r.halo.error), r.halo.width, 100 * r.halo.cost));
+  if (r.fit.factor_scatter > scatter_told)
+    doubts.push_back(
+        fmt::format("grains of one material differ by {:.2g} % in what they warm by under the forces that balance them; the likely causes are uneven "
+                    "emissivity or paint; errors include it",
+                    100 * r.fit.factor_scatter));
 }
 
 }  // namespace
@@ -171,12 +221,11 @@ std::vector<std::string> film_doubts(const recipe::FilmRecipe& recipe, const Fil
                       360 * std::abs(off)));
   }
   if (const thermography::Adiabatic heat(recipe.lockin.diffusivity, r.maps.frequency, r.pixel); !heat.holds()) doubts.push_back(heat.sentence());
-  if (r.rim_blur > 0 && std::abs(r.rim_blur - recipe.forces.blur) > blur_doubted)
-    doubts.push_back(fmt::format("the rims of grains show a blur of {:.2g} pixels, but forces.blur is {:.2g}; give the blur of the camera's lens", r.rim_blur,
-                                 recipe.forces.blur));
+  add_walls(recipe, r, doubts);
+  add_optics(recipe, r, doubts);
   if (r.packing.contacts.size() == 0) return doubts;
   add_scales(recipe, r, doubts);
-  if (r.fit.model_error > field_doubted)
+  if (r.fit.model_error > field_doubted || r.fit.over_noise > noise_doubted)
     doubts.push_back(fmt::format(
         "forces and pixels agree only if the stress fields of disks are off by {:.0f} % of their signal: the residual is {:.0f} % of the signal and "
         "{:.3g} times the noise; the likely causes are wrong circles, a wrong blur, materials or grains that are not cylinders",

@@ -3,16 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <optional>
 #include <set>
 #include <utility>
 
 #include "core/error.hpp"
 #include "core/mapped.hpp"
-#include "core/median.hpp"
 #include "statistics/measured.hpp"
 #include "thermal/imaging/proposed_contacts.hpp"
 #include "thermal/inference/contact_forces.hpp"
-#include "thermal/thermography/grain_motion.hpp"
 
 namespace arenite::workflow {
 namespace {
@@ -27,12 +26,12 @@ double widest_gap(double pixel) {
   return (tolerance.floor + tolerance.errors * std::sqrt(2.0) * surface_error) * pixel;
 }
 
-Contacts touching_at_either_load(const recipe::FilmRecipe& recipe, const FilmResult& r) {
+Contacts touching_at_either_load(const Domain& start, const FilmResult& r) {
   const imaging::ContactTolerance tolerance = tolerance_of(r.pixel);
   const imaging::GrainErrors errors{std::vector<double>(r.packing.grains.size(), surface_error * r.pixel), {}};
   Contacts contacts = imaging::propose_contacts(r.packing.grains, r.packing.domain, errors, tolerance);
   const Grains before = in_metres(r.grains, {r.origin, r.pixel});
-  const Contacts opened = imaging::propose_contacts(before, container_at(recipe, 0), errors, tolerance);
+  const Contacts opened = imaging::propose_contacts(before, start, errors, tolerance);
   std::set<std::pair<std::int32_t, std::int32_t>> known;
   for (std::size_t c = 0; c < contacts.size(); ++c) known.emplace(contacts.i[c], contacts.j[c]);
   for (std::size_t c = 0; c < opened.size(); ++c)
@@ -47,6 +46,10 @@ inference::ForceOptions force_options(const recipe::FilmRecipe& recipe, const Pi
   options.rim_margin = recipe.lockin.motion ? 1.5 : 0.5;
   options.friction = recipe.forces.friction;
   options.inequality = recipe.forces.state ? inference::Inequality::cone : inference::Inequality::none;
+  options.own_factors = true;
+  const bool fitted = recipe.forces.factors == recipe::ForcesSection::Factors::fit;
+  options.factor_error = fitted ? 0 : recipe.forces.factor_error;
+  options.fit_factors = fitted || options.factor_error > 0;
   options.position_error = std::max(least_place_error, statistics::mean_of(grains.position_error).value);  // the least where none is known
   return options;
 }
@@ -82,25 +85,38 @@ double load_on(int side, const Contacts& contacts) {
   return sum;
 }
 
-/// The load by forces that are inferred without it, and the factors that fit the film.
-void hold_against_load(inference::ForceProblem problem, const inference::ThermoelasticPicture& picture, inference::ForceOptions options, ForceFit& fit) {
-  options.inequality = inference::Inequality::none;
+/// The load by forces that are inferred without it, with the factors as given.
+double load_of_film(inference::ForceProblem problem, const inference::ThermoelasticPicture& picture, inference::ForceOptions options) {
+  options.inequality = inference::Inequality::none, options.fit_factors = false;
   const auto walls = std::exchange(problem.walls, {});
-  if (!walls.empty()) fit.load = load_on(walls.front().side, inference::infer_from_pixels(problem, picture, options).contacts);
-  problem.walls = walls;
-  options.fit_factors = true, options.iterations = 8;
-  const ForceFit free = inference::infer_from_pixels(problem, picture, options).fit;
-  fit.factor_scale = free.factor_scale, fit.factor_scale_error = free.factor_scale_error;
+  return walls.empty() ? 0 : load_on(walls.front().side, inference::infer_from_pixels(problem, picture, options).contacts);
+}
+
+/// The most by which fitted factors differ from the given ones beyond what their own errors explain, relative; 0 where these explain it.
+double difference_of_factors(const ForceFit& fit) {
+  constexpr double errors = 3;
+  double most = 0;
+  for (std::size_t m = 0; m < fit.factor_scale.size(); ++m)
+    if (const double off = std::abs(std::log(fit.factor_scale[m])); off > errors * fit.factor_scale_error[m] / fit.factor_scale[m]) most = std::max(most, off);
+  return most;
+}
+
+/// The factors that fit the film, whatever those given are.
+ForceFit fit_of_factors(const inference::ForceProblem& problem, const inference::ThermoelasticPicture& picture, inference::ForceOptions options) {
+  options.inequality = inference::Inequality::none;
+  options.fit_factors = true, options.factor_error = 0, options.iterations = 10;
+  return inference::infer_from_pixels(problem, picture, options).fit;
 }
 
 }  // namespace
 
-void infer_film_forces(const recipe::FilmRecipe& recipe, FilmResult& r) {
+void infer_film_forces(const recipe::FilmRecipe& recipe, const Domain& start, FilmResult& r) {
   using From = recipe::ForcesSection::From;
   if (recipe.forces.from == From::none) return;
-  r.packing.contacts = touching_at_either_load(recipe, r);
+  r.packing.contacts = touching_at_either_load(start, r);
   inference::ForceProblem problem{r.packing, mapped(recipe.materials, &recipe::FilmMaterial::thermoelastic_factor), {}};
-  if (recipe.container.load_peak_to_peak > 0) problem.walls.push_back({bottom, recipe.container.load_peak_to_peak, 0.005 * recipe.container.load_peak_to_peak});
+  const auto& container = recipe.container;
+  if (container.load_peak_to_peak > 0) problem.walls.push_back({bottom, container.load_peak_to_peak, container.load_error * container.load_peak_to_peak});
   auto options = force_options(recipe, r.grains);
   options.widest_gap = widest_gap(r.pixel);
   const auto infer = [&](const inference::ForceOptions& o) {
@@ -122,44 +138,22 @@ void infer_film_forces(const recipe::FilmRecipe& recipe, FilmResult& r) {
   }
   keep(r.packing.contacts, needed, {});
   if (r.packing.contacts.size() == 0) throw InputError(nothing_presses);
+  std::optional<ForceFit> free;
+  if (recipe.forces.from == From::pixels && recipe.forces.factors == recipe::ForcesSection::Factors::given) {
+    free = fit_of_factors(problem, picture_of(r), options);
+    // Film and load that disagree with the factors say how far these may be off.
+    if (options.fit_factors && !problem.walls.empty()) options.factor_error = std::max(options.factor_error, difference_of_factors(*free));
+  }
   InferredForces kept = infer(options);
+  if (recipe.forces.from == From::pixels) kept.fit.load = load_of_film(problem, picture_of(r), options);
+  if (free) kept.fit.factor_scale = free->factor_scale, kept.fit.factor_scale_error = free->factor_scale_error;
   r.fit = std::move(kept.fit);
   r.fit.proposed = all.fit.proposed, r.fit.present = all.fit.present, r.fit.present_error = all.fit.present_error;
-  if (recipe.forces.from == From::pixels) hold_against_load(problem, picture_of(r), options, r.fit);
   r.packing.contacts = std::move(kept.contacts);
   r.fn_error = std::move(kept.fn_error);
   r.ft_error = std::move(kept.ft_error);
   // From here on the film's contacts are those that are there: one set for all that is reported of it.
   keep(r.packing.contacts, present, {&r.fn_error, &r.ft_error, &r.presence});
-}
-
-void add_blur_error(PeakToPeak& change, const PeakToPeak& wider, double step, double blur_error) {
-  for (std::size_t i = 0; i < change.size(); ++i) {
-    const double slope = (wider.sigma_hyd[i] - change.sigma_hyd[i]) / step;
-    if (std::isfinite(slope)) change.error[i] = std::hypot(change.error[i], slope * blur_error);
-  }
-}
-
-void add_fit_error(FilmResult& r, const PictureGrains& shown, double share) {
-  if (r.fit.picture.empty()) return;
-  const double to_full = to_peak_to_peak(r.maps.convention);
-  const std::size_t materials = r.packing.materials.size();
-  std::vector<double> difference(shown.size(), std::nan(""));
-  std::vector<std::vector<double>> of(materials);
-  for (std::size_t i = 0; i < shown.size(); ++i) {
-    const auto m = static_cast<std::size_t>(shown.material[i]);
-    const double radius = shown.radius[i] * std::sqrt(share);
-    const auto mean = [&](const std::vector<float>& map) { return thermography::disk_mean(r.maps, map, shown.centre[i], radius).mean; };
-    const double off = std::abs(to_full * mean(r.maps.in_phase) - mean(r.fit.picture)) / (2 * r.packing.materials[m].thermoelastic_factor);
-    if (!std::isfinite(off)) continue;
-    difference[i] = off;
-    of[m].push_back(off);
-  }
-  std::vector<double> common;
-  for (auto& values : of) common.push_back(median(std::move(values)) / median_of_normal_size);
-  for (std::size_t i = 0; i < shown.size(); ++i)
-    if (std::isfinite(difference[i]))
-      r.peak_to_peak.error[i] = std::hypot(r.peak_to_peak.error[i], common[static_cast<std::size_t>(shown.material[i])], 0.5 * difference[i]);
 }
 
 }  // namespace arenite::workflow

@@ -149,10 +149,10 @@ PictureGrains film_grains(const recipe::FilmRecipe& recipe, const FilmPlace& pla
 }  // namespace
 
 PictureGrains find_film_grains(const recipe::FilmRecipe& recipe, const FilmPlace& place, const FilmInfo& film, const std::vector<float>& frame,
-                               std::vector<std::string>& notes) {
+                               const LockinMaps& maps, std::vector<std::string>& notes) {
   if (!recipe.picture.grains.empty()) return read_list(recipe, place);
   const bool optical = !recipe.picture.optical.empty();
-  PictureGrains grains = optical ? optical_grains(recipe, film, frame, notes) : film_grains(recipe, place, film, frame);
+  PictureGrains grains = optical ? optical_grains(recipe, place, film, frame, maps, notes) : film_grains(recipe, place, film, frame);
   if (optical) keep_inside(recipe, place, grains), drop_overlapping(grains);
   if (grains.size() == 0) throw InputError("the film shows no grains inside the container; give a list of the grains (picture.grains), or correct [container]");
   warn_of_gaps(recipe, place, grains, notes);

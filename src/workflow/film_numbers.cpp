@@ -100,6 +100,16 @@ Numbers forces_of(const FilmResult& r) {
   return j;
 }
 
+/// Where the rims show the container.
+void add_walls(Numbers& j, const FilmResult& r) {
+  const FilmWalls& w = r.walls;
+  if (w.shift_error.x > 0)
+    put(j["container"], "right_pixels", Estimate{w.shift.x / r.pixel, w.shift_error.x / r.pixel}, "pixels",
+        "Shift of the container to the right, from the recipe's");
+  if (w.shift_error.y > 0)
+    put(j["container"], "up_pixels", Estimate{w.shift.y / r.pixel, w.shift_error.y / r.pixel}, "pixels", "Shift of the container upwards, from the recipe's");
+}
+
 /// How forces, film and load agree.
 Numbers checks_of(const FilmResult& r) {
   Numbers j = Numbers::tree();
@@ -109,6 +119,13 @@ Numbers checks_of(const FilmResult& r) {
     put(j, "misfit_over_signal", fit.over_signal, "", "The same over the signal");
     put(j, "field_error_that_agrees", fit.model_error, "", "Relative model error of the grains' fields that would explain the misfit");
   }
+  if (r.halo.share > 0) {
+    put(j["halo"], "share", Estimate{r.halo.share, r.halo.error}, "", "Fraction of the light that is scattered over many pixels; it was removed");
+    put(j["halo"], "width_pixels", r.halo.width, "pixels", "Standard deviation of the scattered light");
+    put(j["halo"], "cost", r.halo.cost, "", "Root mean square change of the grain stresses by its removal, over the mean stress");
+  }
+  add_walls(j, r);
+  if (fit.factor_scatter > 0) put(j, "factor_scatter", fit.factor_scatter, "", "Relative scatter of the thermoelastic factors of single grains of a material");
   if (r.rim_blur > 0) put(j, "blur_of_rims_pixels", r.rim_blur, "pixels", "Blur seen at the rims of grains");
   if (fit.load != 0) put(j, "load_by_forces_N", fit.load, "N", "Load from the forces on the walls, peak to peak");
   for (std::size_t m = 0; m < fit.factor_scale.size(); ++m)

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/mapped.hpp"
+#include "core/median.hpp"
 #include "core/problems.hpp"
 #include "core/text.hpp"
 #include "statistics/clusters.hpp"
@@ -55,18 +56,54 @@ imaging::Similarity as_given(const Image& whole, const Part& part, int times, co
   return {scale, 0, {0.5 * (film.width - 1) + scale * first(part.column, whole.width), 0.5 * (film.height - 1) + scale * first(part.row, whole.height)}, false};
 }
 
+/// What a picture's noise does not tell of the errors of circles shows in the radii of one class, which are alike: by how much they scatter more than
+/// their errors say.
+double scatter_of_radii(const imaging::FoundCircles& found) {
+  std::vector<double> off;
+  for (std::size_t i = 0; i < found.grains.size(); ++i)
+    if (const auto k = found.grains.size_class[i]; k >= 0 && found.grains.radius_error[i] > 0)
+      off.push_back(std::abs(found.grains.radius[i] - found.report.sizes.mean[static_cast<std::size_t>(k)]) / found.grains.radius_error[i]);
+  return std::clamp(median(std::move(off)) / median_of_normal_size, 1.0, 10.0);
+}
+
 bool fits(const imaging::Overlay& overlay) { return std::abs(overlay.correlation) >= least_correlation && overlay.rms <= most_rms; }
 
-imaging::Overlay lay_over_film(const std::string& file, const PictureGrains& grains, const imaging::Similarity& first, const FloatImage& frame) {
+/// Where pixels warm and cool with the load: grains, however alike their rims are to what is behind them. Bright spots at contacts count no more than
+/// most of a grain's pixels.
+FloatImage warming_of(const LockinMaps& maps) {
+  FloatImage warming{maps.width, maps.height, maps.amplitude};
+  std::vector<float> sorted = warming.value;
+  const auto most = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() * 6 / 10);
+  std::nth_element(sorted.begin(), most, sorted.end());
+  for (float& v : warming.value) v = std::min(v, *most);
+  return warming;
+}
+
+/// Grains of an optical picture when the load is largest.
+PictureGrains when_loaded(const recipe::FilmRecipe& recipe, const FilmPlace& place, PictureGrains grains, const imaging::Similarity& first) {
+  const imaging::Similarity back = first.inverse();
+  for (Vec2& centre : grains.centre) {
+    const Vec2 at = first(centre);
+    const double share = 1 - place.metres(at).y / recipe.container.height;
+    centre = back(at - Vec2{0, share * recipe.container.travel / place.pixel});
+  }
+  return grains;
+}
+
+imaging::Overlay lay_over_grains(const PictureGrains& grains, const imaging::Similarity& first, const FloatImage& frame) {
   auto overlay = imaging::lay_over(grains, first, frame);
   if (fits(overlay)) return overlay;
   try {
     const auto shown = imaging::find_circles(frame);
     overlay = imaging::lay_over(grains, imaging::register_circles(grains, shown.grains, {.scale = first.scale}).transform, frame, {2, 0});
   } catch (const InputError&) { overlay.rms = 2 * most_rms; }
-  if (!fits(overlay)) refuse(file, "does not fit on the film; take it at the smallest load from the same side, and give its scale (picture.optical_pixel)");
   return overlay;
 }
+
+constexpr const char* laid_over_warming =
+    "the film's frames show no contrast between grains and background; the optical picture is laid over the amplitude map, and the positions of grains are "
+    "known to about 0.1 pixels";
+constexpr double warming_rms = 1.2, warming_error = 0.1;  // pixels: circles that are fitted one by one to uneven warming, and all of them together
 
 /// Photographs, which open as films of one frame, too, where they are grey.
 bool is_photograph(const std::filesystem::path& path) {
@@ -104,6 +141,9 @@ GrainPicture picture_of_film(const std::filesystem::path& path, const io::ImageC
 imaging::FoundCircles circles_of(const recipe::FilmRecipe& recipe, const FloatImage& picture, double pixel, imaging::CircleOptions options) {
   for (const double r : recipe.picture.radii) options.radii.push_back(r / pixel);
   auto found = imaging::find_circles(picture, options);
+  const double times = scatter_of_radii(found);
+  for (auto* errors : {&found.grains.position_error, &found.grains.radius_error})
+    for (double& error : *errors) error *= times;
   for (std::size_t i = 0; i < found.grains.size(); ++i)
     if (const auto k = found.grains.size_class[i]; k >= 0) found.grains.radius[i] = found.report.sizes.mean[static_cast<std::size_t>(k)];
   return found;
@@ -121,7 +161,8 @@ void take_materials(const recipe::FilmRecipe& recipe, const std::string& where, 
   for (const auto k : classes.of) grains.material.push_back(static_cast<std::int32_t>(order[static_cast<std::size_t>(k)]));
 }
 
-PictureGrains optical_grains(const recipe::FilmRecipe& recipe, const FilmInfo& film, const std::vector<float>& frame, std::vector<std::string>& notes) {
+PictureGrains optical_grains(const recipe::FilmRecipe& recipe, const FilmPlace& place, const FilmInfo& film, const std::vector<float>& frame,
+                             const LockinMaps& maps, std::vector<std::string>& notes) {
   const auto file = recipe.beside(recipe.picture.optical).string();
   const double fine = recipe.picture.optical_pixel > 0 ? recipe.picture.optical_pixel : recipe.picture.pixel;
   const int times = std::max(1, static_cast<int>(recipe.picture.pixel / (enough * fine) + 1e-6));
@@ -133,14 +174,25 @@ PictureGrains optical_grains(const recipe::FilmRecipe& recipe, const FilmInfo& f
   if (found.grains.size() < 3)
     refuse(file, "shows {} grains; give a picture in which they stand out, or a list of the grains (picture.grains)", found.grains.size());
   const auto first = as_given(whole, part, times, film, pixel / recipe.picture.pixel);
-  const auto overlay = lay_over_film(file, found.grains, first, {film.width, film.height, frame});
+  auto overlay = lay_over_grains(found.grains, first, {film.width, film.height, frame});
+  bool by_warming = false;
+  if (!fits(overlay)) {
+    overlay = imaging::lay_over(when_loaded(recipe, place, found.grains, first), first, warming_of(maps));
+    by_warming = overlay.correlation >= least_correlation && overlay.rms <= warming_rms;
+    if (!by_warming) refuse(file, "does not fit on the film; take it at the smallest load from the same side, and give its scale (picture.optical_pixel)");
+    notes.push_back(laid_over_warming);
+  }
   const Vec2 middle = first.inverse()({0.5 * (film.width - 1), 0.5 * (film.height - 1)}), off = overlay.transform(middle) - first(middle);
   notes.push_back(fmt::format(
       "the optical picture shows {} grains; it is shifted by {:.2f} pixels of the film to the left and {:.2f} upwards, rotated by {:.2f} degrees, "
       "its scale is {:+.2f} % off, and grains in the film are {:.2f} pixels (rms) from their positions in it",
       found.grains.size(), off.x, off.y, overlay.transform.rotation * 180 / std::numbers::pi, 100 * (overlay.transform.scale / first.scale - 1), overlay.rms));
   auto grains = imaging::apply(overlay.transform, std::move(found.grains));
-  for (double& error : grains.position_error) error = std::hypot(error, overlay.shift_error);
+  const Vec2 centre = mean_point(grains.centre);
+  for (std::size_t i = 0; i < grains.size(); ++i) {
+    const double laid = std::hypot(overlay.shift_error, overlay.turn_error * norm(grains.centre[i] - centre), by_warming ? warming_error : 0);
+    grains.position_error[i] = std::hypot(grains.position_error[i], laid);
+  }
   return grains;
 }
 

@@ -8,7 +8,9 @@
 #include <numbers>
 
 #include "core/mapped.hpp"
+#include "thermal/imaging/fitted_walls.hpp"
 #include "thermal/thermography/grain_motion.hpp"
+#include "thermal/thermography/halo.hpp"
 #include "thermal/thermography/lost_frames.hpp"
 #include "thermal/thermography/phase_pictures.hpp"
 
@@ -31,7 +33,7 @@ class Measurement {
     r.film.quantity = FilmQuantity::kelvin;
     thermography::CorrectedFilm film(source_, made.correction);
     if (!lock_in(film, r) || !find(film, r)) return false;
-    thermography::see_surfaces(r.maps, loaded_, made.surfaces);
+    for (LockinMaps* maps : {&r.maps, &wider_, &scattered_}) thermography::see_surfaces(*maps, loaded_, made.surfaces);
     return measure(r);
   }
 
@@ -73,7 +75,7 @@ class Measurement {
   }
 
   bool find(FilmSource& film, FilmResult& r) {
-    const auto pictures = thermography::phase_pictures(film, r.maps, lockin_options("pictures", 2));
+    auto pictures = thermography::phase_pictures(film, r.maps, lockin_options("pictures", 2));
     if (pictures.size() == 0) return false;
     const double largest = r.maps.reference_phase;
     const std::size_t smallest = nearest_picture(pictures, largest + std::numbers::pi);
@@ -81,32 +83,110 @@ class Measurement {
     // The spline's coefficients are the picture with most of the pixels' blur undone: more rims are seen in it.
     const std::vector<float> sharp(pictures.picture(smallest), pictures.picture(smallest) + pictures.pixels());
     std::vector<std::string> notes;
-    r.grains = find_film_grains(recipe_, place_, r.film, sharp, notes);
+    r.grains = find_film_grains(recipe_, place_, r.film, sharp, r.maps, notes);
     for (const auto& note : notes) options_.notice(note);
     loaded_ = r.grains;
+    find_halo(pictures, r);
     if (recipe_.lockin.motion) follow(pictures, r);
+    else if (r.halo.share > 0) {
+      scattered_ = r.maps;
+      thermography::remove_halo({r.halo.share, r.halo.width, r.halo.error}, r.maps);
+    }
     return true;
+  }
+
+  /// As given, or as the grains show it.
+  void find_halo(const thermography::PhasePictures& pictures, FilmResult& r) const {
+    thermography::Halo halo{recipe_.forces.halo.value_or(0), recipe_.forces.halo_width, 0};
+    if (!recipe_.forces.halo) halo = thermography::halo_of(pictures, r.grains, r.maps.reference_phase);
+    r.halo = {halo.share, halo.error, halo.width, 0};
   }
 
   /// Fits the grains' motion and locks in where they are. Grains are found at the smallest load; in the middle of the cycle they are half their
   /// travel further. The largest amplitude is that of the largest load: contacts are as they are then, so the maps show the grains there.
-  void follow(const thermography::PhasePictures& pictures, FilmResult& r) {
-    const double largest = r.maps.reference_phase;
+  void follow(thermography::PhasePictures& pictures, FilmResult& r) {
     PictureGrains middle = r.grains;
-    for (int round = 0; round < 3; ++round) {
-      r.motion = thermography::grain_motion(pictures, middle, options_.threads);
-      for (std::size_t i = 0; i < r.grains.size(); ++i) {
-        const Vec2 way = r.motion.at(i, std::cos(largest), std::sin(largest));
-        middle.centre[i] = r.grains.centre[i] + way;
-        loaded_.centre[i] = r.grains.centre[i] + 2 * way;
-      }
-    }
     const auto followed = [&](double blur) {
       return thermography::follow_grains(pictures, r.maps, middle, r.motion, loaded_, recipe_.lockin.phase, options_.threads, blur);
     };
+    if (r.halo.share > 0) {
+      fit_motion(pictures, r, middle);
+      scattered_ = followed(recipe_.forces.blur);
+      thermography::remove_halo({r.halo.share, r.halo.width, r.halo.error}, pictures);
+    }
+    fit_motion(pictures, r, middle);
+    const bool seen = thermography::is_seen(r.motion);
+    if (!seen) move_with_wall(r, middle);
     wider_ = followed(recipe_.forces.blur + blur_step);
-    r.rim_blur = thermography::rim_blur(pictures, middle, r.motion, options_.threads);
+    if (seen) r.rim_blur = thermography::rim_blur(pictures, middle, r.motion, options_.threads);
     r.maps = followed(recipe_.forces.blur);
+  }
+
+  void fit_motion(const thermography::PhasePictures& pictures, FilmResult& r, PictureGrains& middle) {
+    for (int round = 0; round < 3; ++round) {
+      r.motion = thermography::grain_motion(pictures, middle, options_.threads);
+      take_motion(r, middle);
+    }
+  }
+
+  void take_motion(const FilmResult& r, PictureGrains& middle) {
+    const double largest = r.maps.reference_phase;
+    for (std::size_t i = 0; i < r.grains.size(); ++i) {
+      const Vec2 way = r.motion.at(i, std::cos(largest), std::sin(largest));
+      middle.centre[i] = r.grains.centre[i] + way;
+      loaded_.centre[i] = r.grains.centre[i] + 2 * way;
+    }
+  }
+
+  /// Of grains whose rims have no contrast nothing is seen of their motion: they go with the lower wall, the less the higher they are.
+  void move_with_wall(FilmResult& r, PictureGrains& middle) {
+    const double largest = r.maps.reference_phase, travel = recipe_.container.travel / place_.pixel;
+    for (std::size_t i = 0; i < r.grains.size(); ++i) {
+      const double height = place_.metres(r.grains.centre[i]).y / recipe_.container.height;
+      const Vec2 amplitude{0, -0.5 * travel * (1 - height)};  // rows point down
+      r.motion.cosine[i] = std::cos(largest) * amplitude, r.motion.sine[i] = std::sin(largest) * amplitude;
+      r.motion.error[i] = 0.1 + 0.1 * std::abs(amplitude.y);
+    }
+    take_motion(r, middle);
+    options_.notice(
+        fmt::format("the rims of the grains have no contrast, so that their motion is not seen; they are taken to move with the lower wall, by "
+                    "container.travel ({:.3g} mm)",
+                    1e3 * recipe_.container.travel));
+  }
+
+  /// Walls are where the rims of grains show them. The container as a whole goes to its place in the film, and what is left to single sides.
+  void settle(FilmResult& r) {
+    constexpr double rim_error = 0.08, reach = 3, least = 0.15, errors = 4;  // pixels, and standard errors from which on a shift is believed
+    const auto fitted = [&](const PictureGrains& grains, double share) {
+      auto walls = imaging::fit_walls(in_metres(grains, place_), container_at(recipe_, share), rim_error * place_.pixel, reach * place_.pixel);
+      for (auto& wall : walls)
+        if (std::abs(wall.shift) < std::max(least * place_.pixel, errors * wall.error)) wall.shift = 0;
+      return walls;
+    };
+    const double share = recipe_.lockin.motion ? 1 : 0;
+    auto before = fitted(r.grains, 0);
+    const auto place = [&](int low, double& shift, double& error) {
+      const auto &a = before[static_cast<std::size_t>(low)], &b = before[static_cast<std::size_t>(low) + 1];
+      const double both = static_cast<double>(a.known()) + static_cast<double>(b.known());
+      if (both == 0) return;
+      shift = ((a.known() ? a.shift : 0) - (b.known() ? b.shift : 0)) / both;
+      error = std::hypot(a.known() ? a.error : 0, b.known() ? b.error : 0) / both;
+      if (std::abs(shift) < std::max(least * place_.pixel, errors * error)) shift = 0;
+    };
+    place(left, r.walls.shift.x, r.walls.shift_error.x), place(bottom, r.walls.shift.y, r.walls.shift_error.y);
+    place_.origin -= r.walls.shift;
+    r.origin = place_.origin;
+    before = fitted(r.grains, 0);
+    const auto after = fitted(loaded_, share);
+    const auto smaller = [&](int low) {
+      const double by = before[static_cast<std::size_t>(low)].shift + before[static_cast<std::size_t>(low) + 1].shift;
+      return std::abs(by) > 2 * least * place_.pixel ? by : 0;
+    };
+    r.walls.smaller = {smaller(left), smaller(bottom)};
+    for (std::size_t side = 0; side < after.size(); ++side) r.walls.inward[side] = after[side].known() ? after[side].shift : 0;
+    if (share > 0 && r.walls.inward[bottom] != 0) r.walls.travel = recipe_.container.travel + r.walls.inward[bottom] - before[bottom].shift;
+    start_ = imaging::with_fitted_walls(container_at(recipe_, 0), before);
+    r.packing.domain = imaging::with_fitted_walls(container_at(recipe_, share), after);
   }
 
   bool measure(FilmResult& r) {
@@ -121,14 +201,16 @@ class Measurement {
     if (wider_.size() > 0) {
       constexpr double least = 0.05;  // what rims show of the blur at best
       add_blur_error(r.peak_to_peak, thermography::grain_means(wider_, uncertain, means), blur_step,
-                     std::max(least, std::abs(r.rim_blur - recipe_.forces.blur)));
+                     std::max(least, r.rim_blur > 0 ? std::abs(r.rim_blur - recipe_.forces.blur) : 0));
     }
+    if (scattered_.size() > 0) add_halo_error(r, thermography::grain_means(scattered_, uncertain, means));
     forget_lost(r);
     r.packing.materials = materials_of(recipe_);
+    settle(r);
     r.packing.grains = in_metres(loaded_, place_);
-    r.packing.domain = container_at(recipe_, recipe_.lockin.motion ? 1 : 0);
-    infer_film_forces(recipe_, r);
+    infer_film_forces(recipe_, start_, r);
     add_fit_error(r, loaded_, recipe_.forces.central_share);
+    add_factor_error(recipe_, r);
     r.doubts = film_doubts(recipe_, r);
     for (const auto& doubt : r.doubts) options_.notice(doubt);
     options_.progress({3, 5, "grains", 1, 0, 0, false, false});
@@ -153,6 +235,8 @@ class Measurement {
   FilmPlace place_ = place_of(recipe_, source_.info());
   static constexpr double blur_step = 0.1;  // pixels
   LockinMaps wider_;                        ///< with rims taken off as a lens blurred by a step more shows them
+  LockinMaps scattered_;                    ///< with the halo left in; empty where there is none
+  Domain start_;                            ///< the container at the smallest load
   PictureGrains loaded_;                    ///< at the largest load
 };
 

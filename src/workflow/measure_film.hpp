@@ -42,12 +42,20 @@ std::optional<thermography::LoadSignal> load_signal_of(const std::filesystem::pa
 
 /// Proposes contacts between the grains of `result.packing` and infers their forces from its maps, or from the means of
 /// grains, as the recipe's [forces] says. Contacts are proposed where grains touch at the largest or at the smallest load
-/// (`result.grains`): one that opens on the way loses its force.
-void infer_film_forces(const recipe::FilmRecipe& recipe, FilmResult& result);
+/// (`result.grains`, in the container `start`): one that opens on the way loses its force.
+void infer_film_forces(const recipe::FilmRecipe& recipe, const Domain& start, FilmResult& result);
 
 /// Adds to the errors of the stresses what a blur of the lens that is known to `blur_error` only leaves; `wider` are the
 /// stresses when rims are taken off with a blur larger by `step` (pixels).
 void add_blur_error(PeakToPeak& change, const PeakToPeak& wider, double step, double blur_error);
+
+/// Adds to the errors of the stresses what is not known of the halo that was taken off; `scattered` are the stresses with it, and what it costs goes to
+/// `result.halo`.
+void add_halo_error(FilmResult& result, const PeakToPeak& scattered);
+
+/// Adds to the errors of the stresses that of the thermoelastic factors: the recipe's, or where forces tell it from the load the fit's own with what is
+/// between the fitted factors and the given ones. With forces.factors = "fit" stresses are first those of the fitted factors.
+void add_factor_error(const recipe::FilmRecipe& recipe, FilmResult& result);
 
 /// Adds what noise does not explain, once the forces are known: the mean over a grain's centre differs from the mean that the
 /// forces (held by the balance of all grains) put there, seen through the same lens and pixels. The median difference of
@@ -72,16 +80,17 @@ Materials materials_of(const recipe::FilmRecipe& recipe);
 Grains in_metres(const PictureGrains& grains, const FilmPlace& place);
 
 /// Grains at the smallest load, in the film's pixels, with materials as the recipe numbers them: hand-made (picture.grains), or found in the optical
-/// picture and laid over the film, or found in `frame`, the film's own picture at that load (K or levels, rows from the top). `notes` gets what a
-/// user should know. Throws InputError where there are no grains, or as many brightnesses as materials cannot be told apart.
+/// picture and laid over the film, or found in `frame`, the film's own picture at that load (K or levels, rows from the top). An optical picture is laid over
+/// the amplitudes of `maps` where the frame has no contrast. `notes` gets what a user should know. Throws InputError where there are no grains, or as many brightnesses as materials cannot be told apart.
 PictureGrains find_film_grains(const recipe::FilmRecipe& recipe, const FilmPlace& place, const FilmInfo& film, const std::vector<float>& frame,
-                               std::vector<std::string>& notes);
+                               const LockinMaps& maps, std::vector<std::string>& notes);
 
 /// Grains found in an ordinary camera's picture of the sample at the smallest load (picture.optical) and carried to where `frame`, the film's own
 /// picture at that load, shows them; in the film's pixels, with brightnesses of the optical picture and no materials. Both pictures nearly have the
-/// same middle (8 pixels of the film, 2 degrees); one that lies elsewhere is laid on grains that the film itself shows. `notes` gets how the pictures
-/// lie. Throws InputError where there are no grains or they fit nowhere.
-PictureGrains optical_grains(const recipe::FilmRecipe& recipe, const FilmInfo& film, const std::vector<float>& frame, std::vector<std::string>& notes);
+/// same middle (8 pixels of the film, 2 degrees); one that lies elsewhere is laid on grains that the film itself shows. A frame without contrast says nothing of
+/// grains, which then are where pixels warm with the load (`maps`), moved as far as container.travel says. `notes` gets how the pictures lie. Throws InputError where there are no grains or they fit nowhere.
+PictureGrains optical_grains(const recipe::FilmRecipe& recipe, const FilmPlace& place, const FilmInfo& film, const std::vector<float>& frame,
+                             const LockinMaps& maps, std::vector<std::string>& notes);
 
 /// Materials of grains by their brightness, parted into as many classes as the recipe has materials; `where` names the picture in
 /// the InputError for one that cannot be parted.

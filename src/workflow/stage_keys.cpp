@@ -43,7 +43,7 @@ recipe::Recipe without_field(recipe::Recipe recipe) {
 }
 
 /// Counts up whenever the same film and recipe give other numbers.
-constexpr std::int64_t film_version = 4;
+constexpr std::int64_t film_version = 5;
 constexpr std::int64_t virtual_film_version = 1;  // of films that are rendered from a run
 
 /// The bytes of a file that need not fit into memory.

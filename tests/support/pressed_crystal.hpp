@@ -9,17 +9,11 @@
 
 namespace arenite::test {
 
-/// Random contact forces that hold every grain in balance: those nearest to independent random ones.
-inline void put_balanced_forces(Packing& p, double force, std::uint64_t seed) {
-  std::vector<Vec2> centre;
-  for (std::size_t g = 0; g < p.grains.size(); ++g) centre.push_back(p.grains.position[g]);
-  const auto touches = inference::touches_of_grains(p, centre);
-  inference::NormalEquations equations(static_cast<int>(2 * p.contacts.size()));
-  RandomStream random(seed, Purpose::test, 5);
-  for (std::size_t c = 0; c < p.contacts.size(); ++c) {
-    equations.add_diagonal(static_cast<int>(2 * c), 1, force * (1 + 0.4 * random.normal()));
-    equations.add_diagonal(static_cast<int>(2 * c + 1), 1, 0.2 * force * random.normal());
-  }
+/// The contact forces nearest to `wanted` (fn and ft of every contact in turn, N) that hold every grain in balance.
+inline void put_balanced_forces(Packing& p, const std::vector<double>& wanted) {
+  const auto touches = inference::touches_of_grains(p, p.grains.position);
+  inference::NormalEquations equations(static_cast<int>(wanted.size()));
+  for (std::size_t u = 0; u < wanted.size(); ++u) equations.add_diagonal(static_cast<int>(u), 1, wanted[u]);
   for (const auto& of_grain : touches) {
     std::vector<int> columns;
     std::vector<double> rows(6 * of_grain.size());
@@ -34,6 +28,17 @@ inline void put_balanced_forces(Packing& p, double force, std::uint64_t seed) {
   }
   const std::vector<double> f = equations.solve();
   for (std::size_t c = 0; c < p.contacts.size(); ++c) p.contacts.fn[c] = f[2 * c], p.contacts.ft[c] = f[2 * c + 1];
+}
+
+/// Random contact forces that hold every grain in balance: those nearest to independent random ones.
+inline void put_balanced_forces(Packing& p, double force, std::uint64_t seed) {
+  RandomStream random(seed, Purpose::test, 5);
+  std::vector<double> wanted;
+  for (std::size_t c = 0; c < p.contacts.size(); ++c) {
+    wanted.push_back(force * (1 + 0.4 * random.normal()));
+    wanted.push_back(0.2 * force * random.normal());
+  }
+  put_balanced_forces(p, wanted);
 }
 
 /// Equal disks of two materials on a triangular lattice between four walls, one in ten missing, with balanced forces.

@@ -119,10 +119,15 @@ void refine(const PictureGrains& circles, const FloatImage& picture, Overlay& fo
 
 Overlay lay_over(const PictureGrains& circles, const Similarity& first, const FloatImage& picture, const OverlayOptions& options) {
   if (circles.size() < 3) throw refusal("there are {} grains to register with the picture; three are needed", circles.size());
-  Overlay found{first, 0, 0, 0};
+  Overlay found{first, 0, 0, 0, 0};
   search(circles, picture, options, found);
   for (int round = 0; round < rounds; ++round) refine(circles, picture, found);
   found.shift_error = found.rms / std::sqrt(static_cast<double>(circles.size()));
+  const PictureGrains at = apply(found.transform, circles);
+  const Vec2 middle = mean_point(at.centre);
+  double squares = 0;
+  for (const Vec2 centre : at.centre) squares += dot(centre - middle, centre - middle);
+  found.turn_error = squares > 0 ? found.rms / std::sqrt(squares) : 0;
   return found;
 }
 

@@ -64,6 +64,7 @@ struct Overlay {
   double correlation = 0;  ///< of the picture with the area that the circles cover; below 0 where grains are darker
   double rms = 0;          ///< between circles that were fitted one by one and their places, along one axis, pixels
   double shift_error = 0;  ///< standard error: pixels at the middle of the grains
+  double turn_error = 0;   ///< of scale and of rotation: pixels a pixel from there
 };
 
 /// Lays circles found in one picture on another in which single grains need not be told apart: the place at which what they cover looks most like the picture

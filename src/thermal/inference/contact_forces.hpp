@@ -54,6 +54,9 @@ struct ForceOptions {
   bool fit_model_error = true;  ///< the guess is corrected until data and fit differ as their errors say; what it came to
                                 ///< is reported, and what the measured errors alone say of the fit
   bool fit_factors = false;     ///< the factor of every material is an unknown, too: how many times larger the film asks for
+  double factor_error = 0;      ///< standard error of the materials' factors as given, relative, which their fitted ones obey; 0: fitted freely, or exact
+  bool own_factors = false;     ///< factors of grains scatter about that of their material (emissivity, paint); the scatter is fitted and in the errors
+  double most_off = 2.5;        ///< standard errors from which on what a pixel is off counts less than its square (Huber); 0: never
   double position_error = 0.1;  ///< standard error of grain centres, pixels; 0: centres are taken as exact
   double balance_error = 1e-2;  ///< standard error of a grain's balance, share of the mean contact force
   double prior = 0;             ///< elastic regularisation: standard deviation of a contact's force about the elastic solution, in mean contact forces; 0: 10
@@ -61,7 +64,7 @@ struct ForceOptions {
   Inequality inequality = Inequality::none;
   double friction = 0.5;  ///< mu of the cone
   double widest_gap = 0;  ///< between grains or to walls that are proposed as contacts, m; 0: as the proposals show
-  int iterations = 3;     ///< of forces and centres together
+  int iterations = 6;     ///< of forces and centres together, at most: each lowers the misfit, and they end where it falls no more
 };
 
 /// Grains as found (domain with thickness and periodicity), and proposed contacts, whose forces are not read. Normals of contacts between grains follow from

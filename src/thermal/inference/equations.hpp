@@ -18,6 +18,8 @@ class NormalEquations {
   void add(const std::vector<int>& columns, const std::vector<double>& rows, const std::vector<double>& right, const std::vector<double>& weight);
   void add_diagonal(int unknown, double weight, double right);
 
+  /// The sum of squares at x.
+  double squares(const std::vector<double>& x) const;
   /// The minimum. With a cone, unknowns 2 c and 2 c + 1 (c < contacts) are fn and ft of a contact and obey
   /// |ft| <= mu fn; found by an interior-point method (Mehrotra 1992).
   std::vector<double> solve() const;
@@ -44,6 +46,7 @@ class NormalEquations {
 
   std::vector<Entry> lower_;
   std::vector<double> right_;
+  double constant_ = 0;                               // the sum of squares at zero
   mutable std::shared_ptr<const Factorised> factor_;  // for solution and errors alike; none after equations were added
 };
 
@@ -68,16 +71,18 @@ Touches touches_of_grains(const Packing& packing, const std::vector<Vec2>& centr
 void check_problem(const ForceProblem& problem, const ForceOptions& options, bool factors);
 
 /// Unknowns of an inference: fn and ft of contact c are 2 c and 2 c + 1, in units of `force`; where centres are refined, the changes of centre g along x and y
-/// are 2 (contacts + g) and the next, in units of `move`; where materials' factors are fitted, the changes of their scales come last.
+/// are 2 (contacts + g) and the next, in units of `move`; where factors are fitted, the changes of the grains' scales and of the materials' come last.
 struct Unknowns {
   std::size_t contacts = 0, grains = 0;
-  double force = 1;        ///< N
-  double move = 0;         ///< m; 0: centres stay
-  std::size_t scales = 0;  ///< materials whose factor is fitted; 0: factors stay
+  double force = 1;             ///< N
+  double move = 0;              ///< m; 0: centres stay
+  std::size_t own_factors = 0;  ///< grains whose factor is fitted beside that of their material; 0: those of a material are alike
+  std::size_t scales = 0;       ///< materials whose factor is fitted; 0: factors stay
 
   int count() const { return scale(scales); }
   int centre(std::size_t g) const { return static_cast<int>(2 * (contacts + g)); }
-  int scale(std::size_t material) const { return static_cast<int>(2 * contacts + (move > 0 ? 2 * grains : 0) + material); }
+  int own_factor(std::size_t g) const { return static_cast<int>(2 * contacts + (move > 0 ? 2 * grains : 0) + g); }
+  int scale(std::size_t material) const { return own_factor(own_factors + material); }
 };
 
 /// The columns of a grain's equations: its touches' forces and, where centres move, its own and its partners' centres.

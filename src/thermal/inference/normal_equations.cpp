@@ -25,6 +25,7 @@ void NormalEquations::add(const std::vector<int>& columns, const std::vector<dou
   const Rows weighted = w.asDiagonal() * a;
   const Eigen::MatrixXd normal = a.transpose() * weighted;
   const Vector b = weighted.transpose() * y;
+  constant_ += y.dot(w.cwiseProduct(y));
   factor_.reset();
   for (Eigen::Index p = 0; p < n; ++p) {
     const int column = columns[static_cast<std::size_t>(p)];
@@ -40,6 +41,14 @@ void NormalEquations::add_diagonal(int unknown, double weight, double right) {
   factor_.reset();
   lower_.push_back({unknown, unknown, weight});
   right_[static_cast<std::size_t>(unknown)] += weight * right;
+  constant_ += weight * right * right;
+}
+
+double NormalEquations::squares(const std::vector<double>& x) const {
+  double sum = constant_;
+  for (const Entry& e : lower_) sum += (e.i == e.j ? 1 : 2) * e.w * x[static_cast<std::size_t>(e.i)] * x[static_cast<std::size_t>(e.j)];
+  for (std::size_t u = 0; u < x.size(); ++u) sum -= 2 * right_[u] * x[u];
+  return sum;
 }
 
 namespace {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/median.hpp"
 #include "model/image.hpp"
@@ -17,28 +18,33 @@ double to_contact(Vec2 x, double radius, const std::vector<Touch>& touches) {
 }
 
 PixelEquations equations_of(const Unknowns& unknowns, const Placed& placed, std::size_t g, const std::vector<GrainPixel>& pixels, const PointSpread& spread,
-                            double model_error, double contact_margin) {
+                            double contact_margin) {
   const auto& touches = placed.touches[g];
   const std::size_t z = touches.size();
   const GrainRows found = rows_of_grain(placed, g, pixels, spread);
-  PixelEquations b{columns_of(unknowns, g, touches), {}, {}, {}, pixels};
+  PixelEquations b{columns_of(unknowns, g, touches), {}, {}, {}, {}, pixels};
+  const std::size_t factors = b.columns.size();
+  if (unknowns.own_factors > 0) b.columns.push_back(unknowns.own_factor(g));
   if (unknowns.scales > 0) b.columns.push_back(unknowns.scale(static_cast<std::size_t>(placed.material[g])));
   const std::size_t n = b.columns.size();
   b.rows.assign(n * pixels.size(), 0.0);
   const double signal = root_mean_square(pixels);
   for (std::size_t q = 0; q < pixels.size(); ++q) {
     double* row = &b.rows[n * q];
-    for (std::size_t k = 0; k < 2 * z; ++k) row[k] = unknowns.force * found.response(k, q);
+    double warming = 0;
+    for (std::size_t k = 0; k < 2 * z; ++k) {
+      row[k] = unknowns.force * found.response(k, q);
+      warming += found.response(k, q) * touches[k / 2].of_contact(placed.force, k % 2);
+    }
     if (unknowns.move > 0) {
       row[2 * z] += unknowns.move * found.shift[q].x, row[2 * z + 1] += unknowns.move * found.shift[q].y;
       for (std::size_t k = 0; k < z; ++k) add_turn(unknowns, touches, k, found.turn(k, q), row);
     }
-    if (unknowns.scales > 0)  // factors of the present forces: a hundredth more factor is a hundredth more warming
-      for (std::size_t k = 0; k < 2 * z; ++k) row[n - 1] += found.response(k, q) * touches[k / 2].of_contact(placed.force, k % 2);
-    const double error = pixels[q].error, close = std::max(1.0, contact_margin / pixels[q].to_contact);
-    const double model = model_error * signal * close * close * close;
+    // A hundredth more factor is a hundredth more warming by the present forces.
+    for (std::size_t k = factors; k < n; ++k) row[k] = warming;
+    const double close = std::max(1.0, contact_margin / pixels[q].to_contact);
+    b.model.push_back(signal * close * close * close);
     b.right.push_back(pixels[q].value - found.spill[q]);
-    b.weight.push_back(1 / (error * error + model * model));
   }
   return b;
 }
@@ -75,34 +81,52 @@ double root_mean_square(const std::vector<GrainPixel>& pixels) {
   return pixels.empty() ? 0 : std::sqrt(sum / static_cast<double>(pixels.size()));
 }
 
-Misfit misfit(const std::vector<PixelEquations>& equations, const std::vector<double>& x, double taken) {
+double PixelEquations::left(std::size_t q, const std::vector<double>& x) const {
+  double left = right[q];
+  for (std::size_t k = 0; k < columns.size(); ++k) left -= rows[q * columns.size() + k] * x[static_cast<std::size_t>(columns[k])];
+  return left;
+}
+
+std::vector<PixelEquations> pixel_equations(const Unknowns& unknowns, const Placed& placed, const Pixels& pixels, const PointSpread& spread,
+                                            double contact_margin) {
+  std::vector<PixelEquations> all;
+  for (std::size_t g = 0; g < pixels.size(); ++g)
+    if (!pixels[g].empty() && !placed.touches[g].empty()) all.push_back(equations_of(unknowns, placed, g, pixels[g], spread, contact_margin));
+  return all;
+}
+
+void weigh(std::vector<PixelEquations>& equations, double model_error, const std::vector<double>& x, double most) {
+  for (PixelEquations& b : equations) {
+    b.weight.resize(b.right.size());
+    for (std::size_t q = 0; q < b.right.size(); ++q) {
+      const double weight = 1 / (squared(static_cast<double>(b.pixels[q].error)) + squared(model_error * b.model[q]));
+      const double off = most > 0 ? std::abs(b.left(q, x)) * std::sqrt(weight) : 0;
+      b.weight[q] = off > most ? weight * most / off : weight;
+    }
+  }
+}
+
+Misfit misfit(const std::vector<PixelEquations>& equations, const std::vector<double>& x, double model_error, double taken, double most) {
   Misfit m;
   double count = 0;
   std::vector<double> off, signal;
   for (const PixelEquations& b : equations)
     for (std::size_t q = 0; q < b.right.size(); ++q, count += 1) {
-      double left = b.right[q];
-      for (std::size_t k = 0; k < b.columns.size(); ++k) left -= b.rows[q * b.columns.size() + k] * x[static_cast<std::size_t>(b.columns[k])];
-      m.weighed += left * left * b.weight[q];
-      m.over_noise += left * left / std::pow(static_cast<double>(b.pixels[q].error), 2);
+      const double left = b.left(q, x), noise = squared(static_cast<double>(b.pixels[q].error));
+      const double weighed = left * left / (noise + squared(model_error * b.model[q]));
+      m.weighed += most > 0 ? std::min(weighed, most * most) : weighed;
+      m.over_noise += left * left / noise;
       off.push_back(std::abs(left)), signal.push_back(std::abs(static_cast<double>(b.pixels[q].value)));
     }
   const double freedom = std::max({1.0, 0.1 * count, count - taken});
   m.weighed /= freedom, m.over_noise /= freedom;
+  if (most > 0) {  // of normal numbers, what is left of their squares where each is cut
+    const double beyond = std::erfc(most / std::numbers::sqrt2), density = std::exp(-0.5 * most * most) / std::sqrt(2 * std::numbers::pi);
+    m.weighed /= 1 - beyond - 2 * most * density + most * most * beyond;
+  }
   const double middle = median(std::move(signal));
   m.over_signal = middle > 0 ? median(std::move(off)) / middle : 0;
   return m;
-}
-
-std::vector<PixelEquations> add_pixels(ForceEquations& equations, const Placed& placed, const Pixels& pixels, const PointSpread& spread, double model_error,
-                                       double contact_margin) {
-  std::vector<PixelEquations> all;
-  for (std::size_t g = 0; g < pixels.size(); ++g) {
-    if (pixels[g].empty() || placed.touches[g].empty()) continue;
-    const PixelEquations& own = all.emplace_back(equations_of(equations.unknowns, placed, g, pixels[g], spread, model_error, contact_margin));
-    equations.add(own.columns, own.rows, own.right, own.weight);
-  }
-  return all;
 }
 
 }  // namespace arenite::inference

@@ -9,6 +9,8 @@
 
 namespace arenite::inference {
 
+inline double squared(double x) { return x * x; }
+
 /// What a pixel sees of the plane: the mean over its square of a picture that a lens has blurred with a Gaussian, as a
 /// sum over points beside its centre. Weights add up to 1; `slope` is the weight's gradient with respect to the place
 /// of the point (seen from the pixel), 1/m. Harmonic fields are seen as in the centre, whatever the blur.
@@ -73,25 +75,33 @@ std::vector<double> warming_of_grain(const Placed& placed, std::size_t grain, co
 /// Root mean square of the pixels' values, K.
 double root_mean_square(const std::vector<GrainPixel>& pixels);
 
-/// Sums of squares that the equations of the pixels leave.
-struct Misfit {
-  double weighed = 0;      ///< in the errors that the equations were weighed by, over their degrees of freedom
-  double over_noise = 0;   ///< in the measured noise alone, likewise
-  double over_signal = 0;  ///< median size of what is left over that of the signal: one lost grain does not decide it
-};
-
 /// Equations of the pixels of one grain (NormalEquations::add).
 struct PixelEquations {
   std::vector<int> columns;
   std::vector<double> rows, right, weight;
+  std::vector<double> model;  ///< standard error of the field in every pixel, over the model error, K
   std::span<const GrainPixel> pixels;
+
+  /// What is left of equation q at the solution x, K.
+  double left(std::size_t q, const std::vector<double>& x) const;
 };
 
-/// Adds the equations of all grains' pixels, and hands them back; `model_error` as a share of a grain's signal, `contact_margin` in m.
-std::vector<PixelEquations> add_pixels(ForceEquations& equations, const Placed& placed, const Pixels& pixels, const PointSpread& spread, double model_error,
-                                       double contact_margin);
+/// The equations of all grains that have pixels and touches, without weights. `contact_margin` in m.
+std::vector<PixelEquations> pixel_equations(const Unknowns& unknowns, const Placed& placed, const Pixels& pixels, const PointSpread& spread,
+                                            double contact_margin);
+
+/// Weighs pixels by their errors and by the model error of the field, a share of a grain's signal. Those that `x` leaves off by more than
+/// `most` of these errors count less (Huber); 0: all count alike.
+void weigh(std::vector<PixelEquations>& equations, double model_error, const std::vector<double>& x, double most);
+
+/// Sums of squares that the equations of the pixels leave.
+struct Misfit {
+  double weighed = 0;      ///< in the errors of pixels and fields, each cut at `most`, over what they are on average where errors are as told
+  double over_noise = 0;   ///< in the measured noise alone, over the degrees of freedom
+  double over_signal = 0;  ///< median size of what is left over that of the signal: one lost grain does not decide it
+};
 
 /// What these leave at the solution x; pixels have as many degrees of freedom as there are beyond `taken`.
-Misfit misfit(const std::vector<PixelEquations>& equations, const std::vector<double>& x, double taken);
+Misfit misfit(const std::vector<PixelEquations>& equations, const std::vector<double>& x, double model_error, double taken, double most);
 
 }  // namespace arenite::inference

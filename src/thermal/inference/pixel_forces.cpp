@@ -4,12 +4,13 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "core/error.hpp"
 #include "core/mapped.hpp"
 #include "core/problems.hpp"
 #include "model/periodic_images.hpp"
-#include "thermal/inference/pixel_equations.hpp"
+#include "thermal/inference/pixel_rounds.hpp"
 
 namespace arenite::inference {
 namespace {
@@ -73,44 +74,6 @@ double typical_force(const Placed& placed, const Pixels& pixels) {
   return sum > 0 ? sum / touches : 1;
 }
 
-/// Centres stay near where they were found.
-void add_positions(ForceEquations& equations, const Placed& placed, double error) {
-  const Unknowns& unknowns = equations.unknowns;
-  if (unknowns.move <= 0) return;
-  const double weight = unknowns.move * unknowns.move / (error * error);
-  for (std::size_t g = 0; g < unknowns.grains; ++g) {
-    const Vec2 back = (1 / unknowns.move) * (placed.found[g] - placed.centre[g]);
-    equations.add_diagonal(unknowns.centre(g), weight, back.x);
-    equations.add_diagonal(unknowns.centre(g) + 1, weight, back.y);
-  }
-}
-
-/// Factors stay near what was given, as far as nothing else says: without a load only their ratio shows.
-void add_factors(ForceEquations& equations, const std::vector<double>& scale) {
-  constexpr double free = 3;
-  const Unknowns& unknowns = equations.unknowns;
-  for (std::size_t m = 0; m < unknowns.scales; ++m)
-    equations.add_diagonal(unknowns.scale(m), 1 / (free * free * scale[m] * scale[m]), (1 - scale[m]) / scale[m]);
-}
-
-/// Takes over the solution.
-void take(Placed& placed, std::vector<double>& scale, const Packing& packing, const Unknowns& unknowns, const std::vector<double>& x) {
-  for (std::size_t k = 0; k < 2 * unknowns.contacts; ++k) placed.force[k] = unknowns.force * x[k];
-  for (std::size_t m = 0; m < unknowns.scales; ++m) {
-    // Half or double in one round at most: product of factor and force is far from linear beyond.
-    const double times = std::clamp(1 + x[static_cast<std::size_t>(unknowns.scale(m))], 0.5, 2.0);
-    scale[m] *= times;
-    for (std::size_t g = 0; g < placed.factor.size(); ++g)
-      if (static_cast<std::size_t>(placed.material[g]) == m) placed.factor[g] *= times;
-  }
-  if (unknowns.move <= 0) return;
-  for (std::size_t g = 0; g < unknowns.grains; ++g) {
-    const auto u = static_cast<std::size_t>(unknowns.centre(g));
-    placed.centre[g] += unknowns.move * Vec2{x[u], x[u + 1]};
-  }
-  placed.touches = touches_of_grains(packing, placed.centre);
-}
-
 /// What the picture would show of these forces in all pixels whose centres are in grains.
 std::vector<float> drawn(const Placed& placed, const Packing& packing, const ThermoelasticPicture& picture, const PointSpread& spread) {
   std::vector<float> fitted(picture.value.size(), std::numeric_limits<float>::quiet_NaN());
@@ -133,38 +96,11 @@ InferredForces infer_from_pixels(const ForceProblem& problem, const Thermoelasti
   check_pixels(packing, pixels);
   const PointSpread spread(picture.pixel, options.blur);
   placed.near = near_grains(packing, spread.reach);
-  Unknowns unknowns{packing.contacts.size(), packing.grains.size(), typical_force(placed, pixels), 0, 0};
-  // Balance takes three of the forces' unknowns a grain.
-  const double taken = std::max(0.0, 2.0 * static_cast<double>(unknowns.contacts) - 3.0 * static_cast<double>(unknowns.grains));
-  double model_error = options.model_error;
-  std::vector<double> scale(options.fit_factors ? problem.factor.size() : 0, 1.0);
-  for (int iteration = 1;; ++iteration) {
-    // Without forces centres are of no consequence: the first solution is of forces only.
-    const double position_error = options.position_error * picture.pixel;
-    unknowns.move = iteration > 1 ? position_error : 0;
-    unknowns.scales = iteration > 1 ? scale.size() : 0;
-    ForceEquations equations(packing, unknowns);
-    const auto rows = add_pixels(equations, placed, pixels, spread, model_error, options.contact_margin * picture.pixel);
-    equations.add_balance(placed.touches, placed.force, options.balance_error * unknowns.force);
-    equations.add_walls(problem.walls);
-    equations.add_energy(options.prior > 0 ? options.prior : 10);
-    add_positions(equations, placed, position_error);
-    add_factors(equations, scale);
-    const std::vector<double> x = iteration == options.iterations ? equations.solution(options) : equations.solve();
-    take(placed, scale, packing, unknowns, x);
-    const Misfit left = misfit(rows, x, taken);
-    if (iteration < options.iterations) {
-      if (options.fit_model_error) model_error = std::max(1e-4, model_error * std::sqrt(left.weighed));
-      continue;
-    }
-    InferredForces out = equations.finish(options, placed.touches, placed.force);
-    out.residual = std::sqrt(left.weighed);
-    out.fit.over_noise = std::sqrt(left.over_noise), out.fit.over_signal = left.over_signal, out.fit.model_error = model_error;
-    for (std::size_t m = 0; m < scale.size(); ++m) out.fit.factor_scale_error[m] *= scale[m];
-    out.fit.factor_scale = std::move(scale);
-    out.fit.picture = drawn(placed, packing, picture, spread);
-    return out;
-  }
+  const double force = typical_force(placed, pixels);
+  PixelRounds rounds(problem, options, pixels, spread, picture.pixel, std::move(placed), force);
+  InferredForces out = rounds.solved();
+  out.fit.picture = drawn(rounds.placed_by_material(), packing, picture, spread);
+  return out;
 }
 
 }  // namespace arenite::inference

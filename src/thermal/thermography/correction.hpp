@@ -14,8 +14,9 @@ struct FrameStatistics {
   int width = 0, height = 0;
   std::size_t frames = 0;
   std::vector<float> mean;
-  std::vector<float> noise;  ///< standard deviation from frame to frame: half the mean square of differences of
-                             ///< frames that follow each other, which slow changes hardly touch; 0 for one frame
+  std::vector<float> noise;  ///< standard deviation from frame to frame: a sixth of the mean square of second differences of
+                             ///< frames that follow each other, which neither drift nor rims that move with a load touch; 0
+                             ///< for one frame, and half the square of the difference of two
   std::vector<float> least, most;
   std::vector<std::int64_t> lost = {};  ///< frames that hold no picture (lost_frames.hpp)
 };

@@ -86,7 +86,7 @@ FrameStatistics frame_statistics(FilmSource& film, std::size_t most_frames) {
   FrameStatistics s{info.width, info.height, most_frames == 0 ? all : std::min(all, most_frames), {}, {}, {}, {}};
   for (auto* array : {&s.mean, &s.noise, &s.least, &s.most}) array->assign(n, std::numeric_limits<float>::quiet_NaN());
   std::vector<double> sum(n), differences(n);
-  std::vector<float> before(n, std::numeric_limits<float>::quiet_NaN());
+  std::vector<float> before(n, std::numeric_limits<float>::quiet_NaN()), earlier = before;
   std::vector<std::uint32_t> count(n), steps(n);
   LostFrames lost;
   read_frames(film, 0, s.frames, [&](const auto* pixel, std::size_t, std::size_t some) {
@@ -94,12 +94,14 @@ FrameStatistics frame_statistics(FilmSource& film, std::size_t most_frames) {
       lost.see(pixel, n);
       for (std::size_t i = 0; i < n; ++i) {
         const auto x = static_cast<float>(pixel[i]);
-        const double d = static_cast<double>(x) - static_cast<double>(before[i]);
-        before[i] = x;
+        const double step = static_cast<double>(x) - static_cast<double>(before[i]);
+        const double bend = step - (static_cast<double>(before[i]) - static_cast<double>(earlier[i]));
+        const double square = s.frames > 2 ? bend * bend / 3 : step * step;
+        earlier[i] = before[i], before[i] = x;
         if (!std::isfinite(x)) continue;
         sum[i] += static_cast<double>(x);
         ++count[i];
-        if (std::isfinite(d)) differences[i] += d * d, ++steps[i];
+        if (std::isfinite(square)) differences[i] += square, ++steps[i];
         s.least[i] = std::fmin(s.least[i], x);
         s.most[i] = std::fmax(s.most[i], x);
       }

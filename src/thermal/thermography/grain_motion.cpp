@@ -79,6 +79,7 @@ struct Left {
   Matrix normal, side;
   double squares = 0, freedom = 0;  ///< of what there is to explain
   double contrast = 0;              ///< of the grain to what is behind it
+  double warming = 0;               ///< root mean square amplitude in pixels that show nothing but the grain
 
   /// Of all grains together.
   std::size_t unknown(std::size_t own) const { return 2 * grains[own / 2] + own % 2; }
@@ -108,6 +109,7 @@ Left motion_left(const PhasePictures& pictures, const Rim& rim, std::size_t grai
   const PixelHarmonics fit(pictures, motion, grain);
   Matrix part(n, smooth), rest(n, unknowns + 2);
   std::vector<double> mean;
+  double warming = 0, inner = 0;
   const auto weight = [&](std::size_t p) { return std::sqrt(rim.pixels[p].weight); };
   for (std::size_t p = 0; p < n; ++p) {
     const RimPixel& pixel = rim.pixels[p];
@@ -119,7 +121,9 @@ Left motion_left(const PhasePictures& pictures, const Rim& rim, std::size_t grai
     for (std::size_t k = 0; k < smooth; ++k) part(p, k) = shape[k];
     rest(p, 0) = -w * f.slope.x, rest(p, 1) = -w * f.slope.y;
     rest(p, unknowns) = w * f.harmonics[1], rest(p, unknowns + 1) = w * f.harmonics[2];
+    if (pixel.inside > 0.98) warming += f.harmonics[1] * f.harmonics[1] + f.harmonics[2] * f.harmonics[2], inner += 1;
   }
+  left.warming = inner > 0 ? std::sqrt(warming / inner) : 0;
   for (const OtherRim& o : rim.others) {
     const std::size_t row = o.pixel, column = left.own(o.grain);
     const Vec2 slope = weight(row) * contrast[o.grain] * o.slope;
@@ -206,6 +210,17 @@ double error_of(const Left& left, const Matrix& step) {
   return std::sqrt(std::max(rest, 0.0) / left.freedom * 0.5 * trace / determinant);
 }
 
+/// Whether rims as a whole stand out of what warms and cools beside them: otherwise that passes for motion.
+bool have_contrast(const std::vector<Left>& left) {
+  constexpr double least = 3;
+  const auto size = mapped(left, [](const Left& l) { return std::abs(l.contrast); });
+  return median(size) > least * median(mapped(left, &Left::warming));
+}
+
+GrainMotion unseen(std::size_t grains) {
+  return {std::vector<Vec2>(grains), std::vector<Vec2>(grains), std::vector<double>(grains, std::numeric_limits<double>::infinity())};
+}
+
 }  // namespace
 
 std::vector<std::uint8_t> lost_grains(const GrainMotion& motion) {
@@ -213,10 +228,14 @@ std::vector<std::uint8_t> lost_grains(const GrainMotion& motion) {
   return mapped<std::uint8_t>(motion.error, [&](double error) { return std::isfinite(error) && error > 6 * usual; });
 }
 
+bool is_seen(const GrainMotion& motion) {
+  return std::ranges::any_of(motion.error, [](double error) { return std::isfinite(error); });
+}
+
 GrainMotion grain_motion(const PhasePictures& pictures, const PictureGrains& grains, int threads) {
   constexpr int affine_turns = 3, most_turns = 12;
   const std::size_t n = grains.size();
-  GrainMotion motion{std::vector<Vec2>(n), std::vector<Vec2>(n), std::vector<double>(n, std::numeric_limits<double>::infinity())};
+  GrainMotion motion = unseen(n);
   if (n == 0) return motion;
   const std::vector<Rim> rims = rims_of(grains, pictures.width, pictures.height);
   std::vector<double> contrast(n, 0);
@@ -227,9 +246,11 @@ GrainMotion grain_motion(const PhasePictures& pictures, const PictureGrains& gra
     for (std::size_t i = 0; i < n; ++i) contrast[i] = left[i].contrast;
     const Together all = assemble(left);
     const Matrix step = turn < affine_turns ? affine_step(grains, all) : solve_sparse(all.normal, all.side);
+    if (turn >= affine_turns)
+      for (std::size_t i = 0; i < n; ++i) motion.error[i] = error_of(left[i], step);
+    if (turn == affine_turns && !have_contrast(left)) return unseen(n);
     const double longest = move(step, motion);
     if (turn < affine_turns) continue;
-    for (std::size_t i = 0; i < n; ++i) motion.error[i] = error_of(left[i], step);
     if (longest < 2e-3) break;
   }
   return motion;

@@ -12,12 +12,16 @@ namespace arenite::thermography {
 /// -u . grad(picture), most of all at its rim, where grains differ in emissivity from what is behind them. A few pixels on
 /// both sides of the rim, but none in other grains, are followed through the pictures of all phases with the motion found so far; what still oscillates in them
 /// is fitted by -du . grad(picture) and a smooth thermoelastic part inside the grain, until nothing is left to add. All grains first move together by an affine
-/// map, so that none loses itself. `grains` are at their mean places; grains that show no contrast get that affine motion, with an error of infinity.
+/// map, so that none loses itself. `grains` are at their mean places; grains that show no contrast get that affine motion, with an error of infinity. Where
+/// rims as a whole have no contrast, as of an isothermal sample, motions are 0 and all errors infinite.
 GrainMotion grain_motion(const PhasePictures& pictures, const PictureGrains& grains, int threads = 1);
 
 /// Grains that were not followed: what their motion leaves on their rims is so much that its error is beyond six times the
 /// median of all grains, as that of a loose grain which goes another way than its neighbours. 1 for each of these.
 std::vector<std::uint8_t> lost_grains(const GrainMotion& motion);
+
+/// Whether rims showed the motion of any grain.
+bool is_seen(const GrainMotion& motion);
 
 /// Of every pixel the grain whose rim is furthest out of it, or nearest, for those no further than `beyond` from it; -1 for all others. Neighbours may
 /// overlap in a picture, but each pixel belongs to one grain.

@@ -1,0 +1,346 @@
+#pragma once
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/random.hpp"
+#include "model/elasticity/disk_field.hpp"
+#include "model/film.hpp"
+#include "support/laboratory_sample.hpp"
+#include "support/temporary_folder.hpp"
+#include "thermal/radiometry/band.hpp"
+#include "workflow/measure_film.hpp"
+
+namespace arenite::test {
+
+/// How a film of a sample under a cyclic load is drawn, by another way than the program's virtual camera: every frame of the cycle is the exact field of
+/// the disks at the share of the load, drawn on a fine grid where the grains are then, blurred and summed into pixels.
+struct LaboratoryFilm {
+  double pixel = 1.2e-3;            ///< m
+  int fine = 4;                     ///< points along a pixel
+  double blur = 0.5;                ///< of the lens, pixels
+  double halo = 0, halo_width = 4;  ///< share of the light that goes astray, and how far, pixels
+  double noise = 0.020;             ///< K
+  double temperature = 296, ambient = 291;
+  std::array<double, 2> emissivity{0.95, 0.75};  ///< of the materials
+  double emissivity_scatter = 0;                 ///< by grain, relative
+  double background = 0.45, frame = 0.45;        ///< emissivities
+  double travel = 1.0;                           ///< of the lower wall, pixels, upwards
+  double wander = 0.1;                           ///< of every grain beside the affine motion, pixels
+  std::size_t cycles = 30;
+  std::uint64_t seed = 1;
+  static constexpr double rate = 148, frequency = 3, margin = 9;  ///< Hz, Hz, pixels round the container
+
+  /// The grains at the smallest load, m.
+  std::vector<Vec2> start(const Packing& p) const {
+    RandomStream random(seed, Purpose::test, 71);
+    std::vector<Vec2> low;
+    for (const Vec2 x : p.grains.position) {
+      const Vec2 stray{random.normal(), random.normal()};
+      low.push_back(x - pixel * (Vec2{0, travel * (1 - x.y / p.domain.wall[top].position)} + wander * stray));
+    }
+    return low;
+  }
+};
+
+/// A film in kelvin as of a black body, with the sample's upper left inner corner (at rest) at `left`, `top`.
+class DrawnFilm {
+ public:
+  DrawnFilm(const Packing& sample, const LaboratoryFilm& how) : p_(sample), how_(how), low_(how.start(sample)) {
+    const double px = how.pixel;
+    film.about.width = static_cast<int>(p_.domain.wall[right].position / px + 2 * how.margin);
+    film.about.height = static_cast<int>((p_.domain.wall[top].position) / px + 2 * how.margin + how.travel);
+    left = how.margin + 0.2, top_row = how.margin - 0.3;
+    film.about.frame_rate = how.rate, film.about.floating = true, film.about.quantity = FilmQuantity::kelvin;
+    film.about.frames = static_cast<std::int64_t>(std::lround(static_cast<double>(how.cycles) * how.rate / how.frequency));
+    surfaces();
+    disks();
+    draw();
+  }
+
+  Film film;
+  double left = 0, top_row = 0;  ///< column and row of the container's inner corner; centres of pixels count whole numbers
+
+ private:
+  struct Level {
+    double at, slope;  ///< K, and per kelvin of warming
+  };
+  Level level(double emissivity) const {
+    const radiometry::Band band;
+    const radiometry::Surface s{emissivity, how_.ambient};
+    const double t = radiometry::temperature_of_exitance(band, radiometry::seen_exitance(band, s, how_.temperature));
+    return {t, emissivity * radiometry::photon_exitance_slope(band, how_.temperature) / radiometry::photon_exitance_slope(band, t)};
+  }
+
+  void surfaces() {
+    RandomStream random(how_.seed, Purpose::test, 72);
+    for (const auto m : p_.grains.material)
+      grain_.push_back(level(how_.emissivity[static_cast<std::size_t>(m)] * (1 + how_.emissivity_scatter * random.normal())));
+  }
+
+  void disks() {
+    pulls_.resize(p_.grains.size());
+    pressure_.assign(p_.grains.size(), 0);
+    const auto add = [&](std::int32_t grain, Vec2 n, double fn, double ft) {
+      const auto i = static_cast<std::size_t>(grain);
+      const double r = p_.grains.radius[i];
+      pulls_[i].push_back({r * n, fn * n + ft * perpendicular(n)});
+      pressure_[i] += fn / (std::numbers::pi * p_.domain.thickness * r);
+    };
+    for (std::size_t c = 0; c < p_.contacts.size(); ++c) {
+      add(p_.contacts.i[c], p_.contacts.normal[c], p_.contacts.fn[c], p_.contacts.ft[c]);
+      if (!p_.contacts.is_wall(c)) add(p_.contacts.j[c], -p_.contacts.normal[c], p_.contacts.fn[c], p_.contacts.ft[c]);
+    }
+  }
+
+  /// sigma_kk of the full load at x from the centre of grain i; a force is spread over a tenth of a pixel.
+  double stress(std::size_t i, Vec2 x) const {
+    const double spread = 0.1 * how_.pixel, soft = spread * spread;
+    double sum = 0;
+    for (const auto& [back, force] : pulls_[i]) {
+      const Vec2 rho = x + back;
+      sum += dot(force, rho) / (dot(rho, rho) + soft);
+    }
+    return pressure_[i] - 2 / (std::numbers::pi * p_.domain.thickness) * sum;
+  }
+
+  /// The picture at a share of the load, K above the sample's temperature.
+  std::vector<double> picture(double share) const {
+    const int f = how_.fine, w = film.about.width * f, h = film.about.height * f;
+    const double cell = how_.pixel / f, x0 = -(left + 0.5) * how_.pixel + 0.5 * cell, y0 = height() + (top_row + 0.5) * how_.pixel - 0.5 * cell;
+    const double floor = lower_wall(share);
+    const Level behind = level(how_.background), frame = level(how_.frame);
+    std::vector<double> scene(static_cast<std::size_t>(w) * static_cast<std::size_t>(h)), covered(scene.size(), 0.0), light(scene.size(), 0.0);
+    for (int r = 0; r < h; ++r)
+      for (int c = 0; c < w; ++c) {
+        const double x = x0 + c * cell, y = y0 - r * cell;
+        const bool inside = x > 0 && x < p_.domain.wall[right].position && y < height() && y > floor;
+        scene[index(c, r, w)] = (inside ? behind : frame).at - how_.temperature;
+      }
+    for (std::size_t i = 0; i < p_.grains.size(); ++i) {
+      const Vec2 at = low_[i] + share * (p_.grains.position[i] - low_[i]);
+      const double radius = p_.grains.radius[i];
+      const int c0 = static_cast<int>((at.x - radius - x0) / cell) - 1, c1 = static_cast<int>((at.x + radius - x0) / cell) + 2;
+      const int r0 = static_cast<int>((y0 - at.y - radius) / cell) - 1, r1 = static_cast<int>((y0 - at.y + radius) / cell) + 2;
+      const double factor = p_.materials[static_cast<std::size_t>(p_.grains.material[i])].thermoelastic_factor;
+      for (int r = r0; r <= r1; ++r)
+        for (int c = c0; c <= c1; ++c) {
+          const Vec2 x = Vec2{x0 + c * cell, y0 - r * cell} - at;
+          const double part = std::clamp(0.5 + (radius - norm(x)) / cell, 0.0, 1.0);  // a point at a rim shows both sides
+          if (part <= 0) continue;
+          const std::size_t k = index(c, r, w);
+          covered[k] += part;
+          light[k] += part * (grain_[i].at - how_.temperature - grain_[i].slope * factor * share * stress(i, x));
+        }
+    }
+    for (std::size_t k = 0; k < scene.size(); ++k)
+      if (covered[k] > 0) scene[k] = covered[k] >= 1 ? light[k] / covered[k] : light[k] + (1 - covered[k]) * scene[k];
+    return astray(seen(scene, w, h));
+  }
+
+  std::vector<double> seen(const std::vector<double>& scene, int w, int h) const {
+    const int f = how_.fine, reach = static_cast<int>(std::ceil(4 * how_.blur * f));
+    std::vector<double> tap(static_cast<std::size_t>(2 * reach + f), 0.0);
+    for (std::size_t k = 0; k < tap.size(); ++k)
+      for (int q = 0; q < f; ++q) {
+        const double u = (static_cast<double>(k) - reach - q) / f;
+        tap[k] += std::exp(-0.5 * u * u / (how_.blur * how_.blur));
+      }
+    double all = 0;
+    for (const double t : tap) all += t;
+    for (double& t : tap) t /= all;
+    const int across = film.about.width, down = film.about.height;
+    std::vector<double> rows(static_cast<std::size_t>(across) * static_cast<std::size_t>(h)), out(film.about.pixels());
+    for (int r = 0; r < h; ++r)
+      for (int c = 0; c < across; ++c) {
+        double sum = 0;
+        for (int k = 0; k < static_cast<int>(tap.size()); ++k)
+          sum += tap[static_cast<std::size_t>(k)] * scene[index(std::clamp(c * f - reach + k, 0, w - 1), r, w)];
+        rows[index(c, r, across)] = sum;
+      }
+    for (int r = 0; r < down; ++r)
+      for (int k = 0; k < static_cast<int>(tap.size()); ++k) {
+        const int from = std::clamp(r * f - reach + k, 0, h - 1);
+        for (int c = 0; c < across; ++c) out[index(c, r, across)] += tap[static_cast<std::size_t>(k)] * rows[index(c, from, across)];
+      }
+    return out;
+  }
+
+  /// A share of the light goes astray.
+  std::vector<double> astray(const std::vector<double>& picture) const {
+    if (how_.halo <= 0) return picture;
+    const int w = film.about.width, h = film.about.height, reach = static_cast<int>(std::ceil(4 * how_.halo_width));
+    std::vector<double> tap, rows(picture.size(), 0.0), wide(picture.size(), 0.0), out(picture.size());
+    double all = 0;
+    for (int k = -reach; k <= reach; ++k) tap.push_back(std::exp(-0.5 * k * k / (how_.halo_width * how_.halo_width))), all += tap.back();
+    for (int r = 0; r < h; ++r)
+      for (int c = 0; c < w; ++c)
+        for (int k = -reach; k <= reach; ++k)
+          rows[index(c, r, w)] += tap[static_cast<std::size_t>(k + reach)] / all * picture[index(std::clamp(c + k, 0, w - 1), r, w)];
+    for (int r = 0; r < h; ++r)
+      for (int k = -reach; k <= reach; ++k)
+        for (int c = 0; c < w; ++c) wide[index(c, r, w)] += tap[static_cast<std::size_t>(k + reach)] / all * rows[index(c, std::clamp(r + k, 0, h - 1), w)];
+    for (std::size_t k = 0; k < out.size(); ++k) out[k] = (1 - how_.halo) * picture[k] + how_.halo * wide[k];
+    return out;
+  }
+
+  void draw() {
+    std::map<long, std::vector<double>> drawn;  // by the share of the load
+    RandomStream random(how_.seed, Purpose::test, 73);
+    film.value.reserve(film.about.pixels() * static_cast<std::size_t>(film.about.frames));
+    for (std::int64_t n = 0; n < film.about.frames; ++n) {
+      const double share = 0.5 - 0.5 * std::cos(2 * std::numbers::pi * how_.frequency * static_cast<double>(n) / how_.rate);
+      const long key = std::lround(1e9 * share);
+      if (!drawn.contains(key)) drawn[key] = picture(share);
+      for (const double v : drawn[key]) film.value.push_back(static_cast<float>(how_.temperature + v + how_.noise * random.normal()));
+    }
+  }
+
+  double height() const { return p_.domain.wall[top].position; }
+  double lower_wall(double share) const { return -(1 - share) * how_.travel * how_.pixel; }
+  static std::size_t index(int c, int r, int w) { return static_cast<std::size_t>(r) * static_cast<std::size_t>(w) + static_cast<std::size_t>(c); }
+
+  struct Pull {
+    Vec2 back, force;
+  };
+  Packing p_;
+  LaboratoryFilm how_;
+  std::vector<Vec2> low_;
+  std::vector<Level> grain_;
+  std::vector<std::vector<Pull>> pulls_;
+  std::vector<double> pressure_;
+};
+
+/// The recipe of a laboratory that knows everything of such a film but where its grains are.
+inline recipe::FilmRecipe laboratory_recipe(const LaboratorySample& sample, const LaboratoryFilm& how, const DrawnFilm& drawn) {
+  recipe::FilmRecipe recipe;
+  const Packing& p = sample.packing;
+  const double travel = how.travel * how.pixel;
+  for (std::size_t m = 0; m < 2; ++m)
+    recipe.materials.push_back({p.materials[m].name, p.materials[m].thermoelastic_factor, how.emissivity[m], how.emissivity[m], p.materials[m].stiffness});
+  // In the recipe the lower wall rests at height 0 at the smallest load.
+  recipe.container = {.width = p.domain.wall[right].position,
+                      .height = p.domain.wall[top].position + travel,
+                      .thickness = p.domain.thickness,
+                      .left = drawn.left,
+                      .top = drawn.top_row,
+                      .load_peak_to_peak = sample.load(),
+                      .travel = travel};
+  recipe.picture.pixel = how.pixel;
+  recipe.temperature.from = recipe::TemperatureSection::From::film;
+  recipe.temperature.assumed_emissivity = 1;
+  recipe.temperature.ambient = how.ambient;
+  recipe.lockin.frequency = how.frequency;
+  recipe.forces.blur = how.blur;
+  return recipe;
+}
+
+/// What was found of a film, held against the truth.
+struct FilmAccuracy {
+  std::size_t grains = 0, contacts = 0, true_contacts = 0;
+  double centres = 0, centres_told = 0;   ///< pixels, along one axis
+  double stress = 0, stress_told = 0;     ///< rms over the mean stress
+  double force = 0, force_told = 0;       ///< of normal forces, relative
+  double within_one = 0, within_two = 0;  ///< shares of forces
+  double stress_within_one = 0, stress_within_two = 0;
+  std::vector<std::string> said;
+  FilmResult result;
+};
+
+inline FilmAccuracy judged(const Packing& truth, const LaboratoryFilm& how, FilmResult result, std::vector<std::string> said) {
+  FilmAccuracy a;
+  a.said = std::move(said);
+  const Packing& found = result.packing;
+  const Vec2 shift{0, how.travel * how.pixel};  // of the lower wall at the smallest load
+  std::map<std::size_t, std::size_t> true_of;   // of the grains found
+  for (std::size_t i = 0; i < found.grains.size(); ++i)
+    for (std::size_t j = 0; j < truth.grains.size(); ++j)
+      if (norm(found.grains.position[i] - truth.grains.position[j] - shift) < 0.5 * truth.grains.radius[j]) true_of[i] = j;
+  a.grains = true_of.size();
+  std::vector<double> sigma(truth.grains.size(), 0.0);
+  std::map<std::pair<std::int32_t, std::int32_t>, std::size_t> contact_of;
+  for (std::size_t c = 0; c < truth.contacts.size(); ++c) {
+    const auto i = truth.contacts.i[c], j = truth.contacts.j[c];
+    contact_of[{i, j}] = c;
+    for (const auto g : {i, j})
+      if (g >= 0) {
+        const auto k = static_cast<std::size_t>(g);
+        sigma[k] -= truth.contacts.fn[c] / (2 * std::numbers::pi * truth.grains.radius[k] * truth.domain.thickness);
+      }
+  }
+  double mean = 0, n = 0;
+  for (const auto& [i, j] : true_of) {
+    const double off = result.peak_to_peak.sigma_hyd[i] - sigma[j], told = result.peak_to_peak.error[i];
+    if (!std::isfinite(off) || !std::isfinite(told)) continue;
+    mean -= sigma[j], n += 1;
+    a.stress += off * off, a.stress_told += told * told;
+    a.stress_within_one += std::abs(off) < told, a.stress_within_two += std::abs(off) < 2 * told;
+    const Vec2 away = (1 / how.pixel) * (found.grains.position[i] - truth.grains.position[j] - shift);
+    a.centres += 0.5 * dot(away, away);
+    if (!result.grains.position_error.empty()) a.centres_told += std::pow(result.grains.position_error[i], 2);
+  }
+  for (double* v : {&a.stress, &a.stress_told}) *v = std::sqrt(*v / n) / (mean / n);
+  for (double* v : {&a.centres, &a.centres_told}) *v = std::sqrt(*v / n);
+  a.stress_within_one /= n, a.stress_within_two /= n;
+  std::vector<double> carried(truth.contacts.size(), 0.0);
+  a.contacts = found.contacts.size(), a.true_contacts = truth.contacts.size();
+  double squares = 0, one = 0, two = 0, matched = 0;
+  for (std::size_t c = 0; c < found.contacts.size(); ++c) {
+    const auto place = [&](std::int32_t g) -> std::int32_t {
+      if (g < 0) return g;
+      const auto at = true_of.find(static_cast<std::size_t>(g));
+      return at == true_of.end() ? 1000000 : static_cast<std::int32_t>(at->second);
+    };
+    auto i = place(found.contacts.i[c]), j = place(found.contacts.j[c]);
+    if (j >= 0 && j < i) std::swap(i, j);
+    const auto at = contact_of.find({i, j});
+    const double fn = found.contacts.fn[c], told = result.fn_error[c];
+    if (at == contact_of.end()) {
+      a.force += fn * fn;  // nothing is there
+      continue;
+    }
+    const double off = fn - truth.contacts.fn[at->second];
+    carried[at->second] = 1;
+    a.force += off * off, a.force_told += told * told, matched += 1;
+    one += std::abs(off) < told, two += std::abs(off) < 2 * told;
+  }
+  for (std::size_t c = 0; c < truth.contacts.size(); ++c) {
+    squares += truth.contacts.fn[c] * truth.contacts.fn[c];
+    if (carried[c] == 0) a.force += truth.contacts.fn[c] * truth.contacts.fn[c];
+  }
+  a.force = std::sqrt(a.force / squares), a.force_told = std::sqrt(a.force_told / squares);
+  a.within_one = one / matched, a.within_two = two / matched;
+  a.result = std::move(result);
+  return a;
+}
+
+/// Measures the film by the recipe and holds it against the sample.
+inline FilmAccuracy measured(const LaboratorySample& sample, const LaboratoryFilm& how, DrawnFilm& drawn, const recipe::FilmRecipe& recipe) {
+  workflow::FilmRunOptions options;
+  std::vector<std::string> said;
+  options.notice = [&](const std::string& sentence) { said.push_back(sentence); };
+  FilmResult result;
+  workflow::measure_film(recipe, options, drawn.film, result);
+  return judged(sample.packing, how, std::move(result), std::move(said));
+}
+
+/// Writes the true grains at the smallest load, as a list made by hand.
+inline std::string list_of_grains(const LaboratorySample& sample, const LaboratoryFilm& how, const TemporaryFolder& folder) {
+  const auto file = (folder / "grains.csv").string();
+  std::ofstream out(file);
+  out.precision(12);
+  out << "id,x [m],y [m],radius [m],material\n";
+  const Packing& p = sample.packing;
+  const auto low = how.start(p);
+  for (std::size_t i = 0; i < low.size(); ++i)
+    out << p.grains.id[i] << ',' << low[i].x << ',' << low[i].y + how.travel * how.pixel << ',' << p.grains.radius[i] << ','
+        << p.materials[static_cast<std::size_t>(p.grains.material[i])].name << '\n';
+  return file;
+}
+
+}  // namespace arenite::test
