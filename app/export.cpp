@@ -18,13 +18,13 @@ struct ExportArguments {
 /// The folder of the result, or of its file, and in it one named after the format.
 std::filesystem::path default_folder(const ExportArguments& a) {
   const std::filesystem::path result(a.result);
-  return (std::filesystem::is_directory(result) ? result : result.parent_path()) / a.format;
+  return (std::filesystem::is_directory(result) ? result : result.parent_path()) / io::export_named(a.format)->name;
 }
 
 void write_export(const ExportArguments& a) {
   refuse_no_result(a.result);
   const auto folder = a.out.empty() ? default_folder(a) : std::filesystem::path(a.out);
-  const auto files = workflow::export_result(a.result, *io::format_named(io::exports::all, a.format), folder, a.last);
+  const auto files = workflow::export_result(a.result, *io::export_named(a.format), folder, a.last);
   print("{} {} in {}; the last is {}\n", files.size(), files.size() == 1 ? "file" : "files", folder.string(), files.back().filename().string());
 }
 
@@ -33,9 +33,14 @@ void write_export(const ExportArguments& a) {
 void add_export(Options& command, int&) {
   const auto arguments = std::make_shared<ExportArguments>();
   std::string sentences = "Format";
-  for (const auto* format : io::exports::all) sentences += fmt::format("; {}: {}", format->name, format->sentence);
+  for (const auto* format : io::exports::all) {
+    std::string names(format->name);
+    for (const std::string_view other : format->other_names)
+      if (!other.empty()) names += fmt::format(" or {}", other);
+    sentences += fmt::format("; {}: {}", names, format->sentence);
+  }
   command.add("result", arguments->result, "Stage file (.h5) or folder of a run").required().type("RESULT");
-  command.add("--to", arguments->format, sentences).required().among(io::words_of(io::exports::all, &io::ExportFormat::name));
+  command.add("--to", arguments->format, sentences).required().among(io::export_names());
   command.add("--out", arguments->out, "Folder to write to; default: one named after the format, beside the result").type("DIR");
   command.add("--last", arguments->last, "Export the last state only, not the whole loading");
   command.work = [arguments] { write_export(*arguments); };

@@ -10,7 +10,7 @@
 #include "grains/texture/texture.hpp"
 #include "io/disk/store_file.hpp"
 #include "io/results/results.hpp"
-#include "io/sample/sample.hpp"
+#include "io/sample/formats.hpp"
 #include "io/table/table.hpp"
 #include "print.hpp"
 #include "solid/stress/stress.hpp"

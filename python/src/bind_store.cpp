@@ -49,8 +49,8 @@ std::vector<std::string> names_of(const std::vector<Path>& files) {
 }
 
 const io::ExportFormat& format_of(const std::string& name) {
-  if (const auto* format = io::format_named(io::exports::all, name)) return *format;
-  throw refusal("format \"{}\" is not known; there are {}", name, list_of(io::words_of(io::exports::all, &io::ExportFormat::name)));
+  if (const auto* format = io::export_named(name)) return *format;
+  throw refusal("format \"{}\" is not known; there are {}", name, list_of(io::export_names()));
 }
 
 /// A folder that goes with the object.

@@ -9,7 +9,6 @@
 #include "core/mapped.hpp"
 #include "core/problems.hpp"
 #include "core/text.hpp"
-#include "io/disk/file.hpp"
 #include "io/table/table.hpp"
 
 namespace arenite::campaign {
@@ -29,7 +28,7 @@ void read_runs_table(const recipe::Node& file, recipe::Reading& reading, Sweep& 
   const std::string path = (std::filesystem::path(reading.folder) / file.text).string();
   sweep.files.push_back(path);
   try {
-    const std::string text = io::read_file(path);
+    const std::string text = io::read_text(path);
     Problems problems(path);
     const io::Table table = io::read_table(text, "", problems);
     problems.raise();

@@ -38,9 +38,7 @@ struct Stated {
 class Statements {
  public:
   constexpr Statements() = default;
-  constexpr Statements(std::initializer_list<Stated> list) : count_(list.size()) {
-    std::copy(list.begin(), list.end(), all_.begin());
-  }
+  constexpr Statements(std::initializer_list<Stated> list) : count_(list.size()) { std::copy(list.begin(), list.end(), all_.begin()); }
   constexpr const Stated* begin() const { return all_.data(); }
   constexpr const Stated* end() const { return all_.data() + count_; }
 

@@ -74,7 +74,10 @@ def check_extxyz(file):
         widths = [int(v) for v in properties[2::3]]
         rows = [line.split() for line in block[2:]]
         assert all(len(row) == sum(widths) for row in rows)
-        assert [row[0] for row in rows] == ["POM" if m == 0 else "HDPE" for m in file["grains/material"]]
+        assert {row[0] for row in rows} == {"X"}
+        assert keys["Materials"] == "1:POM 2:HDPE"
+        material = sum(widths[:properties[::3].index("material")])
+        np.testing.assert_array_equal([int(row[material]) for row in rows], file["grains/material"][:] + 1)
         np.testing.assert_array_equal([float(row[1]) for row in rows], frame["grains/x"])
         np.testing.assert_array_equal([float(row[4]) for row in rows], file["grains/radius"])
 

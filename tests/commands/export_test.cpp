@@ -99,6 +99,29 @@ TEST_F(Export, LammpsItselfReadsTheDumpAtItsStep) {
   }
 }
 
+TEST_F(Export, AseReadsExtendedXyzWhateverMaterialsAreCalled) {
+  auto result = test::two_snapshots(6);
+  for (Snapshot& snapshot : result.snapshots) {
+    snapshot.packing.materials[0].name = "glass \"soda\" [D\u00e9lrin]";
+    snapshot.packing.domain.periodic[0] = true;
+  }
+  io::write_stage(file, result);
+  ASSERT_EQ(arenite("export " + file.string() + " --to ase --out " + (folder / "ase").string()).status, 0);
+  const auto read = shell(python("read_extxyz.py") + (folder / "ase/grains.extxyz").string());
+  EXPECT_EQ(read.status, 0) << read.err;
+  EXPECT_EQ(read.out, "read 2 states\n");
+}
+
+TEST_F(Export, FormatsAreAskedForByTheProgramsThatReadThem) {
+  for (const auto& [program, format] : {std::pair{"ovito", "lammps"}, {"xarray", "netcdf"}, {"paraview", "vtk"}, {"ase", "extxyz"}}) {
+    const auto done = arenite("export " + file.string() + " --to " + program);
+    EXPECT_EQ(done.status, 0) << done.err;
+    const auto named = arenite("export " + file.string() + " --to " + format + " --out " + (folder / "named").string());
+    EXPECT_EQ(shell("diff -r " + (folder / format).string() + " " + (folder / "named").string()).status, 0) << program;
+    std::filesystem::remove_all(folder / "named");
+  }
+}
+
 TEST_F(Export, TextFormatsHoldWhatTheStageFileHolds) {
   for (const std::string format : {"lammps", "extxyz", "csv"}) {
     const auto out = folder / ("as " + format);

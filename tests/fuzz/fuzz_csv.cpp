@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "core/error.hpp"
-#include "io/sample/sample.hpp"
+#include "io/sample/formats.hpp"
 
 namespace {
 
@@ -31,7 +31,8 @@ void examine(const Packing& packing) {
   }
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const auto n = static_cast<std::int32_t>(grains.size());
-    if (contacts.i[c] < 0 || contacts.i[c] >= n || contacts.j[c] >= n || is_boundary(contacts.j[c])) std::abort();
+    if (contacts.i[c] < 0 || contacts.i[c] >= n || contacts.j[c] >= n) std::abort();
+    if (is_boundary(contacts.j[c]) && contacts.element(c) >= packing.domain.elements()) std::abort();
     if (!std::isfinite(contacts.fn[c]) || !std::isfinite(contacts.ft[c])) std::abort();
     if (!(std::abs(std::hypot(contacts.normal[c].x, contacts.normal[c].y) - 1) < 1e-6)) std::abort();
   }
@@ -45,8 +46,10 @@ void read(char format, const Files& files) {
   if (bare) options.grain_columns = "id,x,y,radius", options.contact_columns = "i,j,fn,ft";
   const auto* known = io::first_format(io::samples::all, [&](const io::SampleFormat& one) { return one.name.front() == format; });
   const io::SampleFormat& of = bare || known == nullptr ? io::samples::csv : *known;
-  io::RawGrains grains = of.grains(files.grains, options, grain_problems);
-  const io::RawContacts contacts = of.contacts(files.contacts, grains, options, contact_problems);
+  io::RawGrains grains = of.grains({files.grains, 0, options, grain_problems});
+  if (!grain_problems.any()) io::lay_in_plane(grains, grain_problems);
+  io::RawContacts contacts;
+  if (!grain_problems.any()) contacts = of.contacts({files.contacts, 0, options, contact_problems}, grains);
   io::Sample sample;
   io::place_box(grains, grain_problems);
   io::assemble(grains, contacts, options, sample, grain_problems, contact_problems);

@@ -4,6 +4,7 @@
 #include <functional>
 #include <iterator>
 #include <span>
+#include <utility>
 
 #include "io/export/export.hpp"
 #include "io/results/groups.hpp"
@@ -66,6 +67,8 @@ std::string grain_table(const ExportSnapshot& from) {
   columns.push_back(column("zone", [&](std::size_t i) { return int{g.zone[i]}; }));
   add(columns, declared.subspan(2), g);
   add(columns, from.fields);
+  const auto links = links_of_grains(packing);
+  if (!links.empty()) columns.push_back(column("links", [&](std::size_t i) { return links[i]; }));
   return table_of(columns, g.size());
 }
 
@@ -85,13 +88,19 @@ std::string contact_table(const ExportSnapshot& from) {
   Contacts opposite;
   opposite.normal = mapped(c.normal, [](Vec2 n) { return Vec2{0 - n.x, 0 - n.y}; });
   const std::span declared(contact_columns);
-  Columns columns{column("i", [&](std::size_t k) { return id_of_i(packing, k); }), column("j", [&](std::size_t k) { return name_of_other(packing, k); })};
+  Columns columns{column("i", [&](std::size_t k) { return id_of_i(packing, k); }),
+                  column("j", [&](std::size_t k) { return quoted_cell(name_of_other(packing, k)); })};
   add(columns, declared.subspan(2, 2), c);  // forces
   add(columns, declared.first(2), opposite);
   columns.push_back(column("type", [&](std::size_t k) { return contact_type(packing, k); }));
   columns.push_back(column("strong", [&](std::size_t k) { return c.fn[k] > mean ? 1 : 0; }));
   columns.push_back(column("glued", [&](std::size_t k) { return int{c.glued[k]}; }));
   add(columns, declared.subspan(4), c);
+  std::vector<Vec2> point;  // where grains that are no disks touch
+  if (!c.off_i.empty()) point = by_contact(packing, [&](std::size_t k) { return contact_point(packing, k); });
+  if (!point.empty())
+    for (const auto& [name, axis] : {std::pair("x", &Vec2::x), std::pair("y", &Vec2::y)})
+      columns.push_back(column(title(name, "m"), [&, axis = axis](std::size_t k) { return point[k].*axis; }));
   add(columns, from.of_contacts);
   return table_of(columns, c.size());
 }
@@ -137,9 +146,30 @@ std::vector<NamedBytes> csv_field(const ExportField& from) {
 
 }  // namespace
 
-const ExportFormat exports::csv{.name = "csv",
-                                .sentence = "Tables of grains and contacts, which `arenite measure` also reads; of nodes and mean stresses of grains",
-                                .of_snapshot = csv_snapshot,
-                                .of_field = csv_field};
+const ExportFormat exports::csv{
+    .name = "csv",
+    .sentence = "Tables of grains and contacts, which `arenite measure` also reads; of nodes and mean stresses of grains",
+    .states = {{"grains", "place, radius, material, zone, velocity, angle, omega, stresses and other numbers of grains, units in the header"},
+               {"contacts", "with grains, walls and boundaries: forces, normal from i to j, arms, overlap; of grains that are no disks the contact point x, y"},
+               {"cell, thickness, time", "left out: `arenite measure` takes --box, --origin, --periodic and --thickness"},
+               {"shapes of grains", "left out: a grain is the disk of its area; stress and contacts are those of the shapes"},
+               {"bonds, pulls across gaps", "left out: `links` counts those of each grain, and `arenite measure` says that their stress lacks"},
+               {"names that spreadsheets take for formulas", "written behind an apostrophe, which `arenite measure` takes away"}},
+    .of_snapshot = csv_snapshot,
+    .of_field = csv_field};
+
+std::vector<int> links_of_grains(const Packing& packing) {
+  std::vector<int> count;
+  const auto add_link = [&](const auto& link) {
+    count.resize(packing.grains.size(), 0);
+    ++count[static_cast<std::size_t>(link.i)];
+    ++count[static_cast<std::size_t>(link.j)];
+  };
+  for (const Bond& bond : packing.bonds)
+    if (bond.broken == BondBreak::none) add_link(bond);
+  for (const CohesivePair& pair : packing.cohesive)
+    if (acts_across_gap(pair)) add_link(pair);
+  return count;
+}
 
 }  // namespace arenite::io

@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -52,8 +53,9 @@ struct NamedBytes {
 /// snapshots by their times. A format of whole loadings has `of_loading` instead, which gets all snapshots and what made the last.
 struct ExportFormat {
   std::string_view name, sentence;
-  Statements states = {};   ///< what its files carry of a state, and what they leave out
-  bool wants_grid = false;  ///< coarse-grained fields, ExportSnapshot::grid
+  Statements states = {};                            ///< what its files carry of a state, and what they leave out
+  std::array<std::string_view, 2> other_names = {};  ///< of programs that read it, by which it may be asked for
+  bool wants_grid = false;                           ///< coarse-grained fields, ExportSnapshot::grid
   std::vector<NamedBytes> (*of_snapshot)(const ExportSnapshot&) = nullptr;
   std::vector<NamedBytes> (*index)(const std::vector<double>& times) = nullptr;
   std::vector<NamedBytes> (*of_field)(const ExportField&) = nullptr;  ///< of a result on nodes; null: holds grains only
@@ -61,6 +63,20 @@ struct ExportFormat {
 };
 namespace exports {
 ARENITE_FAMILY(ExportFormat, ARENITE_EXPORT_FORMATS)
+}
+
+/// The export of that name, or with that one among its other names; null if there is none.
+inline const ExportFormat* export_named(std::string_view name) {
+  return first_format(exports::all,
+                      [&](const ExportFormat& format) { return format.name == name || (!name.empty() && std::ranges::count(format.other_names, name) > 0); });
+}
+/// All names by which exports are asked for.
+inline std::vector<std::string> export_names() {
+  auto names = words_of(exports::all, &ExportFormat::name);
+  for (const auto* format : exports::all)
+    for (const std::string_view other : format->other_names)
+      if (!other.empty()) names.emplace_back(other);
+  return names;
 }
 
 /// `value` of every contact of a packing, by its place.
@@ -86,6 +102,14 @@ inline Vec2 far_end(const Packing& packing, std::size_t contact) {
   if (contacts.is_wall(contact)) return from + contacts.lever_i(contact);
   return from + packing.domain.nearest_image(packing.grains.position[static_cast<std::size_t>(contacts.j[contact])] - from);
 }
+
+/// Where the two bodies of a contact touch, m; on the side of grain i.
+inline Vec2 contact_point(const Packing& packing, std::size_t contact) {
+  return packing.grains.position[static_cast<std::size_t>(packing.contacts.i[contact])] + packing.contacts.lever_i(contact);
+}
+
+/// How many bonds and pulls across gaps each grain has: forces that no list of contacts holds. Empty where there are none.
+std::vector<int> links_of_grains(const Packing& packing);
 
 /// Ids of the grains of a contact; the second is below 0 where it is none.
 inline std::int64_t id_of_i(const Packing& p, std::size_t c) { return p.grains.id[static_cast<std::size_t>(p.contacts.i[c])]; }

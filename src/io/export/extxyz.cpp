@@ -1,6 +1,9 @@
 #include <fmt/core.h>
 
-#include "core/mapped.hpp"
+#include <algorithm>
+#include <cmath>
+
+#include "core/text.hpp"
 #include "io/export/export.hpp"
 
 namespace arenite::io {
@@ -8,32 +11,46 @@ namespace {
 
 using Text = std::back_insert_iterator<std::string>;
 
-/// A word: what would break a line or a quoted value becomes "_".
+/// A word of plain ASCII: what would break a line, a quoted value or a list becomes "_".
 std::string word(std::string text) {
   for (char& c : text)
-    if (c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '"' || c == '=' || c == ':') c = '_';
+    if (!is_name_character(c) && c != '.' && c != '+') c = '_';
   return text.empty() ? "_" : text;
 }
 
+bool is_known(const GrainField& field) {
+  return std::ranges::all_of(field.values, [](double v) { return std::isfinite(v); });
+}
+
+/// The second line: cell, moment and columns. ASE takes `species` for a chemical symbol, so it is X, none, for all grains,
+/// and the material is a number whose name stands in `Materials`.
 std::string comment_line(const ExportSnapshot& from) {
-  const Domain& d = from.snapshot->packing.domain;
+  const Packing& packing = from.snapshot->packing;
+  const Domain& d = packing.domain;
+  const auto yes = [](bool is) { return is ? "T" : "F"; };
   std::string text = fmt::format("Lattice=\"{} 0 0 {} {} 0 0 0 {}\" Origin=\"{} {} {}\" pbc=\"{} {} F\"", d.width(), d.tilt, d.height(), d.thickness,
-                                 d.wall[left].position, d.wall[bottom].position, -0.5 * d.thickness, d.periodic[0] ? "T" : "F", d.periodic[1] ? "T" : "F");
-  fmt::format_to(Text(text), " Time={} Step={} Stage={} Label=\"{}\" Properties=species:S:1:pos:R:3:radius:R:1:id:I:1:zone:I:1:velo:R:3:angle:R:1:omega:R:1",
-                 from.snapshot->time, from.snapshot->step, word(from.stage), word(from.snapshot->label));
-  for (const auto& field : from.fields) text += ":" + word(field.name) + ":R:1";
+                                 d.wall[left].position, d.wall[bottom].position, -0.5 * d.thickness, yes(d.periodic[0]), yes(d.periodic[1]));
+  std::string materials, left_out;
+  for (std::size_t m = 0; m < packing.materials.size(); ++m) materials += fmt::format("{}{}:{}", m == 0 ? "" : " ", m + 1, word(packing.materials[m].name));
+  for (const auto& field : from.fields)
+    if (!is_known(field)) left_out += (left_out.empty() ? "" : " ") + word(field.name);
+  fmt::format_to(Text(text), " Time={} Step={} Stage=\"{}\" Label=\"{}\" Materials=\"{}\"", from.snapshot->time, from.snapshot->step, word(from.stage),
+                 word(from.snapshot->label), materials);
+  if (!left_out.empty()) text += " LeftOut=\"" + left_out + '"';
+  text += " Properties=species:S:1:pos:R:3:radius:R:1:id:I:1:material:I:1:zone:I:1:velo:R:3:angle:R:1:omega:R:1";
+  for (const auto& field : from.fields)
+    if (is_known(field)) text += ":" + word(field.name) + ":R:1";
   return text;
 }
 
 std::vector<NamedBytes> extxyz_snapshot(const ExportSnapshot& from) {
-  const Packing& packing = from.snapshot->packing;
-  const Grains& g = packing.grains;
-  const auto species = mapped(packing.materials, [](const Material& material) { return word(material.name); });
+  const Grains& g = from.snapshot->packing.grains;
   std::string text = fmt::format("{}\n{}\n", g.size(), comment_line(from));
   for (std::size_t i = 0; i < g.size(); ++i) {
-    fmt::format_to(Text(text), "{} {} {} 0 {} {} {} {} {} 0 {} {}", species[static_cast<std::size_t>(g.material[i])], g.position[i].x, g.position[i].y,
-                   g.radius[i], g.id[i], int{g.zone[i]}, g.velocity[i].x, g.velocity[i].y, g.angle[i], g.omega[i]);
-    for (const auto& field : from.fields) fmt::format_to(Text(text), " {}", field.values[i]);
+    fmt::format_to(Text(text), "X {} {} 0 {} {} {} {} {} {} 0 {} {}", g.position[i].x, g.position[i].y, g.radius[i], g.id[i], g.material[i] + 1, int{g.zone[i]},
+                   g.velocity[i].x, g.velocity[i].y, g.angle[i], g.omega[i]);
+    for (const auto& field : from.fields)
+      if (is_known(field)) fmt::format_to(Text(text), " {}", field.values[i]);
     text += '\n';
   }
   return {{"grains.extxyz", text}};
@@ -41,6 +58,16 @@ std::vector<NamedBytes> extxyz_snapshot(const ExportSnapshot& from) {
 
 }  // namespace
 
-const ExportFormat exports::extxyz{.name = "extxyz", .sentence = "OVITO and ASE: extended XYZ of grains", .of_snapshot = extxyz_snapshot};
+const ExportFormat exports::extxyz{
+    .name = "extxyz",
+    .sentence = "OVITO and ASE: extended XYZ of grains",
+    .states = {{"grains", "place, radius, id, material, zone, velocity, angle, omega, stresses and other numbers of grains"},
+               {"species", "X, which is no chemical element: ASE refuses others. `material` is a number, `Materials` names them"},
+               {"cell, periodic sides, time, step, stage", "in the second line of each state, in m and s"},
+               {"numbers not known of some grain", "the column is left out, and `LeftOut` names it"},
+               {"shapes of grains", "left out: a grain is the disk of its area"},
+               {"contacts, walls, boundaries, bonds", "left out; `vtk`, `lammps`, `netcdf` and `csv` have contacts"}},
+    .other_names = {"ase"},
+    .of_snapshot = extxyz_snapshot};
 
 }  // namespace arenite::io

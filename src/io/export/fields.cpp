@@ -23,10 +23,14 @@ std::vector<NamedBytes> fields_index(const std::vector<double>& times) { return 
 
 }  // namespace
 
-const ExportFormat exports::fields{.name = "fields",
-                                   .sentence = "ParaView: coarse-grained fields of all states (solid fraction, density, velocity, stress), open fields.pvd",
-                                   .wants_grid = true,
-                                   .of_snapshot = fields_snapshot,
-                                   .index = fields_index};
+const ExportFormat exports::fields{
+    .name = "fields",
+    .sentence = "ParaView: coarse-grained fields of all states (solid fraction, density, velocity, stress), open fields.pvd",
+    .states = {{"fields", "solid fraction, density, velocity, stress with its kinetic part, on points half a mean diameter apart"},
+               {"grains, contacts, walls", "left out: `vtk` has them"},
+               {"a state without a box", "refused"}},
+    .wants_grid = true,
+    .of_snapshot = fields_snapshot,
+    .index = fields_index};
 
 }  // namespace arenite::io

@@ -33,11 +33,14 @@ std::string grain_dump(const ExportSnapshot& from) {
   std::string text = header(from, "ATOMS", g.size());
   text += "ITEM: ATOMS id type x y z radius vx vy vz omegaz angle zone";
   for (const auto& field : from.fields) text += " " + field.name;
+  const auto links = links_of_grains(from.snapshot->packing);
+  if (!links.empty()) text += " links";
   text += '\n';
   for (std::size_t i = 0; i < g.size(); ++i) {
     fmt::format_to(Text(text), "{} {} {} {} 0 {} {} {} 0 {} {} {}", g.id[i], g.material[i] + 1, g.position[i].x, g.position[i].y, g.radius[i], g.velocity[i].x,
                    g.velocity[i].y, g.omega[i], g.angle[i], int{g.zone[i]});
     for (const auto& field : from.fields) fmt::format_to(Text(text), " {}", field.values[i]);
+    if (!links.empty()) fmt::format_to(Text(text), " {}", links[i]);
     text += '\n';
   }
   return text;
@@ -57,12 +60,14 @@ std::string contact_dump(const ExportSnapshot& from) {
     fmt::format_to(Text(rows), "{} {} {} {} 0 {} {} 0 {} {} {} {}", id_of_i(packing, k), id_of_j(packing, k), normal.x, normal.y, tangential.x, tangential.y,
                    contact_type(packing, k), c.fn[k] > mean ? 1 : 0, int{c.glued[k]}, c.arm_i[k] + c.arm_j[k]);
     for (const auto& column : contact_columns) fmt::format_to(Text(rows), " {}", column.at(c, k));
+    if (const Vec2 point = contact_point(packing, k); !c.off_i.empty()) fmt::format_to(Text(rows), " {} {} 0", point.x, point.y);
     rows += '\n';
     ++count;
   }
   std::string text = header(from, "ENTRIES", count);
   text += "ITEM: ENTRIES patom1 patom2 fx fy fz p1 p2 p3 type strong glued dist";
   for (const auto& column : contact_columns) text += std::string(" ") + column.name;
+  if (!c.off_i.empty()) text += " cx cy cz";
   return text + '\n' + rows;
 }
 
@@ -73,6 +78,17 @@ std::vector<NamedBytes> lammps_snapshot(const ExportSnapshot& snapshot) {
 }  // namespace
 
 const ExportFormat exports::lammps{
-    .name = "lammps", .sentence = "OVITO and LAMMPS tools: dump custom of grains, dump local of contacts", .of_snapshot = lammps_snapshot};
+    .name = "lammps",
+    .sentence = "OVITO and LAMMPS tools: dump custom of grains, dump local of contacts",
+    .states = {{"grains", "place, radius, velocity, angle, omega, zone, stresses and other numbers of grains; type is the material's number"},
+               {"contacts",
+                "of grains: forces as pair/local of a granular style has them, arms, overlap; of grains that are no disks the contact point cx cy cz"},
+               {"cell, periodic sides, tilt, time, step, units (si)", "as LAMMPS writes them, z by the thickness"},
+               {"names of materials, shapes of grains", "left out: a type is a number, a grain the disk of its area"},
+               {"contacts with walls and boundaries", "left out: LAMMPS's pairs have none; `arenite measure` says so"},
+               {"bonds, pulls across gaps", "left out: `links` counts those of each grain, and `arenite measure` says that their stress lacks"},
+               {"numbers not known of some grain", "nan"}},
+    .other_names = {"ovito"},
+    .of_snapshot = lammps_snapshot};
 
 }  // namespace arenite::io

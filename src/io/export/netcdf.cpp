@@ -199,6 +199,8 @@ std::vector<NamedBytes> netcdf_loading(const Snapshots& snapshots, const Provena
   file.attribute("signs",
                  "contact_n points from j to i, t is n turned by +90 degrees, the force on i is fn n + ft t (fn > 0 is repulsive); "
                  "stress is positive in tension");
+  const auto& periodic = snapshots.front().snapshot->packing.domain.periodic;
+  file.attribute("periodic", std::string(periodic[0] ? "x" : "") + (periodic[1] ? "y" : ""));
   file.attribute("thickness_m", snapshots.front().snapshot->packing.domain.thickness);
   put_states(file, snapshots);
   put_walls(file, snapshots);
@@ -210,6 +212,16 @@ std::vector<NamedBytes> netcdf_loading(const Snapshots& snapshots, const Provena
 }  // namespace
 
 const ExportFormat exports::netcdf{
-    .name = "netcdf", .sentence = "xarray and netCDF tools: all states in one file, arrays over (time, grain)", .of_loading = netcdf_loading};
+    .name = "netcdf",
+    .sentence = "xarray and netCDF tools: all states in one file, arrays over (time, grain)",
+    .states = {{"grains",
+                "place, radius, material with its name, zone, velocity, angle, omega, displacement, stresses and other numbers of grains, over (time, grain)"},
+               {"contacts", "of all states in one row, with grains and walls: forces, normal, arms, overlap; contact_state says of which state"},
+               {"walls, periodic sides, tilt, thickness, energies, equilibrium, stage, recipe", "as arrays over time and as attributes"},
+               {"boundaries, bonds, shapes of grains", "left out"},
+               {"states of different grains", "refused"},
+               {"numbers not known", "NaN"}},
+    .other_names = {"xarray"},
+    .of_loading = netcdf_loading};
 
 }  // namespace arenite::io

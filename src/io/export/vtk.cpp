@@ -187,6 +187,13 @@ const ExportFormat exports::vtk{
     .name = "vtk",
     .sentence =
         "ParaView: open loading.pvd, which has grains, contacts and walls of all states; fields on nodes (.vti), broken bonds of a failure (-cracks.vtp)",
+    .states = {{"grains", "place, radius, id, number of the material, zone, velocity, angle, omega, displacement, stresses and other numbers of grains"},
+               {"contacts", "lines from centre to centre, or to the wall: forces, normal, arms, overlap"},
+               {"walls, boundaries", "lines with their forces"},
+               {"shapes of grains", "their rims, as lines"},
+               {"time", "in every file and in the .pvd"},
+               {"names of materials, periodic sides, thickness, bonds", "left out; `netcdf` has the names, the sides and the thickness"}},
+    .other_names = {"paraview"},
     .of_snapshot = vtk_snapshot,
     .index = vtk_index,
     .of_field = vti_field};

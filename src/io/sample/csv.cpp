@@ -1,12 +1,11 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <map>
+#include <array>
+#include <utility>
 
-#include "core/mapped.hpp"
-#include "io/disk/file.hpp"
-#include "io/sample/sample.hpp"
-#include "io/table/table.hpp"
+#include "io/sample/formats.hpp"
+#include "io/sample/table_snapshots.hpp"
 
 namespace arenite::io {
 namespace {
@@ -30,6 +29,14 @@ Field find_field(const Table& table, std::initializer_list<std::string_view> nam
 
 bool is_in_pixels(const Table::Column& column) { return column.unit == "px"; }
 
+bool knows_pixels(const Table& table, const SampleOptions& options, Problems& problems) {
+  if (options.pixel > 0 || std::ranges::none_of(table.columns, is_in_pixels)) return true;
+  problems.add(table.header_line,
+               "lengths are in pixels (px), whose width on the sample is not known; give it to `arenite measure` by "
+               "--pixel, for example --pixel \"1.6 mm\", or to `arenite grains`, which then writes the table in mm");
+  return false;
+}
+
 /// A length; one in pixels, as `arenite grains` writes it where their width is not given, has their width for a factor.
 Field find_length(const Table& table, std::initializer_list<std::string_view> names, const SampleOptions& options, Problems& problems) {
   if (const auto at = table.find(names); at && is_in_pixels(table.columns[*at])) return {&table.columns[*at], *at, options.pixel, &problems};
@@ -39,79 +46,80 @@ Field find_length(const Table& table, std::initializer_list<std::string_view> na
 /// Says so where SI was assumed, since a factor of 1000 is easily overlooked.
 void note_assumed_unit(const Table& table, const char* column, bool chosen, const char* what, const char* si, const char* option,
                        std::vector<std::string>& notes) {
-  if (const auto at = table.find({column}); at && !chosen && table.columns[*at].unit.empty())
-    notes.push_back(
-        fmt::format("The file states no unit of {}, so {} was assumed; {} or a header such as \"{} [...]\" changes this.", what, si, option, column));
+  if (const auto at = table.find({column}); at && !chosen && table.columns[*at].unit.empty()) notes.push_back(assumed_unit(what, si, option, column));
 }
 
 void require(const Table& table, bool found, const char* column, const char* kind, Problems& problems) {
   if (!found) problems.add(table.header_line, "there is no column \"{}\"; {}", column, kind);
 }
 
-std::int32_t material_of(const RawGrain& row, const Materials& materials, Problems& problems) {
-  if (row.material.empty() && materials.size() == 1) return 0;
-  const auto it = std::find_if(materials.begin(), materials.end(), [&](const Material& m) { return m.name == row.material; });
-  if (it != materials.end()) return static_cast<std::int32_t>(it - materials.begin());
-  const std::string near = nearest(row.material, mapped(materials, &Material::name));
-  if (row.material.empty()) problems.add(row.line, "this grain has no material; add a column \"material\"");
-  else
-    problems.add(row.line, "the recipe has no material \"{}\"{}", row.material,
-                 near.empty() ? "; add it under [materials]" : fmt::format("; did you mean \"{}\"?", near));
-  return 0;
-}
+constexpr std::string_view grain_names[] = {"id", "grain"}, pair_names[] = {"i", "id1", "j", "id2"};
 
-bool lies_inside(Vec2 p, const Domain& domain) {
-  return p.x >= domain.wall[left].position && p.x <= domain.wall[right].position && p.y >= domain.wall[bottom].position && p.y <= domain.wall[top].position;
-}
+std::vector<Moment> grain_moments_csv(std::string_view text, const std::string& columns) { return moments_of_rows(text, columns, grain_names); }
+std::vector<Moment> contact_moments_csv(std::string_view text, const std::string& columns) { return moments_of_rows(text, columns, pair_names); }
 
-RawGrains read_grains_csv(std::string_view text, const SampleOptions& options, Problems& problems) {
-  const Table table = read_table(text, options.grain_columns, problems);
+RawGrains read_grains_csv(const Reading& reading) {
+  const SampleOptions& options = reading.options;
+  Problems& problems = reading.problems;
+  Table table = read_table(reading.text, options.grain_columns, problems);
   RawGrains grains;
   if (table.columns.empty()) return grains;
-  if (std::ranges::any_of(table.columns, is_in_pixels) && options.pixel == 0) {
-    problems.add(table.header_line,
-                 "lengths are in pixels (px), whose width on the sample is not known; give it to `arenite measure` by --pixel, "
-                 "for example --pixel \"1.6 mm\", or to `arenite grains`, which then writes the table in mm");
-    return grains;
-  }
-  grains = grains_in(table, "grains need id, x, y, radius and may have material, zone", options, problems);
+  SnapshotsOfRows(table, grain_names).keep(reading.snapshot, table);
+  if (!knows_pixels(table, options, problems)) return grains;
+  grains = grains_in(table, "grains need id, x, y, radius and may have z, material, zone", options, problems);
   note_assumed_unit(table, "x", options.length_unit.has_value(), "length", "m", "--length-unit", grains.notes);
   return grains;
 }
 
-RawContacts read_contacts_csv(std::string_view text, const RawGrains&, const SampleOptions& options, Problems& problems) {
-  const Table table = read_table(text, options.contact_columns, problems);
+/// A vector whose components are columns; without all of `needed` of them it is not there.
+struct VectorField {
+  std::array<Field, 3> component;
+  bool is_there = false;
+  VectorField(const std::array<Field, 3>& fields, const Plane& plane) : component(fields), is_there(fields[plane.first] && fields[plane.second]) {}
+  std::optional<Vec3> operator()(const Table::Row& row) const {
+    if (!is_there) return std::nullopt;
+    return by_axis<3>([&](int axis) { return component[axis] ? component[axis](row) : 0.0; });
+  }
+};
+
+RawContacts read_contacts_csv(const Reading& reading, const RawGrains& grains) {
+  const SampleOptions& options = reading.options;
+  Problems& problems = reading.problems;
+  Table table = read_table(reading.text, options.contact_columns, problems);
   RawContacts contacts;
   if (table.columns.empty()) return contacts;
+  SnapshotsOfRows(table, pair_names).keep(reading.snapshot, table);
+  if (!knows_pixels(table, options, problems)) return contacts;
   const auto i = table.find({"i", "id1"}), j = table.find({"j", "id2"});
-  const Field fn = find_field(table, {"fn"}, dimension::force, options.force(), problems);
-  const Field ft = find_field(table, {"ft"}, dimension::force, options.force(), problems);
-  const Field fx = find_field(table, {"fx"}, dimension::force, options.force(), problems);
-  const Field fy = find_field(table, {"fy"}, dimension::force, options.force(), problems);
-  const Field nx = find_field(table, {"nx"}, dimension::none, 1, problems);
-  const Field ny = find_field(table, {"ny"}, dimension::none, 1, problems);
-  constexpr const char* kind = "contacts need i, j, fn, ft (or fx, fy for the force on j) and may have nx, ny";
+  const auto force = [&](const char* name) { return find_field(table, {name}, dimension::force, options.force(), problems); };
+  const auto part = [&](const char* name) { return find_field(table, {name}, dimension::none, 1, problems); };
+  const auto length = [&](const char* name) { return find_length(table, {name}, options, problems); };
+  const Field fn = force("fn"), ft = force("ft"), overlap = length("overlap");
+  const VectorField whole({force("fx"), force("fy"), force("fz")}, grains.plane);
+  const VectorField normal({part("nx"), part("ny"), part("nz")}, grains.plane);
+  const VectorField point({length("x"), length("y"), length("z")}, grains.plane);
+  constexpr const char* kind = "contacts need i, j, fn, ft (or fx, fy for the force on j) and may have nx, ny, overlap and x, y of the contact point";
   require(table, i.has_value(), "i", kind, problems);
   require(table, j.has_value(), "j", kind, problems);
-  const bool vector = fx && fy && !fn;
+  const bool vector = whole.is_there && !fn;
   require(table, fn || vector, "fn", kind, problems);
-  if (nx && !ny) problems.add(table.header_line, "there is a column nx but no ny; give both or neither");
+  if (table.find({"nx"}) && !normal.is_there) problems.add(table.header_line, "there is a column nx but no ny; give both or neither");
   if (!i || !j || (!fn && !vector)) return contacts;
   note_assumed_unit(table, fn ? "fn" : "fx", options.force_unit.has_value(), "force", "N", "--force-unit", contacts.notes);
   for (const auto& row : table.rows) {
     RawContact contact;
     contact.line = row.line;
     contact.i = integer_or_problem(row.cells[*i], "i", row.line, problems);
-    if (const auto* wall = std::ranges::find(side_names, row.cells[*j]); wall != std::end(side_names))
-      contact.wall = static_cast<int>(wall - std::begin(side_names));
-    else contact.j = integer_or_problem(row.cells[*j], "j", row.line, problems);
-    if (vector) {
-      contact.force_on_j = Vec2{fx(row), fy(row)};
-    } else {
-      contact.fn = fn(row);
-      if (ft) contact.ft = ft(row);
-    }
-    if (nx && ny) contact.normal = Vec2{nx(row), ny(row)};
+    contact.normal = normal(row);
+    contact.point = point(row);
+    if (overlap && !row.cells[overlap.at].empty()) contact.overlap = overlap(row);
+    const std::string_view other = row.cells[*j];
+    if (const auto* wall = std::ranges::find(side_names, other); wall != std::end(side_names)) contact.wall = static_cast<int>(wall - std::begin(side_names));
+    else if (contact.normal && is_plain_name(other) && !to_number(other)) contact.boundary = other;
+    else contact.j = integer_or_problem(other, "j", row.line, problems);
+    if (vector) contact.force_on_j = whole(row);
+    else contact.fn = fn(row);
+    if (!vector && ft) contact.ft = ft(row);
     contacts.rows.push_back(std::move(contact));
   }
   return contacts;
@@ -119,61 +127,64 @@ RawContacts read_contacts_csv(std::string_view text, const RawGrains&, const Sam
 
 }  // namespace
 
-/// Grains from a table with columns id, x, y, radius (or diameter) and perhaps material and zone; units in the header win over those of the options.
-/// Contacts from one with columns i, j and fn, ft (or fx, fy: the force on j) and perhaps nx, ny; j may name a wall: left, right, bottom, top.
+/// Grains from a table with columns id, x, y, radius (or diameter) and perhaps z, material and zone; units in the header
+/// win over those of the options. Contacts from one with columns i, j and fn, ft (or fx, fy: the force on j) and perhaps
+/// nx, ny, overlap and the contact point x, y; j may name a wall, left, right, bottom or top, or with nx, ny a boundary.
 const SampleFormat samples::csv{.name = "csv",
-                                .grains_are = "table id,x,y,radius[,material,zone]",
-                                .contacts_are = "table i,j,fn,ft[,nx,ny] or i,j,fx,fy (force on j is fn n + ft t, n from i to j)",
+                                .grains_are = "table id,x,y,radius[,z,material,zone]",
+                                .contacts_are = "table i,j,fn,ft[,nx,ny,overlap,x,y] or i,j,fx,fy (force on j is fn n + ft t, n from i to j)",
+                                .states = {{"units (header or a row below it)", "taken; columns without any: m and N, told, or those given by options"},
+                                           {"step, timestep, frame, time (columns)",
+                                            "rows of the last moment that grains and contacts have in common; "
+                                            "refused where they have none"},
+                                           {"cell", "no column holds it; --box and --periodic give it"},
+                                           {"z",
+                                            "centres within 2 % of a radius are a plane, x-y, x-z or y-z (the last two are told); within a radius a "
+                                            "layer, told; beyond: refused"},
+                                           {"names of columns", "those listed above; other columns are passed over"},
+                                           {"rows without a force", "contacts where they overlap (column overlap, or the centres), else left out and told"},
+                                           {"contact point (x, y of a contact)", "the lever arms end there; without it in the middle of the overlap"},
+                                           {"sep=; of spreadsheets", "the separator"},
+                                           {"decimal commas",
+                                            "read where cells are in quotes or separated by other signs; refused where they may set "
+                                            "thousands apart"},
+                                           {"exponents with D", "read as E"},
+                                           {"encoding", "UTF-8, UTF-16 with its mark, else Latin-1"}},
                                 .is_grains = [](std::string_view) { return true; },
                                 .is_contacts = [](std::string_view) { return true; },
                                 .grains = read_grains_csv,
-                                .contacts = read_contacts_csv};
+                                .contacts = read_contacts_csv,
+                                .grain_moments = grain_moments_csv,
+                                .contact_moments = contact_moments_csv};
+
+std::string assumed_unit(const char* what, const char* si, const char* option, const char* column) {
+  const std::string header = *column ? fmt::format(" or a header such as \"{} [...]\"", column) : "";
+  return fmt::format("The file states no unit of {}, so {} was assumed; {}{} changes this.", what, si, option, header);
+}
 
 RawGrains grains_in(const Table& table, const char* needed, const SampleOptions& options, Problems& problems) {
   RawGrains grains;
   const auto id = table.find({"id", "grain"}), material = table.find({"material"}), zone = table.find({"zone"});
   const Field x = find_length(table, {"x"}, options, problems), y = find_length(table, {"y"}, options, problems);
+  const Field z = find_length(table, {"z"}, options, problems);
   const Field radius = find_length(table, {"radius", "r"}, options, problems), diameter = find_length(table, {"diameter", "d"}, options, problems);
   require(table, bool(x), "x", needed, problems);
   require(table, bool(y), "y", needed, problems);
   require(table, radius || diameter, "radius", needed, problems);
   if (!x || !y || (!radius && !diameter)) return grains;
+  if (const auto links = table.find({"links"});
+      links && std::ranges::any_of(table.rows, [&](const Table::Row& row) { return to_number(row.cells[*links]).value_or(0) > 0; }))
+    grains.notes.push_back("The grains are joined by bonds or pulls across gaps (column links), whose forces are in no table: stress and balance lack them.");
   for (const auto& row : table.rows) {
     RawGrain grain;
     grain.line = row.line;
     grain.id = id ? integer_or_problem(row.cells[*id], "id", row.line, problems) : static_cast<std::int64_t>(grains.rows.size());
-    grain.centre = {x(row), y(row)};
+    grain.place = {x(row), y(row), z ? z(row) : 0};
     grain.radius = radius ? radius(row) : 0.5 * diameter(row);
     if (material) grain.material = row.cells[*material];
     if (zone) grain.zone = integer_or_problem(row.cells[*zone], "zone", row.line, problems);
     grains.rows.push_back(std::move(grain));
   }
-  return grains;
-}
-
-Grains read_placed_grains(const std::filesystem::path& path, const Materials& materials, const Domain& domain) {
-  Problems problems(path.string());
-  const std::string text = read_file(path);
-  const RawGrains raw = read_grains_csv(text, {}, problems);
-  Grains grains;
-  grains.resize(raw.rows.size());
-  std::map<std::int64_t, int> line_of;
-  for (std::size_t i = 0; i < raw.rows.size(); ++i) {
-    const RawGrain& row = raw.rows[i];
-    if (const auto [seen, is_new] = line_of.emplace(row.id, row.line); !is_new)
-      problems.add(row.line, "grain {} is already in line {}; give every grain its own id", row.id, seen->second);
-    const Vec2 centre = row.centre + domain.corner();
-    if (!lies_inside(centre, domain))
-      problems.add(row.line,
-                   "the centre of grain {} at ({:g}, {:g}) m lies outside the container of {:g} x {:g} m; correct it, "
-                   "the unit of the column or [container]",
-                   row.id, row.centre.x, row.centre.y, domain.width(), domain.height());
-    grains.id[i] = row.id;
-    grains.position[i] = centre;
-    grains.radius[i] = row.radius;
-    grains.material[i] = material_of(row, materials, problems);
-  }
-  problems.raise();
   return grains;
 }
 

@@ -1,84 +1,22 @@
-#include "io/sample/sample.hpp"
-
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "core/mapped.hpp"
-#include "io/table/table.hpp"
+#include "io/sample/formats.hpp"
+#include "io/sample/lammps_dump.hpp"
 
 namespace arenite::io {
 namespace {
 
-/// One "ITEM: name" and the lines below it.
-struct Item {
-  std::string_view title;
-  Table table;
-};
-
-/// Items of the last snapshot.
-std::vector<Item> last_snapshot(std::string_view text, Problems& problems) {
-  std::vector<Item> items;
-  if (text.empty()) problems.add("the file is empty; give a dump with at least one snapshot");
-  else if (!text.starts_with("ITEM: ")) problems.add(1, "this is not a LAMMPS dump: the first line must be \"ITEM: TIMESTEP\"");
-  if (problems.any()) return items;
-  const std::size_t before = text.rfind("\nITEM: TIMESTEP"), start = before == text.npos ? 0 : before + 1;
-  Lines lines(text.substr(start), 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(start), '\n')));
-  for (std::string_view line; lines.next(line);) {
-    if (line.starts_with("ITEM: ")) items.push_back({line.substr(6), {{}, lines.number(), {}}});
-    else if (auto cells = split_blanks(line); !cells.empty()) items.back().table.rows.push_back({lines.number(), std::move(cells)});
-  }
-  return items;
-}
-
-Item* find_item(std::vector<Item>& items, std::string_view title) {
-  const auto it = std::find_if(items.begin(), items.end(), [&](const Item& i) { return i.title.starts_with(title); });
-  return it == items.end() ? nullptr : &*it;
-}
-
-void name_columns(Table& table, const std::vector<std::string_view>& names) {
-  table.columns = mapped(names, [](std::string_view name) { return Table::Column{std::string(name), {}, {}}; });
-}
-
-/// Rows that have not as many cells as there are columns are problems.
-void check_rows(const Table& table, Problems& problems) {
-  for (const auto& [line, cells] : table.rows)
-    if (cells.size() != table.columns.size())
-      problems.add(line, "this row has {} values, but there are {} columns; the dump is cut off or damaged", cells.size(), table.columns.size());
-}
-
-void check_count(std::vector<Item>& items, const Table& table, std::string_view title, Problems& problems) {
-  const Item* count = find_item(items, title);
-  if (!count || count->table.rows.empty()) return;
-  const auto expected = to_integer(count->table.rows.front().cells.front());
-  if (expected && *expected != static_cast<std::int64_t>(table.rows.size()))
-    problems.add(table.header_line, "the dump announces {} rows, but {} follow; it is cut off, so write it again", *expected, table.rows.size());
-}
-
-void read_box(std::vector<Item>& items, double length, RawGrains& grains, Problems& problems) {
-  constexpr std::string_view title = "BOX BOUNDS";
-  const Item* item = find_item(items, title);
-  if (!item || item->table.rows.size() < 2) return;
-  const auto flags = split_blanks(item->title.substr(title.size()));
-  const bool tilted = !flags.empty() && flags.front() == "xy";
-  std::array<double, 3> x{}, y{};
-  const auto read = [&](std::size_t row, std::array<double, 3>& to) {
-    const auto& [line, cells] = item->table.rows[row];
-    for (std::size_t c = 0; c < std::min<std::size_t>(3, cells.size()); ++c) to[c] = number_or_problem(cells[c], "box bound", length, line, problems);
-  };
-  read(0, x);
-  read(1, y);
-  const double xy = tilted ? x[2] : 0, xz = tilted ? y[2] : 0;  // bounds of a tilted box enclose its corners
-  grains.lay_box({x[0] - std::min({0.0, xy, xz, xy + xz}), y[0]}, {x[1] - std::max({0.0, xy, xz, xy + xz}), y[1]});
-  grains.cell.tilt = xy;
-  for (std::size_t axis = 0, flag = tilted ? 3 : 0; axis < 2; ++axis, ++flag) grains.cell.periodic[axis] = flags.size() > flag && flags[flag] == "pp";
-}
+bool is_dump(std::string_view first_line) { return first_line.starts_with("ITEM:"); }
 
 bool is_opaque(std::string_view name) { return name.starts_with("c_") || name.starts_with("f_"); }
 
 constexpr const char* pair_columns[] = {"patom1", "patom2", "fx", "fy", "p1", "p2"};
-constexpr const char* pair_columns_in_space[] = {"patom1", "patom2", "fx", "fy", "fz", "p1", "p2", "p3"};
+constexpr char axis_letters[] = {'x', 'y', 'z'};
 
 /// What to write for a dump whose columns nobody can tell apart: an example that has as many.
 std::string missing_columns(const std::vector<std::string_view>& names) {
@@ -86,110 +24,216 @@ std::string missing_columns(const std::vector<std::string_view>& names) {
   std::size_t next = 0;
   for (const auto& name : names) {
     found.append(found.empty() ? "" : " ").append(name);
-    example.append(example.empty() ? "" : ",").append(is_opaque(name) && next < std::size(pair_columns) ? pair_columns[next++] : "-");
+    const bool known = is_opaque(name) && next < std::size(pair_columns);
+    example.append(example.empty() ? "" : ",").append(known ? pair_columns[next++] : "-");
   }
   return fmt::format(
-      "it is not known which of the columns ({}) are the two grains and the force; name them in their order with --columns, with \"-\" for "
-      "those not needed, e.g. --columns \"{}\" (patom1 patom2 of property/local, fx fy and the tangential p1 p2 of pair/local)",
+      "it is not known which of the columns ({}) are the two grains and the force; name them in their order with --columns, "
+      "with \"-\" for those not needed, e.g. --columns \"{}\" (patom1 patom2 of property/local, fx fy and the tangential p1 "
+      "p2 of pair/local; fx fy alone are the whole force, as in LIGGGHTS's \"id force\": patom1,patom2,-,fx,fy,-)",
       found, next == std::size(pair_columns) ? example : "-,patom1,patom2,fx,fy,p1,p2");
 }
 
-/// Names columns that LAMMPS named after computes: by what they hold, else index, two atoms, then forces in the documented order.
+/// Names columns that LAMMPS named after computes by what they hold.
 void name_opaque_columns(Table& entries, const RawGrains& grains) {
   std::vector<std::size_t> at;
   for (std::size_t c = 0; c < entries.columns.size(); ++c)
     if (is_opaque(entries.columns[c].name)) at.push_back(c);
-  if (auto found = find_pair_columns(mapped(entries.rows, &Table::Row::cells), at, grains); !found.empty()) at = std::move(found);
-  const bool in_space = at.size() == std::size(pair_columns_in_space);
-  if (!in_space && at.size() != std::size(pair_columns)) return;
-  for (std::size_t k = 0; k < at.size(); ++k) entries.columns[at[k]].name = in_space ? pair_columns_in_space[k] : pair_columns[k];
+  const auto found = find_pair_columns(mapped(entries.rows, &Table::Row::cells), at, grains);
+  if (found.empty()) return;
+  const auto [first, second] = std::pair(grains.plane.first, grains.plane.second);
+  const std::string names[] = {"patom1",
+                               "patom2",
+                               std::string("f") + axis_letters[first],
+                               std::string("f") + axis_letters[second],
+                               "p" + std::to_string(first + 1),
+                               "p" + std::to_string(second + 1)};
+  for (std::size_t k = 0; k < found.size(); ++k) entries.columns[found[k]].name = names[k];
 }
 
-bool is_dump(std::string_view first_line) { return first_line.starts_with("ITEM:"); }
+/// The options with the units that the dump states.
+SampleOptions with_units(SampleOptions options, const std::optional<StatedUnits>& units) {
+  if (!units) return options;
+  options.length_unit = units->length;
+  options.force_unit = units->force;
+  return options;
+}
 
-RawGrains read_lammps_atoms(std::string_view text, const SampleOptions& options, Problems& problems) {
+RawCell scaled_by(RawCell cell, double length) {
+  cell.corner = length * cell.corner;
+  for (Vec3& edge : cell.edge) edge = length * edge;
+  return cell;
+}
+
+/// Coordinates of atoms: in the dump's unit, wrapped or not, or as fractions of the edges of the cell.
+struct AtomColumns {
+  std::array<std::optional<std::size_t>, 3> place;
+  bool scaled = false;
+
+  explicit AtomColumns(const Table& atoms) {
+    for (const char* ending : {"", "u", "s", "su"}) {
+      for (int axis = 0; axis < 3; ++axis) place[axis] = atoms.find({std::string(1, axis_letters[axis]) + ending});
+      scaled = *ending == 's';
+      if (place[0] && place[1]) return;
+    }
+  }
+};
+
+void place_in_cell(std::vector<RawGrain>& rows, const RawCell& cell) {
+  for (RawGrain& g : rows) g.place = cell.corner + g.place.x * cell.edge[0] + g.place.y * cell.edge[1] + g.place.z * cell.edge[2];
+}
+
+RawGrains read_lammps_atoms(const Reading& reading) {
   RawGrains grains;
-  auto items = last_snapshot(text, problems);
-  Item* item = find_item(items, "ATOMS");
+  Problems& problems = reading.problems;
+  DumpSnapshot dump = read_dump(reading);
+  DumpItem* item = dump.find("ATOMS");
   if (!item) {
     if (!problems.any()) problems.add("the last snapshot has no \"ITEM: ATOMS\"; write the grains with `dump custom`");
     return grains;
   }
   Table& atoms = item->table;
-  check_count(items, atoms, "NUMBER OF ATOMS", problems);
-  read_box(items, options.length(), grains, problems);
+  check_count(dump, atoms, "NUMBER OF ATOMS", problems);
   name_columns(atoms, split_blanks(item->title.substr(5)));
   check_rows(atoms, problems);
-  const auto is_there = [&](const char* name) { return atoms.find({name}).has_value(); };
-  const bool scaled = !is_there("x") && !is_there("xu") && is_there("xs");
-  const std::pair<const char*, std::optional<std::size_t>> wanted[] = {
-      {"id", atoms.find({"id"})},         {"x", atoms.find({"x", "xu", "xs"})},   {"y", atoms.find({"y", "yu", "ys"})},
-      {"radius", atoms.find({"radius"})}, {"diameter", atoms.find({"diameter"})}, {"material", atoms.find({"type"})}};
+  const AtomColumns columns(atoms);
+  const std::pair<const char*, std::optional<std::size_t>> wanted[] = {{"id", atoms.find({"id"})},
+                                                                       {"x", columns.place[0]},
+                                                                       {"y", columns.place[1]},
+                                                                       {"z", columns.place[2]},
+                                                                       {"radius", atoms.find({"radius"})},
+                                                                       {"diameter", atoms.find({"diameter"})},
+                                                                       {"material", atoms.find({"type"})},
+                                                                       {"links", atoms.find({"links"})}};
   name_columns(atoms, std::vector<std::string_view>(atoms.columns.size()));
   for (const auto& [name, at] : wanted)
-    if (at) atoms.columns[*at] = {name, scaled && *name != 'r' && *name != 'd' ? "m" : "", {}};
+    if (at) atoms.columns[*at] = {name, columns.scaled && name[1] == '\0' ? "m" : "", {}};
   constexpr const char* needed = "dump id type x y radius";
-  if (!is_there("id")) problems.add(atoms.header_line, "there is no column \"id\"; {}", needed);
+  if (!atoms.find({"id"})) problems.add(atoms.header_line, "there is no column \"id\"; {}", needed);
+  if (columns.scaled && columns.place[0] && !dump.cell)
+    problems.add(atoms.header_line, "coordinates are fractions of a box that the dump does not state; dump x y");
   if (problems.any()) atoms.rows.clear();
-  RawGrains read = grains_in(atoms, needed, options, problems);
-  if (scaled)
-    for (RawGrain& g : read.rows)
-      g.centre = grains.cell.corner() + Vec2{g.centre.x * grains.cell.size().x + g.centre.y * grains.cell.tilt, g.centre.y * grains.cell.size().y};
-  grains.rows = std::move(read.rows);
+  const SampleOptions options = with_units(reading.options, dump.units);
+  grains = grains_in(atoms, needed, options, problems);
+  grains.units = dump.units;
+  if (dump.cell) grains.stated = scaled_by(*dump.cell, options.length());
+  if (columns.scaled && grains.stated) place_in_cell(grains.rows, *grains.stated);
+  if (!options.length_unit) grains.notes.push_back(assumed_unit("length", "m", "--length-unit"));
   return grains;
 }
 
-RawContacts read_lammps_pairs(std::string_view text, const RawGrains& grains, const SampleOptions& options, Problems& problems) {
+/// Says so where both dumps state a box and the boxes differ: those of the grains and of the contacts are of one sample.
+void compare_boxes(const RawGrains& grains, const RawCell& other, std::vector<std::string>& notes) {
+  if (!grains.stated) return;
+  const RawCell& cell = *grains.stated;
+  double difference = norm(cell.corner - other.corner), size = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    difference += norm(cell.edge[axis] - other.edge[axis]);
+    size += norm(cell.edge[axis]);
+  }
+  if (difference > 1e-5 * size)
+    notes.push_back(
+        fmt::format("The contacts' dump states another box ({:g} x {:g} x {:g} m) than the grains' ({:g} x {:g} x "
+                    "{:g} m), which was taken.",
+                    other.edge[0].x, other.edge[1].y, other.edge[2].z, cell.edge[0].x, cell.edge[1].y, cell.edge[2].z));
+}
+
+/// The units of the grains hold for contacts that state none; other ones are a problem.
+std::optional<StatedUnits> common_units(const std::optional<StatedUnits>& of_grains, const std::optional<StatedUnits>& of_contacts, Problems& problems) {
+  if (of_grains && of_contacts && of_grains->name != of_contacts->name)
+    problems.add("the contacts are in units {}, the grains in units {}; write both in the same", of_contacts->name, of_grains->name);
+  return of_contacts ? of_contacts : of_grains;
+}
+
+/// A vector whose components are columns of these names; those that are not there are 0.
+struct VectorColumns {
+  std::array<std::optional<std::size_t>, 3> at;
+  VectorColumns(const Table& table, std::array<const char*, 3> names) {
+    for (std::size_t k = 0; k < 3; ++k) at[k] = table.find({names[k]});
+  }
+  bool has(const Plane& plane) const { return at[plane.first] && at[plane.second]; }
+  template <class Number> Vec3 of(const Table::Row& row, const Number& number) const {
+    return by_axis<3>([&](int axis) { return at[axis] ? number(row, *at[axis]) : 0.0; });
+  }
+};
+
+RawContacts read_lammps_pairs(const Reading& reading, const RawGrains& grains) {
   RawContacts contacts;
-  auto items = last_snapshot(text, problems);
-  Item* item = find_item(items, "ENTRIES");
+  Problems& problems = reading.problems;
+  DumpSnapshot dump = read_dump(reading);
+  DumpItem* item = dump.find("ENTRIES");
   if (!item) {
     if (!problems.any()) problems.add("the last snapshot has no \"ITEM: ENTRIES\"; write the contacts with `dump local`");
     return contacts;
   }
   Table& entries = item->table;
-  check_count(items, entries, "NUMBER OF ENTRIES", problems);
+  check_count(dump, entries, "NUMBER OF ENTRIES", problems);
+  const SampleOptions options = with_units(reading.options, common_units(grains.units, dump.units, problems));
   const auto titles = split_blanks(item->title.substr(7));
   std::string given = options.contact_columns;
   std::replace(given.begin(), given.end(), ',', ' ');
   name_columns(entries, given.empty() ? titles : split_blanks(given));
   if (given.empty()) name_opaque_columns(entries, grains);
-  const auto i = entries.find({"patom1", "i"}), j = entries.find({"patom2", "j"}), fx = entries.find({"fx"}), fy = entries.find({"fy"});
-  // Who names the columns may mean by fx, fy the whole force; LAMMPS's own are the normal force, and p1, p2 the tangential one.
-  const auto px = entries.find({"p1"}), py = entries.find({"p2"});
-  const bool whole = !given.empty() && !px && !py;
-  if (!i || !j || !fx || !fy || (!whole && (!px || !py))) {
-    problems.add(entries.header_line, missing_columns(titles));
-    return contacts;
-  }
+  const auto i = entries.find({"patom1", "i"}), j = entries.find({"patom2", "j"}), overlap = entries.find({"overlap"});
+  const VectorColumns normal(entries, {"fx", "fy", "fz"}), tangential(entries, {"p1", "p2", "p3"});
+  const VectorColumns point(entries, {"cx", "cy", "cz"});
+  // Who names the columns may mean by fx, fy the whole force; LAMMPS's own are the normal force, and p1, p2 the tangential.
+  const bool whole = !given.empty() && !tangential.has(grains.plane);
+  const bool known = i && j && normal.has(grains.plane) && (whole || tangential.has(grains.plane));
+  if (!known && !entries.rows.empty()) problems.add(entries.header_line, missing_columns(titles));
   check_rows(entries, problems);
-  if (problems.any()) return contacts;
-  for (const auto& [line, cells] : entries.rows) {
-    const auto force = [&, at = line, &row = cells](std::size_t c) {
-      return number_or_problem(row[c], entries.columns[c].name, options.force(), at, problems);
-    };
+  if (problems.any() || !known) return contacts;
+  const auto value_in = [&](double factor) {
+    return [&, factor](const Table::Row& row, std::size_t c) { return number_or_problem(row.cells[c], entries.columns[c].name, factor, row.line, problems); };
+  };
+  const auto force = value_in(options.force()), length = value_in(options.length());
+  for (const Table::Row& row : entries.rows) {
     RawContact c;
-    c.line = line;
-    c.i = integer_or_problem(cells[*i], "patom1", line, problems);
-    c.j = integer_or_problem(cells[*j], "patom2", line, problems);
-    c.force_on_j = -Vec2{force(*fx) + (whole ? 0 : force(*px)), force(*fy) + (whole ? 0 : force(*py))};
+    c.line = row.line;
+    c.i = integer_or_problem(row.cells[*i], "patom1", row.line, problems);
+    c.j = integer_or_problem(row.cells[*j], "patom2", row.line, problems);
+    c.force_on_j = -(normal.of(row, force) + (whole ? Vec3{} : tangential.of(row, force)));
+    if (point.has(grains.plane)) c.point = point.of(row, length);
+    if (overlap && to_number(row.cells[*overlap])) c.overlap = length(row, *overlap);
     contacts.rows.push_back(c);
   }
+  if (dump.cell) compare_boxes(grains, scaled_by(*dump.cell, options.length()), contacts.notes);
+  if (grains.has_box && !(grains.cell.periodic[0] && grains.cell.periodic[1]))
+    contacts.notes.push_back("A dump of pairs has no contacts with walls: the stress of the sample and the balance of grains at its sides lack them.");
+  if (!options.force_unit) contacts.notes.push_back(assumed_unit("force", "N", "--force-unit"));
   return contacts;
 }
 
 }  // namespace
 
-/// The last snapshot of a LAMMPS `dump custom` with columns id, type, x, y (or xu, yu; xs, ys) and radius (or diameter), with its box, periodic sides
-/// and tilt; and that of a `dump local` of `property/local patom1 patom2` and `pair/local fx fy [fz] p1 p2 [p3]` of a granular pair style: (fx, fy) is
-/// the normal and (p1, p2) the tangential force, both on atom 1. Its columns are known by these names, or by `contact_columns`, or where LAMMPS names
-/// them c_ID[n], by what they hold or by this order.
+/// A snapshot of a LAMMPS `dump custom` with columns id, type, x, y and perhaps z (or xu, yu; xs, ys) and radius (or
+/// diameter), with its box, periodic sides and tilt; and one of a `dump local` of `property/local patom1 patom2` and
+/// `pair/local fx fy [fz] p1 p2 [p3]` of a granular pair style: (fx, fy) is the normal and (p1, p2) the tangential force,
+/// both on atom 1. Its columns are known by these names, or by `contact_columns`, or where LAMMPS names them c_ID[n], by
+/// what they hold.
 const SampleFormat samples::lammps{.name = "lammps",
                                    .grains_are = "LAMMPS dump custom of id type x y radius",
                                    .contacts_are = "LAMMPS dump local of property/local patom1 patom2 and pair/local fx fy p1 p2",
+                                   .states = {{"units (ITEM: UNITS)",
+                                               "taken, for contacts from the grains where they state none; `lj` has none. Other units "
+                                               "given by options, or units that are not LAMMPS's, are refused. Without: m and N, told"},
+                                              {"step, time", "grains and contacts are of the last step that both have; refused where they have none in common"},
+                                              {"box, periodic sides, tilt, vectors (abc)",
+                                               "taken; refused where its vectors leave the plane of the centres. "
+                                               "Another box in the contacts' dump is told"},
+                                              {"z",
+                                               "centres within 2 % of a radius are a plane, x-y, x-z or y-z (the last two are told); within a radius a "
+                                               "layer, told; beyond: refused"},
+                                              {"columns",
+                                               "known by name; those named after computes (c_1[2]) by what they hold, or refused; --columns names "
+                                               "them"},
+                                              {"pairs without a force", "contacts where they overlap, else left out and told"},
+                                              {"type", "the material"}},
                                    .is_grains = is_dump,
                                    .is_contacts = is_dump,
                                    .grains = read_lammps_atoms,
-                                   .contacts = read_lammps_pairs};
+                                   .contacts = read_lammps_pairs,
+                                   .grain_moments = dump_moments,
+                                   .contact_moments = dump_moments};
 
 }  // namespace arenite::io

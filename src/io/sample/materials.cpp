@@ -1,13 +1,10 @@
-#include "io/sample/sample.hpp"
-
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <set>
 #include <unordered_map>
 
-#include "io/disk/file.hpp"
-#include "io/table/table.hpp"
+#include "io/sample/formats.hpp"
 
 namespace arenite::io {
 namespace {
@@ -51,7 +48,7 @@ struct MaterialTable {
 
 MaterialTable read_material_table(const std::filesystem::path& file) {
   Problems problems(file.string());
-  const std::string text = read_file(file);
+  const std::string text = read_text(file);
   const Table table = read_table(text, {}, problems);
   const auto label = table.find({"material"}), id = table.find({"id", "grain"});
   if (!label) problems.add(table.header_line, "there is no column \"material\"; give material,name,density [kg/m^3],stiffness [N/m] or id,material");

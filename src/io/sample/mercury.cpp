@@ -1,10 +1,8 @@
-#include "io/sample/sample.hpp"
-
 #include <fmt/core.h>
 
 #include <algorithm>
 
-#include "io/table/table.hpp"
+#include "io/sample/formats.hpp"
 
 namespace arenite::io {
 namespace {
@@ -14,78 +12,150 @@ bool all_numbers(std::string_view line, std::size_t count) {
   return cells.size() == count && std::ranges::all_of(cells, [](std::string_view cell) { return to_number(cell).has_value(); });
 }
 
-void read_header(const std::vector<std::string_view>& cells, int line, double length, RawGrains& grains, Problems& problems) {
-  const auto bound = [&](std::size_t c) { return number_or_problem(cells[c], "box bound", length, line, problems); };
-  const Vec2 low{bound(2), bound(3)}, high{bound(4), bound(5)};
-  grains.lay_box(low, high);
-  grains.has_box = high.x > low.x && high.y > low.y;
+/// "# time ..", which begins a step, or a row of numbers.
+bool is_fstat(std::string_view line) {
+  const auto cells = split_blanks(line);
+  return all_numbers(line, 16) || (cells.size() > 1 && cells[0] == "#" && to_number(cells[1]));
 }
 
-RawGrains read_mercury_data(std::string_view text, const SampleOptions& options, Problems& problems) {
-  RawGrains grains;
-  Table table;
-  for (const char* name : {"x", "y", "", "", "radius", "", "", "material"}) table.columns.push_back({name, {}, {}});
+/// The line that begins a time step of a .data file, in the plane or in space.
+struct DataHeader {
+  std::int64_t grains = 0;
+  Moment at;
+  RawCell cell;
+};
+
+bool may_be_header(const std::vector<std::string_view>& cells) { return cells.size() == 6 || cells.size() == 8; }
+
+DataHeader read_header(const std::vector<std::string_view>& cells, int line, double length, Problems& problems) {
+  DataHeader header;
+  header.grains = integer_or_problem(cells[0], "number of grains", line, problems);
+  header.at.time = to_number(cells[1]);
+  const auto axes = (static_cast<int>(cells.size()) - 2) / 2;
+  const auto bound = [&](int c) { return number_or_problem(cells[static_cast<std::size_t>(2 + c)], "box bound", length, line, problems); };
+  for (int axis = 0; axis < axes; ++axis) {
+    header.cell.corner[axis] = bound(axis);
+    header.cell.edge[axis][axis] = bound(axes + axis) - header.cell.corner[axis];
+  }
+  return header;
+}
+
+/// Times of all steps of a .data file, by the counts of grains in their headers.
+std::vector<Moment> data_moments(std::string_view text, const std::string&) {
+  std::vector<Moment> moments;
+  std::int64_t rows = 0;
   Lines lines(text);
-  std::int64_t expected = 0, found = 0;
+  for (std::string_view line; lines.next(line);) {
+    if (trimmed(line).empty() || rows-- > 0) continue;
+    const auto cells = split_blanks(line);
+    const auto count = to_integer(cells.front());
+    if (!may_be_header(cells) || !count) return moments;
+    moments.push_back({std::nullopt, to_number(cells[1])});
+    rows = *count;
+  }
+  return moments;
+}
+
+Table table_of_grains(bool in_space) {
+  Table table;
+  if (in_space)
+    for (const char* name : {"x", "y", "z", "", "", "", "radius", "", "", "", "", "", "", "material"}) table.columns.push_back({name, {}, {}});
+  else
+    for (const char* name : {"x", "y", "", "", "radius", "", "", "material"}) table.columns.push_back({name, {}, {}});
+  return table;
+}
+
+RawGrains read_mercury_data(const Reading& reading) {
+  RawGrains grains;
+  Problems& problems = reading.problems;
+  Table table;
+  DataHeader header;
+  Lines lines(reading.text);
+  std::int64_t found = 0;
+  std::size_t snapshot = 0;
   for (std::string_view line; lines.next(line);) {
     auto cells = split_blanks(line);
     if (cells.empty()) continue;
     const int at = lines.number();
-    if (found == expected) {
+    if (found == header.grains) {
+      if (table.header_line > 0 && snapshot++ == reading.snapshot) break;
       const auto count = to_integer(cells.front());
-      if (cells.size() != 6 || !count || *count < 0) {
-        problems.add(at, "expected \"N time xmin ymin xmax ymax\" of a plane simulation, found {} values; write the file with system dimension 2",
-                     cells.size());
+      if (!may_be_header(cells) || !count || *count < 0) {
+        problems.add(at, "expected \"N time xmin ymin xmax ymax\", or with z too, found {} values; write the file anew", cells.size());
         return grains;
       }
-      expected = *count;
-      found = 0;
+      header = read_header(cells, at, reading.options.length(), problems);
+      table = table_of_grains(cells.size() == 8);
       table.header_line = at;
-      table.rows.clear();
-      read_header(cells, at, options.length(), grains, problems);
+      found = 0;
       continue;
     }
     ++found;
+    if (snapshot < reading.snapshot) continue;
     if (cells.size() == table.columns.size()) table.rows.push_back({at, std::move(cells)});
-    else problems.add(at, "expected 8 values \"x y vx vy radius angle omega info\", found {}", cells.size());
+    else
+      problems.add(at, "expected {} values \"{}\", found {}", table.columns.size(),
+                   table.columns.size() == 8 ? "x y vx vy radius angle omega info" : "x y z vx vy vz radius qx qy qz omegax omegay omegaz info", cells.size());
   }
   if (table.header_line == 0) problems.add("the file is empty; give a .data file with at least one time step");
-  if (found < expected) problems.add(table.header_line, "{} grains are announced, but {} follow; the file is cut off", expected, found);
-  grains.rows = grains_in(table, "", options, problems).rows;
+  if (found < header.grains) problems.add(table.header_line, "{} grains are announced, but {} follow; the file is cut off", header.grains, found);
+  grains.rows = grains_in(table, "", reading.options, problems).rows;
+  grains.stated = header.cell;
+  if (!reading.options.length_unit) grains.notes.push_back(assumed_unit("length", "m", "--length-unit"));
   return grains;
 }
 
-RawContacts read_mercury_fstat(std::string_view text, const RawGrains&, const SampleOptions& options, Problems& problems) {
-  RawContacts contacts;
-  contacts.lists_both_ways = true;
+/// Calls `see` with the cells of a row of a .fstat file and its line, and `start` with the time of each step: where lines
+/// that begin with # announce it, or where the time of the rows changes.
+template <class Start, class See> void each_force(std::string_view text, const Start& start, const See& see) {
   Lines lines(text);
-  bool in_header = false, any = false;
+  bool in_header = false;
+  std::string_view time;  // of the row before
   for (std::string_view line; lines.next(line);) {
     const auto cells = split_blanks(line);
     if (cells.empty()) continue;
-    any = true;
-    if (cells.front().starts_with('#')) {
-      if (!in_header) contacts.rows.clear();  // a new time step
-      in_header = true;
-      continue;
-    }
-    in_header = false;
-    const int at = lines.number();
-    if (cells.size() != 16) {
-      problems.add(at, "expected 16 values \"time i j x y z overlap tangential_overlap fn ft nx ny nz tx ty tz\", found {}", cells.size());
-      continue;
-    }
+    const bool is_header = cells.front().starts_with('#');
+    if (is_header && !in_header) start(cells.size() > 1 ? to_number(cells[1]) : std::nullopt);
+    if (!is_header && !in_header && cells.front() != time) start(to_number(cells.front()));
+    in_header = is_header;
+    if (is_header) continue;
+    time = cells.front();
+    see(cells, lines.number());
+  }
+}
+
+std::vector<Moment> fstat_moments(std::string_view text, const std::string&) {
+  std::vector<Moment> moments;
+  each_force(
+      text,
+      [&](std::optional<double> time) {
+        moments.push_back({std::nullopt, time});
+      },
+      [](const auto&, int) {});
+  return moments;
+}
+
+RawContacts read_mercury_fstat(const Reading& reading, const RawGrains& grains) {
+  RawContacts contacts;
+  contacts.lists_both_ways = true;
+  Problems& problems = reading.problems;
+  std::size_t steps = 0;
+  const auto add = [&](const std::vector<std::string_view>& cells, int at) {
+    if (steps != reading.snapshot + 1) return;
+    if (cells.size() != 16)
+      return problems.add(at, "expected 16 values \"time i j x y z overlap tangential_overlap fn ft nx ny nz tx ty tz\", found {}", cells.size());
     const auto value = [&](std::size_t c, double factor) { return number_or_problem(cells[c], "value " + std::to_string(c + 1), factor, at, problems); };
+    const auto vector = [&](std::size_t c) { return Vec3{value(c, 1), value(c + 1, 1), value(c + 2, 1)}; };
     RawContact c;
     c.line = at;
     c.i = integer_or_problem(cells[1], "i", at, problems);
     c.j = integer_or_problem(cells[2], "j", at, problems);
-    const double fn = value(8, options.force()), ft = value(9, options.force());
-    const Vec2 n{value(10, 1), value(11, 1)}, t{value(13, 1), value(14, 1)};
+    c.overlap = value(6, reading.options.length());
     // n and t belong to the force on grain i; for a wall MercuryDPM turns both round.
-    const Vec2 force_on_i = fn * n + ft * t;
+    const Vec3 n = vector(10);
+    const Vec3 force_on_i = value(8, reading.options.force()) * n + value(9, reading.options.force()) * vector(13);
     if (c.j < 0) {
-      c.wall = side_towards(n);
+      c.wall = side_towards(grains.plane.of(n));
       c.force_on_j = force_on_i;
       c.normal = n;
     } else {
@@ -93,22 +163,38 @@ RawContacts read_mercury_fstat(std::string_view text, const RawGrains&, const Sa
       c.normal = -n;
     }
     contacts.rows.push_back(c);
-  }
-  if (!any) problems.add("the file is empty; give a .fstat file with at least one time step");
+  };
+  each_force(
+      reading.text, [&](std::optional<double>) { ++steps; }, add);
+  if (steps == 0) problems.add("the file is empty; give a .fstat file with at least one time step");
+  if (!reading.options.force_unit) contacts.notes.push_back(assumed_unit("force", "N", "--force-unit"));
   return contacts;
 }
 
 }  // namespace
 
-/// The last time step of a MercuryDPM .data file of a plane simulation: a line "N time xmin ymin xmax ymax", then N lines "x y vx vy radius angle
-/// omega info"; info is the species. Grains are numbered from 0 in their order. And that of a .fstat file: lines "time i j x y z overlap
-/// tangential_overlap fn ft nx ny nz tx ty tz", n pointing to grain i; j < 0 is a wall. Contacts of two grains are listed once for each of them.
+/// A time step of a MercuryDPM .data file: a line "N time xmin ymin xmax ymax", then N lines "x y vx vy radius angle omega
+/// info", or both with the third coordinate; info is the species. Grains are numbered from 0 in their order. And that of a
+/// .fstat file: lines "time i j x y z overlap tangential_overlap fn ft nx ny nz tx ty tz", n pointing to grain i; j < 0 is
+/// a wall. Contacts of two grains are listed once for each of them.
 const SampleFormat samples::mercury{.name = "mercury",
-                                    .grains_are = "MercuryDPM .data of a plane system",
+                                    .grains_are = "MercuryDPM .data",
                                     .contacts_are = "MercuryDPM .fstat",
-                                    .is_grains = [](std::string_view line) { return all_numbers(line, 6); },
-                                    .is_contacts = [](std::string_view line) { return line.starts_with('#') || all_numbers(line, 16); },
+                                    .states = {{"units", "none are in the files: m and N, told, or those given by options"},
+                                               {"time", "grains and contacts are of the last time that both have; refused where they have none in common"},
+                                               {"box", "taken; whether its sides are periodic is not in the file, --periodic says it"},
+                                               {"third coordinate",
+                                                "read where the file has it: centres within 2 % of a radius are a plane, x-y, x-z or y-z "
+                                                "(the last two are told); within a radius a layer, told; beyond: refused"},
+                                               {"columns", "by the number of values a line, as MercuryDPM writes them"},
+                                               {"overlap", "contacts without a force that do not overlap are left out and told"},
+                                               {"contact point", "in the middle of the overlap, where MercuryDPM has it"},
+                                               {"info", "the species is the material"}},
+                                    .is_grains = [](std::string_view line) { return all_numbers(line, 6) || all_numbers(line, 8); },
+                                    .is_contacts = is_fstat,
                                     .grains = read_mercury_data,
-                                    .contacts = read_mercury_fstat};
+                                    .contacts = read_mercury_fstat,
+                                    .grain_moments = data_moments,
+                                    .contact_moments = fstat_moments};
 
 }  // namespace arenite::io

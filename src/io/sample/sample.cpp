@@ -1,10 +1,10 @@
 #include "io/sample/sample.hpp"
 
+#include <fmt/core.h>
+
 #include <utility>
 
-#include "core/problems.hpp"
-#include "io/disk/file.hpp"
-#include "io/table/table.hpp"
+#include "io/sample/formats.hpp"
 
 namespace arenite::io {
 namespace {
@@ -19,7 +19,18 @@ std::string_view first_line(std::string_view text) {
 const SampleFormat& format_of(std::string_view grains, const SampleOptions& options) {
   if (const SampleFormat* named = format_named(samples::all, options.format)) return *named;
   if (!options.grain_columns.empty()) return samples::csv;
-  return *first_format(samples::all, [&](const SampleFormat& format) { return format.is_grains(first_line(grains)); });  // what is no other is a table
+  const std::string_view line = first_line(grains);
+  return *first_format(samples::all, [&](const SampleFormat& format) { return format.is_grains(line); });  // else a table
+}
+
+/// Contacts of every format may also be a table.
+const SampleFormat& format_of_contacts(std::string_view contacts, const SampleFormat& of_grains, const SampleOptions& options) {
+  const bool own = of_grains.is_contacts(first_line(contacts)) || options.format == of_grains.name;
+  return own ? of_grains : samples::csv;
+}
+
+std::vector<Moment> moments_in(SampleFormat::Moments moments, std::string_view text, const std::string& columns) {
+  return moments != nullptr && !text.empty() ? moments(text, columns) : std::vector<Moment>();
 }
 
 /// Image rows point down; from here on y points up.
@@ -29,11 +40,10 @@ void turn_rows_up(RawGrains& grains) {
   wall[bottom].position = -std::exchange(wall[top].position, -wall[bottom].position);
   grains.cell.tilt = -grains.cell.tilt;
 }
-void turn_rows_up(RawContacts& contacts) {
-  for (RawContact& c : contacts.rows) {
-    if (c.normal) c.normal->y = -c.normal->y;
-    if (c.force_on_j) c.force_on_j->y = -c.force_on_j->y;
-  }
+void turn_rows_up(RawContacts& contacts, int down) {
+  for (RawContact& c : contacts.rows)
+    for (auto* vector : {&c.normal, &c.force_on_j, &c.point})
+      if (*vector) (**vector)[down] = -(**vector)[down];
 }
 
 void apply_box(const SampleOptions& options, RawGrains& grains, Problems& problems) {
@@ -48,29 +58,28 @@ void apply_box(const SampleOptions& options, RawGrains& grains, Problems& proble
   if (!grains.has_box && (periodic[0] || periodic[1])) problems.add("periodic sides need the size of the cell; give --box LX,LY[,tilt]");
 }
 
-/// The text of a file; one with zero bytes is no text in any encoding that is read here.
-std::string read_text(const std::filesystem::path& path) {
-  std::string text = read_file(path);
-  if (text.find('\0') == std::string::npos) return text;
-  refuse(path.string(), "is not a text file; results (.h5) are for `arenite show`, or for `arenite export --to csv`, whose tables can be measured");
-}
-
 }  // namespace
 
 Sample read_sample(const std::filesystem::path& grains_path, const std::filesystem::path& contacts_path, const SampleOptions& options) {
-  const std::string grains_text = read_text(grains_path), contacts_text = contacts_path.empty() ? std::string() : read_text(contacts_path);
+  const std::string grains_text = read_text(grains_path);
+  const std::string contacts_text = contacts_path.empty() ? std::string() : read_text(contacts_path);
   Problems grain_problems(grains_path.string()), contact_problems(contacts_path.string());
-
   const SampleFormat& format = format_of(grains_text, options);
-  RawGrains grains = format.grains(grains_text, options, grain_problems);
-  if (options.y_down) turn_rows_up(grains);
-  if (!grain_problems.any()) apply_box(options, grains, grain_problems);
-  const bool own = format.is_contacts(first_line(contacts_text)) || options.format == format.name;
-  RawContacts contacts;
-  if (!contacts_path.empty()) contacts = (own ? format : samples::csv).contacts(contacts_text, grains, options, contact_problems);
-  if (options.y_down) turn_rows_up(contacts);
+  const SampleFormat& of_contacts = format_of_contacts(contacts_text, format, options);
 
   Sample sample;
+  const auto moments = moments_in(format.grain_moments, grains_text, options.grain_columns);
+  const auto taken = common_snapshot(moments, moments_in(of_contacts.contact_moments, contacts_text, options.contact_columns), sample.notes, contact_problems);
+  RawGrains grains = format.grains({grains_text, taken.grains, options, grain_problems});
+  if (!grain_problems.any()) lay_in_plane(grains, grain_problems);
+  if (options.y_down) turn_rows_up(grains);
+  if (!grain_problems.any()) apply_box(options, grains, grain_problems);
+
+  RawContacts contacts;
+  const bool readable = !grain_problems.any() || &of_contacts == &samples::csv;  // the others look at the grains
+  if (!contacts_path.empty() && readable && !contact_problems.any())
+    contacts = of_contacts.contacts({contacts_text, taken.contacts, options, contact_problems}, grains);
+  if (options.y_down) turn_rows_up(contacts, grains.plane.second);
   assemble(grains, contacts, options, sample, grain_problems, contact_problems);
   return sample;
 }

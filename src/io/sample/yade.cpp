@@ -1,28 +1,14 @@
-#include "io/sample/sample.hpp"
-
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "core/mapped.hpp"
 #include "geometry/cell_grid.hpp"
-#include "io/table/table.hpp"
+#include "io/sample/formats.hpp"
 
 namespace arenite::io {
 namespace {
-
-using Point = std::array<double, 3>;
-
-/// Which two axes span the plane: the one along which no centre differs is left out.
-std::array<std::size_t, 2> plane_of(const std::vector<Point>& points) {
-  for (const std::size_t flat : {2u, 1u, 0u}) {
-    const bool same = std::all_of(points.begin(), points.end(), [&](const Point& p) { return p[flat] == points.front()[flat]; });
-    if (same) return {flat == 0 ? 1u : 0u, flat == 2 ? 1u : 2u};
-  }
-  return {0, 1};
-}
 
 /// Finds the grain whose centre, or a periodic image of it, is a point, to the six digits that YADE writes.
 class Centres {
@@ -70,16 +56,16 @@ struct Words {
   void skip_line() { at = of_line.size(); }
 };
 
-std::vector<Point> read_points(Words& words, std::size_t count, double factor, Problems& problems) {
-  std::vector<Point> points(count);
-  for (Point& p : points)
-    for (double& value : p) {
+std::vector<Vec3> read_points(Words& words, std::size_t count, double factor, Problems& problems) {
+  std::vector<Vec3> points(count);
+  for (Vec3& p : points)
+    for (int axis = 0; axis < 3; ++axis) {
       const auto word = words.next();
       if (word.empty()) {
         problems.add(words.lines.number(), "the file is cut off; write it again");
         return {};
       }
-      value = number_or_problem(word, "value", factor, words.lines.number(), problems);
+      p[axis] = number_or_problem(word, "value", factor, words.lines.number(), problems);
     }
   return points;
 }
@@ -98,10 +84,11 @@ std::string not_joined(std::size_t count, std::size_t all, const RawGrains& grai
                           : "if they cross a periodic side give the cell by --box and --periodic; spheres and interactions must be written at the same step");
 }
 
-RawGrains read_yade_spheres(std::string_view text, const SampleOptions& options, Problems& problems) {
+RawGrains read_yade_spheres(const Reading& reading) {
   RawGrains grains;
-  std::vector<Point> centres;
-  Lines lines(text);
+  const SampleOptions& options = reading.options;
+  Problems& problems = reading.problems;
+  Lines lines(reading.text);
   std::size_t id_columns = 0, material = 0;
   for (std::string_view line; lines.next(line);) {
     const auto cells = split_blanks(line);
@@ -120,28 +107,28 @@ RawGrains read_yade_spheres(std::string_view text, const SampleOptions& options,
     RawGrain g;
     g.line = at;
     g.id = id_columns ? integer_or_problem(cells[0], "id", at, problems) : static_cast<std::int64_t>(grains.rows.size());
-    Point p;
-    for (std::size_t k = 0; k < 3; ++k) p[k] = number_or_problem(cells[id_columns + k], "coordinate", options.length(), at, problems);
+    for (int axis = 0; axis < 3; ++axis)
+      g.place[axis] = number_or_problem(cells[id_columns + static_cast<std::size_t>(axis)], "coordinate", options.length(), at, problems);
     g.radius = number_or_problem(cells[id_columns + 3], "r", options.length(), at, problems);
     if (material > 0) g.material = cells[material];
-    centres.push_back(p);
     grains.rows.push_back(std::move(g));
   }
-  if (centres.empty()) problems.add("the file has no spheres; write them with export.textExt");
-  const auto [a, b] = centres.empty() ? std::array<std::size_t, 2>{0, 1} : plane_of(centres);
-  for (std::size_t g = 0; g < centres.size(); ++g) grains.rows[g].centre = {centres[g][a], centres[g][b]};
+  if (grains.rows.empty() && !problems.any()) problems.add("the file has no spheres; write them with export.textExt");
+  if (!options.length_unit) grains.notes.push_back(assumed_unit("length", "m", "--length-unit"));
   return grains;
 }
 
-RawContacts read_yade_interactions(std::string_view text, const RawGrains& grains, const SampleOptions& options, Problems& problems) {
+RawContacts read_yade_interactions(const Reading& reading, const RawGrains& grains) {
   RawContacts contacts;
-  Words words{Lines(text)};
-  std::vector<Point> ends, normal, shear;
+  const SampleOptions& options = reading.options;
+  Problems& problems = reading.problems;
+  Words words{Lines(reading.text)};
+  std::vector<Vec3> ends, normal, shear;
   std::size_t count = 0;
   for (auto word = words.next(); !word.empty(); word = words.next()) {
     if (word == "POINTS") {
       count = static_cast<std::size_t>(std::max<std::int64_t>(0, integer_or_problem(words.next(), "number of points", words.lines.number(), problems))) / 2;
-      if (count > text.size()) break;  // more than the file can hold
+      if (count > reading.text.size()) break;  // more than the file can hold
       words.skip_line();
       ends = read_points(words, 2 * count, options.length(), problems);
     } else if (word == "VECTORS") {
@@ -159,13 +146,12 @@ RawContacts read_yade_interactions(std::string_view text, const RawGrains& grain
         "'i.phys.normalForce', 'shearForce': 'i.phys.shearForce'})");
     return contacts;
   }
-  const auto [a, b] = ends.empty() ? std::array<std::size_t, 2>{0, 1} : plane_of(ends);
+  const Plane& plane = grains.plane;
   const Centres centres(grains);
   std::size_t not_of_walls = 0, without_grain = 0;
   for (std::size_t c = 0; c < count; ++c) {
-    const Vec2 first{ends[2 * c][a], ends[2 * c][b]}, second{ends[2 * c + 1][a], ends[2 * c + 1][b]};
-    Vec2 n{normal[c][a], normal[c][b]};
-    Vec2 force = n + Vec2{shear[c][a], shear[c][b]};
+    const Vec2 first = plane.of(ends[2 * c]), second = plane.of(ends[2 * c + 1]);
+    Vec3 n = normal[c], force = n + shear[c];
     std::int64_t i = centres.find(first), j = centres.find(second);
     if (i < 0 && j < 0) {
       ++without_grain;
@@ -180,29 +166,42 @@ RawContacts read_yade_interactions(std::string_view text, const RawGrains& grain
     row.i = grains.rows[static_cast<std::size_t>(i)].id;
     row.force_on_j = force;
     if (j < 0) {
-      not_of_walls += !may_be_wall(n, grains);
-      row.wall = side_towards(n);
+      not_of_walls += !may_be_wall(plane.of(n), grains);
+      row.wall = side_towards(plane.of(n));
     } else {
       row.j = grains.rows[static_cast<std::size_t>(j)].id;
-      if (norm(second - first) > 0) row.normal = (1 / norm(second - first)) * (second - first);
+      const Vec3 branch = ends[2 * c + 1] - ends[2 * c];
+      if (norm(second - first) > 0) row.normal = branch / norm(second - first);
     }
     contacts.rows.push_back(row);
   }
   if (not_of_walls > 0) problems.add(not_joined(not_of_walls, count, grains));
+  if (!options.force_unit) contacts.notes.push_back(assumed_unit("force", "N", "--force-unit"));
   if (without_grain > 0) contacts.notes.push_back(fmt::format("{} of {} interactions belong to no grain in the list and are left out.", without_grain, count));
   return contacts;
 }
 
 }  // namespace
 
-/// Spheres written by YADE's export.text or export.textExt: "#format x_y_z_r" (or x_y_z_r_matId, x_y_z_r_attrs, id_x_y_z_r_matId), then one sphere a
-/// line. The plane is x-y, or x-z or y-z where y or x is the same for all. Without ids spheres are numbered from 0 in their order. Interactions written
-/// by VTKExporter.exportInteractions with what = {'normalForce': 'i.phys.normalForce', 'shearForce': 'i.phys.shearForce'}: both centres of every
-/// interaction and the force on the second body. The file has no ids, so ends are matched with the centres of the grains; an end that is no grain's
-/// centre is a wall.
+/// Spheres written by YADE's export.text or export.textExt: "#format x_y_z_r" (or x_y_z_r_matId, x_y_z_r_attrs,
+/// id_x_y_z_r_matId), then one sphere a line. Without ids spheres are numbered from 0 in their order. Interactions written
+/// by VTKExporter.exportInteractions with what = {'normalForce': 'i.phys.normalForce', 'shearForce': 'i.phys.shearForce'}:
+/// both centres of every interaction and the force on the second body. The file has no ids, so ends are matched with the
+/// centres of the grains; an end that is no grain's centre is a wall.
 const SampleFormat samples::yade{.name = "yade",
                                  .grains_are = "YADE export.textExt",
                                  .contacts_are = "YADE VTKExporter.exportInteractions of normalForce and shearForce",
+                                 .states = {{"units", "none are in the files: m and N, told, or those given by options"},
+                                            {"step, time",
+                                             "none are in the files; interactions that end at no grain's centre show another step and are "
+                                             "refused"},
+                                            {"cell", "none is in the files; --box and --periodic give it, and periodic sides without it are refused"},
+                                            {"third coordinate",
+                                             "centres within 2 % of a radius are a plane, x-y, x-z or y-z (the last two are told); "
+                                             "within a radius a layer, told; beyond: refused"},
+                                            {"columns", "by the #format line; vectors of interactions by their names"},
+                                            {"interactions without a force", "contacts where they overlap, else left out and told"},
+                                            {"matId", "the material"}},
                                  .is_grains = [](std::string_view line) { return line.starts_with("#format"); },
                                  .is_contacts = [](std::string_view line) { return line.starts_with("# vtk DataFile"); },
                                  .grains = read_yade_spheres,

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "io/disk/file.hpp"
 #include "io/table/table.hpp"
 
 namespace arenite::io {
@@ -29,7 +28,7 @@ std::string unit_of(const Table::Column& column, const Quantity& quantity) {
 
 }  // namespace
 
-LaboratoryTable::LaboratoryTable(const std::string& file) : file_(file), text_(read_file(file)) {
+LaboratoryTable::LaboratoryTable(const std::string& file) : file_(file), text_(read_text(file)) {
   Problems problems(file);
   table_ = read_table(text_, "", problems);
   problems.raise();

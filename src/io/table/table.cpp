@@ -14,6 +14,21 @@ std::string_view unquoted(std::string_view cell) {
   return cell.size() >= 2 && cell.front() == '"' && cell.back() == '"' ? cell.substr(1, cell.size() - 2) : cell;
 }
 
+/// Whether a spreadsheet takes this text for a formula: it begins with a sign for one, or as a number that goes on with
+/// a call.
+bool is_formula(std::string_view text) {
+  if (text.empty()) return false;
+  if (text.front() == '=' || text.front() == '@' || text.front() == '\t' || text.front() == '\r') return true;
+  return (text.front() == '+' || text.front() == '-') && text.find_first_of("(|!=") != std::string_view::npos;
+}
+
+/// "sep=;", by which spreadsheets say how the cells of the lines below are separated; 0 for any other line.
+char stated_separator(std::string_view line) {
+  line = unquoted(trimmed(line));
+  const bool is = line.size() == 5 && lower_case(line.substr(0, 4)) == "sep=";
+  return is ? line.back() : lower_case(line) == "sep=" ? '\t' : '\0';
+}
+
 char separator_of(std::string_view line) {
   for (const char c : {',', ';', '\t'})
     if (line.find(c) != std::string_view::npos) return c;
@@ -47,6 +62,58 @@ void check_header(const Table& table, int line, Problems& problems) {
         problems.add(line, "column \"{}\" appears twice; rename or drop one", table.columns[a].name);
 }
 
+bool is_digits(std::string_view text) {
+  return !text.empty() && std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; });
+}
+
+/// The digits behind the comma of a number such as "-12,5" or "1,5e-3"; nothing of any other cell.
+std::optional<std::string_view> behind_comma(std::string_view cell) {
+  const auto comma = cell.find(',');
+  if (comma == std::string_view::npos) return std::nullopt;
+  std::string_view whole = cell.substr(0, comma), rest = cell.substr(comma + 1);
+  if (whole.starts_with('-') || whole.starts_with('+')) whole.remove_prefix(1);
+  std::string number = "0." + std::string(rest);
+  if (!is_digits(whole) || rest.empty() || !is_digits(rest.substr(0, 1)) || !to_number(number)) return std::nullopt;
+  return rest.substr(0, std::min(rest.find_first_of("eEdD"), rest.size()));
+}
+
+/// Cells whose numbers have decimal commas get points, where that is what the commas are: not beside numbers with points,
+/// and where blanks or tabs separate, not where each comma may separate thousands.
+void take_decimal_commas(Table& table, char separator, Problems& problems) {
+  bool telling = separator == ';', points = false;
+  const Table::Row* first = nullptr;
+  std::string_view example;
+  for (const Table::Row& row : table.rows)
+    for (const std::string_view cell : row.cells) {
+      points = points || (cell.find('.') != std::string_view::npos && to_number(cell));
+      const auto digits = behind_comma(cell);
+      if (!digits) continue;
+      telling = telling || digits->size() != 3;
+      if (first == nullptr) first = &row, example = cell;
+    }
+  if (first == nullptr) return;
+  if (points || !telling)
+    return problems.add(first->line,
+                        "\"{}\" may be a number with a decimal comma or with thousands set apart{}; write "
+                        "decimal points and no other signs in numbers",
+                        example, points ? ", and others have points" : "");
+  table.rewritten = std::make_shared<std::deque<std::string>>();
+  for (Table::Row& row : table.rows)
+    for (std::string_view& cell : row.cells) {
+      if (!behind_comma(cell)) continue;
+      table.rewritten->emplace_back(cell);
+      std::ranges::replace(table.rewritten->back(), ',', '.');
+      cell = table.rewritten->back();
+    }
+}
+
+/// The problem of a row that has not a cell for each column.
+std::string ragged(const Table::Row& row, std::size_t columns, char separator) {
+  const bool more = separator == ',' && row.cells.size() > columns;
+  return fmt::format("this row has {} cells, but there are {} columns; complete or remove it{}", row.cells.size(), columns,
+                     more ? ", and if its commas are decimal ones, separate cells by semicolons" : "");
+}
+
 }  // namespace
 
 /// Cuts at separators that are not inside quotes.
@@ -58,13 +125,16 @@ std::vector<std::string_view> split_cells(std::string_view line, char separator)
   for (std::size_t at = 0; at <= line.size(); ++at) {
     if (at < line.size() && line[at] == '"') quoted = !quoted;
     if (at < line.size() && (quoted || line[at] != separator)) continue;
-    cells.push_back(unquoted(trimmed(line.substr(start, at - start))));
+    std::string_view cell = unquoted(trimmed(line.substr(start, at - start)));
+    if (cell.starts_with('\'') && is_formula(cell.substr(1))) cell.remove_prefix(1);
+    cells.push_back(cell);
     start = at + 1;
   }
   return cells;
 }
 
 std::string quoted_cell(const std::string& text) {
+  if (is_formula(text)) return quoted_cell('\'' + text);
   if (text.find_first_of(",;\"\n\r") == std::string::npos) return text;
   std::string quoted = "\"";
   for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
@@ -98,6 +168,7 @@ Table read_table(std::string_view text, const std::string& columns, Problems& pr
   bool first_row = true;
   for (std::string_view line; lines.next(line);) {
     if (trimmed(line).empty() || trimmed(line).front() == '#') continue;
+    if (separator == 0 && (separator = stated_separator(line)) != 0) continue;
     if (separator == 0) separator = separator_of(line);
     Table::Row row{lines.number(), split_cells(line, separator)};
     if (table.columns.empty()) {
@@ -111,7 +182,7 @@ Table read_table(std::string_view text, const std::string& columns, Problems& pr
       continue;
     }
     if (row.cells.size() != table.columns.size()) {
-      problems.add(row.line, "this row has {} cells, but there are {} columns; complete or remove it", row.cells.size(), table.columns.size());
+      problems.add(row.line, ragged(row, table.columns.size(), separator));
       continue;
     }
     if (first_row && is_unit_row(row)) {
@@ -123,12 +194,18 @@ Table read_table(std::string_view text, const std::string& columns, Problems& pr
     first_row = false;
   }
   if (table.columns.empty()) problems.add("the file is empty; give a header row and one row per item");
+  take_decimal_commas(table, separator, problems);
   return table;
 }
 
 std::optional<double> to_number(std::string_view cell) {
   if (cell.starts_with('+')) cell.remove_prefix(1);
-  const auto value = parse_number<double>(cell);
+  auto value = parse_number<double>(cell);
+  if (const auto exponent = cell.find_first_of("dD"); !value && exponent != std::string_view::npos) {
+    std::string number(cell);
+    number[exponent] = 'e';
+    value = parse_number<double>(number);
+  }
   return value && std::isfinite(*value) ? value : std::nullopt;
 }
 

@@ -1,4 +1,7 @@
 #pragma once
+#include <deque>
+#include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,8 +13,17 @@
 
 namespace arenite::io {
 
-/// Text cut into rows of cells. Separator: comma, semicolon or tab if the first row has one, else blanks. A cell may stand in double quotes. Lines
-/// that start with # and empty lines are skipped. Cells point into the text, which must outlive the table.
+/// The text of a file in UTF-8, whatever it is written in: UTF-8 or UTF-16 with their marks, or Latin-1, which any other
+/// bytes are taken for; lines that end with a carriage return alone end with a line feed. Throws InputError for a file
+/// that cannot be read or holds zero bytes.
+std::string read_text(const std::filesystem::path& path);
+/// The same of bytes that have been read.
+std::string as_utf8(std::string bytes);
+
+/// Text cut into rows of cells. Separator: that of a first line "sep=;" as spreadsheets write it, else comma, semicolon or
+/// tab if the first row has one, else blanks. A cell may stand in double quotes. Lines that start with # and empty lines
+/// are skipped. Decimal commas are read in quotes or where another sign separates the cells. Cells point into the text, which must
+/// outlive the table.
 struct Table {
   struct Row {
     int line = 0;
@@ -22,9 +34,10 @@ struct Table {
     std::string unit;     ///< "mm" from "x [mm]", "x (mm)" or a row of units below the header; or empty
     std::string written;  ///< the name as it was written
   };
-  std::vector<Column> columns;  ///< from the header; empty if there is none
-  int header_line = 0;          ///< 0 if columns were given
-  std::vector<Row> rows;        ///< of data
+  std::vector<Column> columns;                         ///< from the header; empty if there is none
+  int header_line = 0;                                 ///< 0 if columns were given
+  std::vector<Row> rows;                               ///< of data
+  std::shared_ptr<std::deque<std::string>> rewritten;  ///< cells that are not as the text has them
 
   /// Index of the first column that has one of these names.
   std::optional<std::size_t> find(std::initializer_list<std::string_view> names) const;
@@ -37,7 +50,8 @@ Table read_table(std::string_view text, const std::string& columns, Problems& pr
 /// The cells of a row, without blanks and quotes around them.
 std::vector<std::string_view> split_cells(std::string_view row, char separator);
 
-/// A cell of text as it is written, in quotes where a reader would take it for several.
+/// A cell of text as it is written, in quotes where a reader would take it for several, and behind an apostrophe where a
+/// spreadsheet would compute it as a formula; `read_table` takes that apostrophe away.
 std::string quoted_cell(const std::string& text);
 
 /// The lines of a text without their ends, one after the other.
@@ -52,7 +66,7 @@ class Lines {
   int number_;
 };
 
-/// A whole finite number; empty otherwise ("nan" and "inf" are not numbers here).
+/// A whole finite number, with an exponent behind e or Fortran's d; empty otherwise ("nan" and "inf" are not numbers here).
 std::optional<double> to_number(std::string_view cell);
 std::optional<std::int64_t> to_integer(std::string_view cell);
 

@@ -10,7 +10,7 @@
 #include "io/export/export.hpp"
 #include "io/film/formats.hpp"
 #include "io/image/image.hpp"
-#include "io/sample/sample.hpp"
+#include "io/sample/formats.hpp"
 #include "support/films.hpp"
 #include "support/pictures.hpp"
 #include "support/temporary_folder.hpp"
@@ -51,6 +51,29 @@ TEST(Formats, EachIsOneFileOfItsNameAndOneWordInItsList) {
 TEST(Formats, EveryFilmFormatHasACorpusForFuzzing) {
   for (const auto* format : films::all)
     EXPECT_TRUE(fs::is_directory(fs::path(ARENITE_SOURCE_DIR) / "tests/fuzz/corpus" / ("film_" + std::string(format->name))));
+}
+
+/// Whether a format says what it does with a thing, by one of these words in what it states.
+template <class Format> bool says(const Format& format, const std::vector<std::string_view>& words) {
+  return std::ranges::any_of(format.states, [&](const Stated& stated) {
+    return !stated.done.empty() && std::ranges::any_of(words, [&](auto word) { return stated.what.find(word) != stated.what.npos; });
+  });
+}
+
+TEST(Formats, EachOfGrainsAndContactsSaysWhatItStatesAndWhatIsDoneWithIt) {
+  const std::vector<std::string_view> topics[] = {{"units"}, {"step", "time"}, {"cell", "box"}, {"third", "z"}, {"columns"}, {"force", "overlap"}};
+  for (const auto* format : samples::all)
+    for (const auto& topic : topics) EXPECT_TRUE(says(*format, topic)) << format->name << " says nothing of " << topic.front();
+  for (const auto* format : exports::all)
+    for (const std::string_view topic : {"grains", "contacts"}) EXPECT_TRUE(says(*format, {topic})) << format->name << " says nothing of " << topic;
+}
+
+TEST(Formats, NoTwoExportsAreAskedForByTheSameName) {
+  const auto names = export_names();
+  EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), names.size());
+  for (const auto& name : names) EXPECT_NE(export_named(name), nullptr);
+  EXPECT_EQ(export_named("povray"), nullptr);
+  EXPECT_EQ(export_named(""), nullptr);
 }
 
 void expect_words(const std::string& text, const std::vector<std::string>& words) {

@@ -244,6 +244,116 @@ TEST(SampleLammps, TakesTheWholeForceWhereTheUserNamesItAlone) {
   EXPECT_DOUBLE_EQ(files.read(named).packing.contacts.ft.at(0), 1);
 }
 
+std::string atoms_of(const std::string& box, const std::string& columns, const std::string& rows, const std::string& before = "") {
+  return before + "ITEM: TIMESTEP\n0\nITEM: BOX BOUNDS " + box + "\nITEM: ATOMS " + columns + "\n" + rows;
+}
+
+TEST(SampleLammps, BoundsOfATiltedBoxEncloseItAlongYToo) {
+  // xy = 1, xz = -0.5, yz = 0.25: bounds along x from -0.5 to 11, along y from 0 to 8.25.
+  const Packing p =
+      Files(atoms_of("xy xz yz pp pp pp\n-0.5 11 1\n0 8.25 -0.5\n-1 1 0.25", "id x y z radius", "1 1 1 0 0.5\n2 5 5 0 0.5\n"), "i,j,fn,ft\n").read().packing;
+  EXPECT_DOUBLE_EQ(p.domain.width(), 10);
+  EXPECT_DOUBLE_EQ(p.domain.height(), 8);
+  EXPECT_DOUBLE_EQ(p.domain.tilt, 1);
+}
+
+TEST(SampleLammps, FractionsOfTheBoxAreCountedAlongItsEdges) {
+  const Packing p =
+      Files(atoms_of("abc origin pp pp pp\n10 0 0 1\n2 8 0 -1\n0 0 2 0", "id xs ys zs radius", "1 0.5 0.25 0.5 0.5\n"), "i,j,fn,ft\n").read().packing;
+  EXPECT_DOUBLE_EQ(p.grains.position[0].x, 1 + 5 + 0.5);
+  EXPECT_DOUBLE_EQ(p.grains.position[0].y, -1 + 2);
+  EXPECT_DOUBLE_EQ(p.domain.tilt, 2);
+}
+
+TEST(SampleLammps, ACellThatIsTurnedIsRefused) {
+  expect_part(Files(atoms_of("abc origin pp pp pp\n8 6 0 0\n-6 8 0 0\n0 0 2 0", "id x y z radius", "1 1 1 0 0.5\n"), "").problems(),
+              "the vectors of the cell, (8 6 0) and (-6 8 0) m, do not lie along x");
+}
+
+TEST(SampleLammps, ForcesOfALayerInXzAreThoseAlongXAndZ) {
+  const std::string atoms = atoms_of("ff ff ff\n0 4\n0 4\n0 4", "id type x y z radius", "1 1 1 1 1 0.5\n2 1 1.9 1 1 0.5\n3 1 1 1 1.9 0.5\n");
+  for (const char* columns : {"patom1 patom2 fx fy fz p1 p2 p3", "c_p[1] c_p[2] c_f[1] c_f[2] c_f[3] c_f[4] c_f[5] c_f[6]"}) {
+    const std::string rows = "1 2 -3 0 0 0 0 -1\n1 3 0 0 -5 2 0 0";
+    const Contacts c = Files(atoms, "ITEM: TIMESTEP\n0\nITEM: ENTRIES " + std::string(columns) + "\n" + rows + "\n").read().packing.contacts;
+    ASSERT_EQ(c.size(), 2u);
+    EXPECT_DOUBLE_EQ(c.fn[0], 3);
+    EXPECT_DOUBLE_EQ(c.fn[1], 5);
+    EXPECT_NEAR(norm(c.force_on_i(0) - Vec2{-3, -1}), 0, 1e-12);
+    EXPECT_NEAR(norm(c.force_on_i(1) - Vec2{2, -5}), 0, 1e-12);
+  }
+}
+
+TEST(SampleLammps, UnitsOfTheTwoDumpsAreTheSameAndKnown) {
+  const std::string box = "ff ff ff\n0 4\n0 4\n-1 1", columns = "id x y radius", rows = "1 1 1 0.5\n2 1.9 1 0.5\n";
+  const auto pairs = [](const std::string& units) { return "ITEM: UNITS\n" + units + "\n" + lammps_pairs("patom1 patom2 fx fy p1 p2", "1 2 -3 0 0 0"); };
+  const Files micro(atoms_of(box, columns, rows, "ITEM: UNITS\nmicro\nITEM: TIME\n0.5\n"), pairs("micro"));
+  EXPECT_DOUBLE_EQ(micro.read().packing.grains.radius[0], 0.5e-6);
+  EXPECT_DOUBLE_EQ(micro.read().packing.contacts.fn[0], 3e-9);  // pg um / us^2
+  expect_part(Files(atoms_of(box, columns, rows, "ITEM: UNITS\nmicro\n"), pairs("si")).problems(), "the contacts are in units si, the grains in units micro");
+  expect_part(Files(atoms_of(box, columns, rows, "ITEM: UNITS\nfurlong\n"), pairs("si")).problems(), "units \"furlong\", which are not known");
+}
+
+TEST(SampleLammps, AnotherBoxOfTheContactsIsTold) {
+  const std::string pairs = "ITEM: TIMESTEP\n0\nITEM: BOX BOUNDS pp pp pp\n0 5\n0 4\n-1 1\nITEM: ENTRIES patom1 patom2 fx fy p1 p2\n1 2 -3 0 0 0\n";
+  const auto notes = Files(lammps_atoms, pairs).read().notes;
+  EXPECT_TRUE(std::ranges::any_of(notes, [](const auto& note) { return note.find("another box (5 x 4") != note.npos; }));
+}
+
+TEST(SampleMercury, GrainsAndContactsAreOfTheLastCommonTime) {
+  const Sample s = Files(mercury_data + "3 0.75 0 0 4 2\n1 1 0 0 1 0 0 0\n3.5 1 0 0 1 0 0 0\n1 1.8 0 0 0.1 0 0 1\n", mercury_fstat).read();
+  EXPECT_DOUBLE_EQ(s.packing.grains.position[1].x, 2.9);
+  expect_part(s.notes.at(0), "3 snapshots, of which that of time 0.5 was taken");
+  expect_part(Files("1 7 0 0 4 2\n1 1 0 0 1 0 0 0\n", mercury_fstat).problems(), "the contacts are of time 0.5, the grains of time 7");
+}
+
+TEST(SampleMercury, ForcesWithoutAHeaderAreCutWhereTheirTimeChanges) {
+  const std::string rows = "0.25 0 1 1.95 1 0 0.1 0 99 0 -1 0 0 0 1 0\n0.5 0 1 1.95 1 0 0.1 0 10 3 -1 0 0 0 1 0\n";
+  const Contacts c = Files(mercury_data, rows).read().packing.contacts;
+  ASSERT_EQ(c.size(), 1u);
+  EXPECT_DOUBLE_EQ(c.fn[0], 10);
+}
+
+TEST(SampleMercury, ALayerInSpaceIsReadAndABedIsRefused) {
+  const auto data = [](const std::string& z) { return "2 0.5 0 0 0 4 2 9\n1 1 3 0 0 0 1 0 0 0 0 0 0 0\n2.8 1.5 " + z + " 0 0 0 1 0 0 0 0 0 0 1\n"; };
+  const Sample s = Files(data("3.4"), mercury_fstat.substr(0, mercury_fstat.rfind("0.5 0 -1"))).read();
+  EXPECT_EQ(s.packing.contacts.size(), 1u);
+  EXPECT_EQ(s.packing.materials.size(), 2u);
+  EXPECT_TRUE(std::ranges::any_of(s.notes, [](const auto& note) { return note.find("differ by 0.4 mean radii along z") != note.npos; }));
+}
+
+TEST(SampleCsv, RowsOfTheLastCommonStepAreTaken) {
+  const std::string grains = "step,id,x,y,radius\n1,7,0,0,1\n1,9,1.9,0,1\n2,7,0,0,1\n2,9,1.8,0,1\n";
+  const Sample s = Files(grains, "step,i,j,fn,ft\n1,7,9,10,2\n").read();
+  EXPECT_DOUBLE_EQ(s.packing.grains.position[1].x, 1.9);
+  EXPECT_EQ(Files(grains, "i,j,fn,ft\n7,9,10,2\n").read().packing.grains.position[1].x, 1.8);  // the contacts state none: the last
+  expect_part(Files(grains, "step,i,j,fn,ft\n3,7,9,10,2\n").problems(), "the contacts are of step 3, the grains of step 2");
+  // Times at which grains were born are no snapshots.
+  EXPECT_EQ(Files("time,id,x,y,radius\n0.1,7,0,0,1\n0.2,9,1.9,0,1\n", "i,j,fn,ft\n7,9,10,2\n").read().packing.grains.size(), 2u);
+}
+
+TEST(SampleCsv, ThePlaneIsThatInWhichTheCentresLie) {
+  const auto read = [](const std::string& rows) { return Files("id,x,y,z,radius\n" + rows, "i,j,fx,fy,fz\n1,2,5,3,4\n"); };
+  EXPECT_DOUBLE_EQ(read("1,0,0,7,1\n2,1.9,0,7,1\n").read().packing.contacts.fn[0], 5);               // one of z
+  EXPECT_DOUBLE_EQ(read("1,0,0,0,1\n2,0,1e-9,1.9,1\n").read().packing.contacts.fn[0], 4);            // x-z
+  EXPECT_DOUBLE_EQ(read("1,0,0,0,1\n2,0,1.9,1.9,2\n").read().packing.contacts.force_on_i(0).x, -3);  // y-z
+  expect_part(read("1,0,0,0,1\n2,2,2,2,1\n").problems(), "the centres fill space: they differ by 2 mean radii even along z");
+}
+
+TEST(SampleCsv, RowsWithoutAForceTouchWhereTheyOverlap) {
+  const std::string grains = "id,x,y,radius\n1,0,0,1\n2,1.9,0,1\n3,-2.1,0,1\n4,0,5,1\n";
+  const Sample s = Files(grains, "i,j,fn,ft\n1,2,0,0\n1,3,0,0\n1,4,0,0\n").read();
+  ASSERT_EQ(s.packing.contacts.size(), 1u);
+  EXPECT_EQ(s.packing.contacts.j[0], 1);
+  EXPECT_TRUE(std::ranges::any_of(s.notes, [](const auto& note) { return note.starts_with("2 of 3 listed pairs have a gap"); }));
+  // What the file says of the overlap counts more than the centres; a force across a gap is a contact.
+  EXPECT_EQ(Files(grains, "i,j,fn,ft,overlap\n1,2,0,0,-0.01\n1,3,0,0,0.01\n").read().packing.contacts.j, std::vector<std::int32_t>{2});
+  EXPECT_EQ(Files(grains, "i,j,fn,ft\n1,3,-1,0\n").read().packing.contacts.size(), 1u);
+}
+
+TEST(SampleCsv, AContactPointElsewhereIsRefused) {
+  expect_part(Files(two_grains, "i,j,fn,ft,x,y\n7,9,10,2,950,0\n").problems(), "the contact point (950, 0) m does not lie at the rims of grains 7 and 9");
+}
+
 TEST(SampleOptionsGiven, PeriodicSidesNeedTheCell) {
   SampleOptions o;
   o.periodic[0] = true;

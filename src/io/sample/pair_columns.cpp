@@ -1,11 +1,10 @@
-#include "io/sample/sample.hpp"
-
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <unordered_map>
 
 #include "core/mapped.hpp"
-#include "io/table/table.hpp"
+#include "io/sample/formats.hpp"
 
 namespace arenite::io {
 namespace {
@@ -44,23 +43,34 @@ class PairGeometry {
   Domain cell_;
 };
 
-/// Whether the vectors in two columns lie along the branches, or across them. Vectors without length do not tell; of none that tells it is false.
-bool lies(const std::vector<NumberRow>& rows, const std::vector<Vec2>& branches, std::size_t x, std::size_t y, bool along) {
+/// Two columns that may be a vector in the plane.
+struct PairOfColumns {
+  std::size_t x, y;
+  Vec2 of(const NumberRow& row) const { return {row[x], row[y]}; }
+};
+
+/// How far vectors deviate from the branches, or from being across them, on average (sine); infinite where they do not lie
+/// so. Vectors without length do not tell; of none that tells it is infinite.
+double deviation(const std::vector<NumberRow>& rows, const std::vector<Vec2>& branches, PairOfColumns at, bool along) {
   std::size_t telling = 0, fitting = 0;
+  double sum = 0;
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    const Vec2 f{rows[k][x], rows[k][y]}, d = branches[k];
+    const Vec2 f = at.of(rows[k]), d = branches[k];
     const double size = norm(f) * norm(d);
     if (!(size > 0)) continue;
+    const double sine = std::abs(along ? cross(f, d) : dot(f, d)) / size;
     ++telling;
-    fitting += std::abs(along ? f.x * d.y - f.y * d.x : dot(f, d)) <= most_deviation * size ? 1 : 0;
+    fitting += sine <= most_deviation ? 1 : 0;
+    sum += std::min(sine, most_deviation);
   }
-  return telling > 0 && static_cast<double>(fitting) >= enough * static_cast<double>(telling);
+  const bool fits = telling > 0 && static_cast<double>(fitting) >= enough * static_cast<double>(telling);
+  return fits ? sum / static_cast<double>(telling) : std::numeric_limits<double>::infinity();
 }
 
 /// Whether the vectors in two columns are the branches themselves (dx, dy of pair/local).
-bool are_branches(const std::vector<NumberRow>& rows, const std::vector<Vec2>& branches, std::size_t x) {
+bool are_branches(const std::vector<NumberRow>& rows, const std::vector<Vec2>& branches, PairOfColumns at) {
   for (std::size_t k = 0; k < rows.size(); ++k)
-    if (std::abs(norm(Vec2{rows[k][x], rows[k][x + 1]}) - norm(branches[k])) > most_deviation * norm(branches[k])) return false;
+    if (std::abs(norm(at.of(rows[k])) - norm(branches[k])) > most_deviation * norm(branches[k])) return false;
   return true;
 }
 
@@ -81,18 +91,25 @@ std::vector<std::size_t> find_pair_columns(const std::vector<std::vector<std::st
   while (i + 1 < n && !(are_grains(i) && are_grains(i + 1) && std::ranges::none_of(numbers, [&](const NumberRow& row) { return row[i] == row[i + 1]; }))) ++i;
   if (i + 1 >= n) return {};
   const auto branches = mapped(numbers, [&](const NumberRow& row) { return geometry.branch(row[i], row[i + 1]); });
-  for (std::size_t x = 0; x + 1 < n; ++x) {
-    if (x + 1 >= i && x <= i + 1) continue;
-    if (!lies(numbers, branches, x, x + 1, true) || are_branches(numbers, branches, x)) continue;
-    const auto with = [&](std::size_t p) {
-      return std::vector{candidates[i], candidates[i + 1], candidates[x], candidates[x + 1], candidates[p], candidates[p + 1]};
-    };
-    for (std::size_t p = x + 2; p + 1 < n; ++p)
-      if (lies(numbers, branches, p, p + 1, false)) return with(p);
-    // Without friction all is zero: behind fx and fy, or behind fz too where as many follow as fz, p1, p2 and p3 are.
-    const std::size_t p = n - (x + 2) >= 4 ? x + 3 : x + 2;
-    if (p + 1 < n && all_zero(numbers, p) && all_zero(numbers, p + 1)) return with(p);
+  const auto apart = static_cast<std::size_t>(grains.plane.second - grains.plane.first);  // columns of the two components
+  std::size_t force = n;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t x = 0; x + apart < n; ++x) {
+    if (x + apart >= i && x <= i + 1) continue;
+    const PairOfColumns at{x, x + apart};
+    const double found = deviation(numbers, branches, at, true);
+    if (found < least && !are_branches(numbers, branches, at)) least = found, force = x;
   }
+  if (force == n) return {};
+  const std::size_t next = force + apart + 1;
+  const auto with = [&](std::size_t p) {
+    return std::vector{candidates[i], candidates[i + 1], candidates[force], candidates[force + apart], candidates[p], candidates[p + apart]};
+  };
+  for (std::size_t p = next; p + apart < n; ++p)
+    if (std::isfinite(deviation(numbers, branches, {p, p + apart}, false))) return with(p);
+  // Without friction all is zero: behind fx and fy, or behind fz too where as many follow as fz, p1, p2 and p3 are.
+  const std::size_t p = apart == 1 && n - next >= 4 ? next + 1 : next;
+  if (p + apart < n && all_zero(numbers, p) && all_zero(numbers, p + apart)) return with(p);
   return {};
 }
 

@@ -1,0 +1,38 @@
+#pragma once
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "io/sample/formats.hpp"
+
+// What dumps of atoms and of pairs share: items, snapshots, box and units.
+namespace arenite::io {
+
+/// One "ITEM: name" and the lines below it.
+struct DumpItem {
+  std::string_view title;
+  Table table;
+};
+
+/// One snapshot of a dump.
+struct DumpSnapshot {
+  std::vector<DumpItem> items;
+  std::optional<StatedUnits> units;  ///< that the whole file names
+  std::optional<RawCell> cell;       ///< in the file's unit of length
+
+  DumpItem* find(std::string_view title);
+};
+
+/// Steps and times of all snapshots. The time stands before the step, the units once at the beginning.
+std::vector<Moment> dump_moments(std::string_view text, const std::string&);
+
+/// The snapshot that is to be read; what is no dump, and units that contradict the options, are problems.
+DumpSnapshot read_dump(const Reading& reading);
+
+/// Names the columns of an item.
+void name_columns(Table& table, const std::vector<std::string_view>& names);
+/// Rows that have not as many cells as there are columns, and a number of rows other than was announced, are problems.
+void check_rows(const Table& table, Problems& problems);
+void check_count(DumpSnapshot& dump, const Table& table, std::string_view title, Problems& problems);
+
+}  // namespace arenite::io

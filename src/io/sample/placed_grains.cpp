@@ -1,0 +1,59 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <map>
+
+#include "core/mapped.hpp"
+#include "io/sample/formats.hpp"
+
+namespace arenite::io {
+namespace {
+
+std::int32_t material_of(const RawGrain& row, const Materials& materials, Problems& problems) {
+  if (row.material.empty() && materials.size() == 1) return 0;
+  const auto it = std::find_if(materials.begin(), materials.end(), [&](const Material& m) { return m.name == row.material; });
+  if (it != materials.end()) return static_cast<std::int32_t>(it - materials.begin());
+  const std::string near = nearest(row.material, mapped(materials, &Material::name));
+  if (row.material.empty()) problems.add(row.line, "this grain has no material; add a column \"material\"");
+  else
+    problems.add(row.line, "the recipe has no material \"{}\"{}", row.material,
+                 near.empty() ? "; add it under [materials]" : fmt::format("; did you mean \"{}\"?", near));
+  return 0;
+}
+
+bool lies_inside(Vec2 p, const Domain& domain) {
+  return p.x >= domain.wall[left].position && p.x <= domain.wall[right].position && p.y >= domain.wall[bottom].position && p.y <= domain.wall[top].position;
+}
+
+}  // namespace
+
+Grains read_placed_grains(const std::filesystem::path& path, const Materials& materials, const Domain& domain) {
+  Problems problems(path.string());
+  const std::string text = read_text(path);
+  const SampleOptions options;
+  RawGrains raw = samples::csv.grains({text, 0, options, problems});
+  if (!problems.any()) lay_in_plane(raw, problems);
+  if (raw.plane.across() != 2) problems.add("the centres do not lie in the plane x-y; give x and y as those of the container");
+  Grains grains;
+  grains.resize(raw.rows.size());
+  std::map<std::int64_t, int> line_of;
+  for (std::size_t i = 0; i < raw.rows.size(); ++i) {
+    const RawGrain& row = raw.rows[i];
+    if (const auto [seen, is_new] = line_of.emplace(row.id, row.line); !is_new)
+      problems.add(row.line, "grain {} is already in line {}; give every grain its own id", row.id, seen->second);
+    const Vec2 centre = row.centre + domain.corner();
+    if (!lies_inside(centre, domain))
+      problems.add(row.line,
+                   "the centre of grain {} at ({:g}, {:g}) m lies outside the container of {:g} x {:g} m; correct it, "
+                   "the unit of the column or [container]",
+                   row.id, row.centre.x, row.centre.y, domain.width(), domain.height());
+    grains.id[i] = row.id;
+    grains.position[i] = centre;
+    grains.radius[i] = row.radius;
+    grains.material[i] = material_of(row, materials, problems);
+  }
+  problems.raise();
+  return grains;
+}
+
+}  // namespace arenite::io
