@@ -125,15 +125,25 @@ def slides(stage):
 
 
 def speed_in_time(stage, of, speed):
-    """m/s at every row of the history: of the stage's programme for `of`, else `speed`."""
-    time = stage.history["time"] - stage.history["time"][0]
-    for programme in stage_recipe(stage).get("programmes", []):
+    """m/s at every row of the history: of the stage's programme for `of`, which begins with the stage, else `speed`."""
+    own, time = stage_recipe(stage), stage.history["time"]
+    begin = time[-1] - seconds(own["duration"]) if "duration" in own else time[0]
+    for programme in own.get("programmes", []):
         if programme["of"] == of:
-            rows = [(float(str(at).split()[0]), speed_of(value)) for at, value in programme["table"]]
-            if programme.get("repeat"):
-                time = np.mod(time, rows[-1][0])
-            return np.interp(time, *np.array(rows).T)
+            return programme_at(programme, time - begin, speed_of)
     return np.full(len(time), speed)
+
+
+def programme_at(programme, time, value_of):
+    """What a programme of a recipe says at times (s) since its stage began."""
+    rows = [(seconds(at), value_of(value)) for at, value in programme["table"]]
+    return np.interp(np.mod(time, rows[-1][0]) if programme.get("repeat") else time, *np.array(rows).T)
+
+
+def seconds(text):
+    """s of "0.5 s" or "20 ms", as resolved recipes write it."""
+    number, unit = (str(text).split() + ["s"])[:2]
+    return float(number) * {"us": 1e-6, "ms": 1e-3, "s": 1.0}[unit]
 
 
 def speed_of(text):
@@ -325,13 +335,39 @@ def steady(values):
     return found["mean"], found["error"]
 
 
+def parts_of_ratio(test, found):
+    """Shear and normal stress of the sheared sides, or q and p: the two whose ratio is the friction of a test; `found` as curves_of gives it."""
+    if "mu" not in found:
+        return found["q"].values, found["p"].values
+    normal = found["sigma_xx" if sides_shear(test) else "sigma_yy"].values
+    return found["tau"].values if "tau" in found else np.zeros(len(normal)), normal
+
+
+def about_ratio_of_means(shear, normal):
+    """A series whose mean is |<shear>/<normal>| and whose fluctuations are those that the error of this ratio comes from: a mean of ratios is another
+    number, because both stresses fluctuate together."""
+    ratio = np.mean(shear) / np.mean(normal)
+    return np.sign(ratio) * (ratio + (shear - ratio * normal) / np.mean(normal))
+
+
+def steady_ratio(shear, normal):
+    """(ratio of the means, its standard error) of two stresses, over the part in which their ratio is steady (`arenite.steady_state`)."""
+    loaded_rows = normal > 0.01 * np.max(normal)
+    shear, normal = shear[loaded_rows], normal[loaded_rows]
+    if len(shear) == 0:
+        return np.nan, np.nan
+    about = about_ratio_of_means(*(values[steady_state(np.abs(shear) / normal)["first"]:] for values in (shear, normal)))
+    return np.mean(about), steady(about)[1]
+
+
 def rheology(results, stage=None):
     """mu(I) and phi(I) of sheared runs: `inertial_number`, `mu` and `solid_fraction`, each the mean over the steady part of a run
-    with its error (`mu_error`, `solid_fraction_error`), in the order of I. mu is q/p unless a wall slides or a cell is sheared."""
+    with its error (`mu_error`, `solid_fraction_error`), in the order of I. mu is q/p unless a wall slides or a cell is sheared, and the
+    ratio of the means of the two stresses."""
     rows = []
     for result in results:
-        found = along(result, stage)
-        friction = np.abs(found["mu"].values) if "mu" in found else found["q_over_p"].values
-        rows.append([steady(found["inertial_number"].values)[0], *steady(friction), *steady(found["solid_fraction"].values)])
+        test = find_test(result, stage)
+        found = curves_of(test)
+        rows.append([steady(found["inertial_number"].values)[0], *steady_ratio(*parts_of_ratio(test, found)), *steady(found["solid_fraction"].values)])
     table = np.array(sorted(rows), float).reshape(-1, 5).T
     return {name: Curve(values, "1") for name, values in zip(["inertial_number", "mu", "mu_error", "solid_fraction", "solid_fraction_error"], table)}

@@ -48,6 +48,16 @@ def runouts(results):
     return table(rows, [(name, "1") for name in ("aspect_ratio", "runout", "runout_error", "height")] + [("angle", "deg"), ("angle_error", "deg")])
 
 
+def gravity_of(stage):
+    """Acceleration of gravity in a stage, m/s^2, as its recipe has it: at the end of its programme, if it has one; 9.81 m/s^2 unless given."""
+    own = curves.stage_recipe(stage)
+    size = float(str(own.get("gravity_size", "9.81 m/s^2")).split()[0])
+    for programme in own.get("programmes", []):
+        if programme["of"] == "gravity_size":
+            size = curves.programme_at(programme, curves.seconds(own["duration"]), lambda text: float(str(text).split()[0]))
+    return size
+
+
 def silo_state(result):
     """Of a silo whose floor sinks: [height of the filling, force on the floor with its error, weight, wall friction mobilised, ratio
     K = <sigma_xx>/<sigma_yy>, width, depth], means over the second half of the last stage."""
@@ -57,7 +67,7 @@ def silo_state(result):
     half = slice(len(history["bottom_force"]) // 2, None)
     density = np.array([material.density for material in packing.materials])[packing.material]
     thickness, width = packing.domain["thickness"], packing.domain["width"]
-    weight = 9.81 * np.pi * thickness * np.sum(density * packing.radius**2)
+    weight = gravity_of(stage) * np.pi * thickness * np.sum(density * packing.radius**2)
     surface = free_surface(packing)
     sides = np.mean(history["left_force"][half]) + np.mean(history["right_force"][half])
     states = [snapshot.packing for snapshot in stage.snapshots[len(stage.snapshots) // 2:]]
@@ -65,10 +75,15 @@ def silo_state(result):
     return [np.mean(surface["height"]) - surface["bottom"], floor, error, weight, (weight - floor) / sides, sigma[0] / sigma[1], width, thickness]
 
 
-def late_mean(values, blocks=10):
-    """(mean, standard error) of the second half of a series, from the scatter of block means: neighbours in time are not independent."""
-    means = [np.mean(block) for block in np.array_split(values[len(values) // 2:], blocks)]
+def block_mean(values, blocks=10):
+    """(mean, standard error) of a series, from the scatter of block means: neighbours in time are not independent."""
+    means = [np.mean(block) for block in np.array_split(values, blocks)]
     return np.mean(means), np.std(means, ddof=1) / np.sqrt(blocks)
+
+
+def late_mean(values):
+    """block_mean of the second half of a series."""
+    return block_mean(values[len(values) // 2:])
 
 
 def mean_stress(packing):
@@ -95,17 +110,22 @@ def friction_of(result):
 
 
 def critical_states(results, stage=None):
-    """Plateaus of sheared or compressed samples against the grains' `friction`: `mu` (on the sheared plane; q/p without shear) and
+    """Plateaus of sheared or compressed samples against the grains' `friction`: `mu` (on the sheared plane; q/p without shear; a ratio of means) and
     `solid_fraction`, with errors that allow for correlation; `reached` is 0 if the plateau is uncertain (`arenite.steady_state`): the means are
     then those of the second half."""
     rows = []
     for result in results:
-        found = curves.along(result, stage)
-        stress = np.abs(found["mu"].values) if "mu" in found else found["q_over_p"].values
-        means = [steady_state(values[np.isfinite(values)]) for values in (stress, found["solid_fraction"].values)]
-        late = [late_mean(stress[np.isfinite(stress)]), late_mean(found["solid_fraction"].values)]
-        plateaus = [(plateau["mean"], plateau["error"]) if plateau["reached"] else half for plateau, half in zip(means, late)]
-        rows.append([friction_of(result), *plateaus[0], *plateaus[1], all(plateau["reached"] for plateau in means)])
+        test = curves.find_test(result, stage)
+        found = curves.curves_of(test)
+        shear, normal = (values[np.isfinite(found["mu" if "mu" in found else "q_over_p"].values)] for values in curves.parts_of_ratio(test, found))
+        solid = found["solid_fraction"].values
+        plateaus = [steady_state(np.abs(shear) / normal), steady_state(solid)]
+        half = len(shear) // 2
+        friction = curves.steady_ratio(shear, normal)
+        if not plateaus[0]["reached"] or not np.isfinite(friction[1]):
+            friction = block_mean(curves.about_ratio_of_means(shear[half:], normal[half:]))
+        density = (plateaus[1]["mean"], plateaus[1]["error"]) if plateaus[1]["reached"] else late_mean(solid)
+        rows.append([friction_of(result), *friction, *density, all(plateau["reached"] for plateau in plateaus)])
     return table(rows, [(name, "1") for name in ("friction", "mu", "mu_error", "solid_fraction", "solid_fraction_error", "reached")])
 
 

@@ -57,6 +57,7 @@ py::dict coarse_grained(const Packing& packing, const Quantity& width, const std
   d["velocity_gradient"] = tensors(f.velocity_gradient, shape);
   d["contact_stress"] = tensors(f.contact_stress, shape);
   d["kinetic_stress"] = tensors(f.kinetic_stress, shape);
+  d["gradient_stress"] = tensors(f.gradient_stress, shape);
   d["wall_force"] = vectors(f.wall_force, shape);
   return d;
 }
@@ -146,6 +147,7 @@ py::dict discharge(const ArrayLike& time, const ArrayLike& passed) {
   d["rate"] = py::make_tuple(found.rate.value, found.rate.error);
   d["begin"] = found.begin;
   d["end"] = found.end;
+  d["stopped"] = found.stopped;
   return d;
 }
 
@@ -173,7 +175,8 @@ py::dict free_surface(const Packing& packing, const Quantity& gravity_angle, dou
 void bind_grain_fields(py::module_& m) {
   m.def("discharge", &discharge, py::arg("time"), py::arg("passed"),
         "Discharge rate from the amounts passed at given times (`passed_mass` of a history): rate (value, error) of the steady part between begin and end "
-        "(s), without its onset and end; steady: whether there is such a part; otherwise the rate has no error.");
+        "(s), without its onset and end; steady: whether there is such a part; otherwise the rate has no error; stopped: whether nothing passes any more in "
+        "the end.");
   m.def("free_surface", &free_surface, py::arg("packing"), py::kw_only(), py::arg("gravity_angle") = 0.0, py::arg("gap") = 0.1,
         "Surface of the largest connected set of grains (surfaces nearer than `gap` mean diameters): position and height (m) of its upper rim, grains, "
         "left, right, bottom, top (m), and the angle of its flanks in rad by a line through the middle of their height, each (value, error). "
@@ -182,7 +185,8 @@ void bind_grain_fields(py::module_& m) {
         py::arg("tilt_rate") = py::none(),
         "Coarse-grained fields of a state (Goldhirsch 2010) on a grid of points x, y (m), arrays of rows from below: density (kg/m^3), solid_fraction, "
         "velocity (m/s), "
-        "velocity_gradient (1/s), contact_stress and kinetic_stress (Pa, tension positive), wall_force (N/m^3). `width`: standard deviation of the kernel, m "
+        "velocity_gradient (1/s), contact_stress, kinetic_stress of fluctuations about the mean flow, and gradient_stress of its own differences within the width (Pa, "
+        "tension positive), wall_force (N/m^3). `width`: standard deviation of the kernel, m "
         "or text with a unit; "
         "`spacing` of the points, the width unless given; `tilt_rate` of a sheared cell, m/s.");
   m.def("force_chains", &force_chains, py::arg("packing"), py::kw_only(), py::arg("stress_factor") = 1.0, py::arg("angle") = 45.0, py::arg("least") = 3,

@@ -92,12 +92,18 @@ Numbers domain_of(const Domain& domain, NumberBlock& block) {
   return out;
 }
 
+/// Takes over what is known of a state that was measured: what it lacks, and the errors, which know how the state fluctuates in time.
+void take_over(Numbers& out, const Numbers& known) {
+  for (const auto& [name, number] : known.items())
+    if (!out.contains(name) || number.contains("error")) out[name] = number;
+    else if (number.is_tree()) take_over(out[name], number);
+}
+
 /// The statistics as texture writes them, with what else is `known` of the state; the rows by grain go into the block.
 Numbers texture_of(const texture::Texture& texture, const Numbers& known, NumberBlock& block) {
   Numbers out = texture::numbers(texture, true);
   out.erase("by_grain");
-  for (const auto& [name, number] : known.items())
-    if (!out.contains(name)) out[name] = number;
+  take_over(out, known);
   out = shortened(std::move(out));
   const texture::PerGrain& rows = texture.per_grain;
   const texture::Window& window = texture.window;

@@ -93,7 +93,7 @@ std::vector<ShownStage> stages_of(const PageData& data, const std::deque<std::op
   for (const auto& film : films)
     if (film) shown.push_back({&film->stage, {}, film->texture});
   for (std::size_t s = 0; s < data.stages.size(); ++s)
-    shown.push_back({&data.stages[s], workflow::texture_options(data.stages[s].provenance), known_of(data.measured, &workflow::KnownStatistics::stages, s)});
+    shown.push_back({&data.stages[s], workflow::texture_options(data.stages[s]), known_of(data.measured, &workflow::KnownStatistics::stages, s)});
   return shown;
 }
 

@@ -67,7 +67,7 @@ std::string states_table(const std::filesystem::path& result) {
   const Domain* before = nullptr;  // of the first stage the reference is its own first state
   for (const StageResult& stage : stages) {
     if (stage.snapshots.empty()) continue;
-    texture::Options options = workflow::texture_options(stage.provenance);
+    texture::Options options = workflow::texture_options(stage);
     options.rev_sizes = options.rev_places = 1;
     const Domain& start = before ? *before : stage.snapshots.front().packing.domain;
     for (const Snapshot& snapshot : stage.snapshots) {

@@ -87,7 +87,7 @@ Numbers entry(const ResultHead& head, const std::string& file) {
 Numbers last_texture(const StageResult& last) {
   if (!last.texture.empty()) return last.texture;
   if (last.snapshots.empty()) return Numbers::tree();
-  return texture::numbers(texture::measure(last.snapshots.back().packing, workflow::texture_options(last.provenance)));
+  return texture::numbers(texture::measure(last.snapshots.back().packing, workflow::texture_options(last)));
 }
 
 std::string grains_of(const Packing& packing) {

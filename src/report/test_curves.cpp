@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "grains/dem/programme.hpp"
+#include "grains/fields/stage_numbers.hpp"
 #include "recipe/recipe.hpp"
 
 namespace arenite::report {
@@ -14,56 +16,42 @@ namespace {
 constexpr double least_strain = 2e-3;
 constexpr double unloaded = 0.01;  // of the largest stress in the stage: ratios to less are noise
 
-struct Sides {
-  std::vector<double> time, width, height;  ///< s, m
-  std::vector<double> normal_x, normal_y;   ///< mean forces on the sides, N
-  std::vector<double> along_x, along_y;     ///< half the difference of the shear forces on bottom and top, on left and right, N
-};
-
-/// A sum of two columns with these weights; zeros where there is none.
-std::vector<double> weighed(const History& history, double x, const std::string& one, double y, const std::string& other, std::size_t rows) {
-  std::vector<double> result(rows, 0.0);
-  const auto *a = history.find(one), *b = history.find(other);
-  for (std::size_t k = 0; k < rows; ++k) result[k] = x * (a ? (*a)[k] : 0) + y * (b ? (*b)[k] : 0);
-  return result;
-}
-
-std::optional<Sides> sides_of(const History& history) {
-  const auto* time = history.find("time");
-  if (!time || time->size() < 3) return {};
-  const std::size_t rows = time->size();
-  for (const char* side : side_names)
-    if (!history.find(std::string(side) + "_position")) return {};
-  Sides s;
-  s.time = *time;
-  s.width = weighed(history, 1, "right_position", -1, "left_position", rows);
-  s.height = weighed(history, 1, "top_position", -1, "bottom_position", rows);
-  s.normal_x = weighed(history, 0.5, "left_force", 0.5, "right_force", rows);
-  s.normal_y = weighed(history, 0.5, "bottom_force", 0.5, "top_force", rows);
-  s.along_x = weighed(history, 0.5, "bottom_shear_force", -0.5, "top_shear_force", rows);
-  s.along_y = weighed(history, 0.5, "left_shear_force", -0.5, "right_shear_force", rows);
-  return s;
-}
-
-/// How fast each wall slides along itself, as the stage's recipe says.
-std::array<double, 4> slide_of(const StageResult& stage) {
+/// The stage as its recipe asked for it; nothing that is driven where another version wrote that.
+dem::Stage asked_for(const StageResult& stage) {
   try {
-    for (const auto& one : recipe::parse_recipe(stage.provenance.recipe, "recipe").stages)
-      if (one.name == stage.name) return one.slide;
+    for (auto& one : recipe::parse_recipe(stage.provenance.recipe, "recipe").stages)
+      if (one.name == stage.name) return one;
   } catch (const InputError&) {}
   return {};
 }
 
-/// Strain by sides that slide at these speeds: the rate is their difference over their distance.
-std::vector<double> slid(const Sides& s, double difference, const std::vector<double>& distance) {
-  std::vector<double> strain(s.time.size(), 0.0);
-  for (std::size_t k = 1; k < strain.size(); ++k)
-    strain[k] = strain[k - 1] + 0.5 * difference * (1 / distance[k - 1] + 1 / distance[k]) * (s.time[k] - s.time[k - 1]);
+/// How far a wall has slid along itself since the stage began, m, at every row: by its programme, or at its speed.
+std::vector<double> slid(const dem::Stage& stage, int side, const std::vector<double>& time) {
+  const auto& programmes = stage.programmes;
+  const auto own = std::ranges::find_if(programmes, [&](const auto& p) { return p.of == dem::Programme::slide + side; });
+  const double begin = stage.duration ? time.back() - *stage.duration : time.front();
+  std::vector<double> way;
+  for (const double t : time) way.push_back(own == programmes.end() ? stage.slide[side] * (t - begin) : dem::integral(*own, t - begin));
+  return way;
+}
+
+/// Strain by two sides that slide: the difference of their ways over their distance, row by row. Empty where neither slides.
+std::vector<double> strain_between(const dem::Stage& stage, int one, int other, const std::vector<double>& time, const std::vector<double>& distance) {
+  const auto near = slid(stage, one, time), far = slid(stage, other, time);
+  std::vector<double> strain(time.size(), 0.0);
+  bool slides = false;
+  for (std::size_t k = 1; k < strain.size(); ++k) {
+    const double way = (far[k] - far[k - 1]) - (near[k] - near[k - 1]);
+    slides |= way != 0;
+    strain[k] = strain[k - 1] + 0.5 * way * (1 / distance[k - 1] + 1 / distance[k]);
+  }
+  if (!slides) strain.clear();
+  for (double& v : strain) v = std::abs(v);
   return strain;
 }
 
 /// Along the axis of compression of a confined sample, which may grow by more across it as it dilates; else along that of the greater strain.
-void strain_by_sides(TestCurves& curves, const Sides& s) {
+void strain_by_sides(TestCurves& curves, const fields::SideStresses& s) {
   const double x = 1 - s.width.back() / s.width.front(), y = 1 - s.height.back() / s.height.front();
   const bool upright = curves.confined ? y >= x : std::abs(y) >= std::abs(x);
   const auto& size = upright ? s.height : s.width;
@@ -79,16 +67,6 @@ std::vector<double> ratio(const std::vector<double>& a, const std::vector<double
   return result;
 }
 
-std::vector<double> q_over_p(const Sides& s) {
-  std::vector<double> p, q;
-  for (std::size_t k = 0; k < s.time.size(); ++k) {
-    const double xx = s.normal_x[k] / s.height[k], yy = s.normal_y[k] / s.width[k], tau = s.along_x[k] / s.width[k];
-    p.push_back(0.5 * (xx + yy));
-    q.push_back(std::hypot(0.5 * (xx - yy), tau));
-  }
-  return ratio(q, p);
-}
-
 /// A sample that grows along this size and pulls on its sides.
 bool is_drawn(const std::vector<double>& size, const std::vector<double>& stress) {
   const auto [tension, pressure] = std::ranges::minmax(stress);
@@ -96,11 +74,11 @@ bool is_drawn(const std::vector<double>& size, const std::vector<double>& stress
 }
 
 /// The stress along the axis, Pa, of a test in which nothing presses across it, or which draws the sample apart; nothing of any other.
-std::optional<std::vector<double>> uniaxial_stress(const Sides& s, double thickness) {
+std::optional<std::vector<double>> uniaxial_stress(const fields::SideStresses& s, double thickness) {
   std::vector<double> x, y;
   for (std::size_t k = 0; k < s.time.size(); ++k) {
-    x.push_back(s.normal_x[k] / (s.height[k] * thickness));
-    y.push_back(s.normal_y[k] / (s.width[k] * thickness));
+    x.push_back(s.xx[k] / thickness);
+    y.push_back(s.yy[k] / thickness);
   }
   const auto largest = [](const std::vector<double>& v) { return std::abs(*std::ranges::max_element(v, {}, [](double a) { return std::abs(a); })); };
   if (largest(x) <= unloaded * largest(y) || is_drawn(s.height, y)) return y;
@@ -108,27 +86,41 @@ std::optional<std::vector<double>> uniaxial_stress(const Sides& s, double thickn
   return {};
 }
 
+void take_ratio(TestCurves& curves, std::vector<double> shear, std::vector<double> normal) {
+  curves.ratio = ratio(shear, normal);
+  curves.shear = std::move(shear);
+  curves.normal = std::move(normal);
+}
+
 /// Shear along the sides, in a cell that is sheared or between walls that slide. False where neither is.
-bool strain_by_shear(TestCurves& curves, const StageResult& stage, const Sides& s) {
-  const auto slide = slide_of(stage);
-  const double along_x = slide[top] - slide[bottom], along_y = slide[right] - slide[left];
+bool strain_by_shear(TestCurves& curves, const StageResult& stage, const fields::SideStresses& s) {
+  const dem::Stage asked = asked_for(stage);
+  auto along_x = strain_between(asked, bottom, top, s.time, s.height), along_y = strain_between(asked, left, right, s.time, s.width);
+  const bool upright = along_x.empty() && !along_y.empty();
   if (const auto* sheared = stage.history.find("shear_strain"))
     for (const double v : *sheared) curves.strain.push_back(std::abs(v - sheared->front()));
-  else if (along_x != 0 || along_y != 0) curves.strain = along_x != 0 ? slid(s, std::abs(along_x), s.height) : slid(s, std::abs(along_y), s.width);
+  else if (!along_x.empty() || upright) curves.strain = upright ? std::move(along_y) : std::move(along_x);
   else return false;
   curves.strain_name = "shear strain";
   curves.sheared = true;
-  curves.ratio = along_x == 0 && along_y != 0 ? ratio(s.along_y, s.normal_x) : ratio(s.along_x, s.normal_y);
+  upright ? take_ratio(curves, s.along_y, s.xx) : take_ratio(curves, s.along_x, s.yy);
   return true;
 }
 
-/// Mean of the values from the first on, its error by blocks; of six where the series is too short to tell how long independent ones are.
+/// Mean of the values from the first on, its error by blocks; where the series is too short to tell how long independent ones are, the largest that six,
+/// four and three blocks give, with the freedom of three: blocks that still depend on each other show less.
 statistics::Measured over(const std::vector<double>& values, std::size_t first, bool& sure) {
   const auto plateau = std::span(values).subspan(first);
-  const statistics::Measured mean = fields::block_average(plateau).mean;
+  statistics::Measured mean = fields::block_average(plateau).mean;
   if (std::isfinite(mean.error)) return mean;
   sure = false;
-  return fields::mean_of_blocks(plateau, 6);
+  mean.error = 0;
+  for (const std::size_t blocks : {6, 4, 3}) {
+    const statistics::Measured by_blocks = fields::mean_of_blocks(plateau, blocks);
+    mean.error = std::max(mean.error, by_blocks.error);
+    mean.freedom = by_blocks.freedom;
+  }
+  return mean;
 }
 
 Numbers with_interval(const statistics::Measured& m, const char* sentence) {
@@ -139,14 +131,15 @@ Numbers with_interval(const statistics::Measured& m, const char* sentence) {
 }  // namespace
 
 std::optional<TestCurves> test_curves(const StageResult& stage) {
-  const auto s = sides_of(stage.history);
+  const auto s = fields::side_stresses(stage.history);
   if (!s || stage.snapshots.empty() || !(s->width.front() > 0) || !(s->height.front() > 0)) return {};
   TestCurves curves;
   if (!strain_by_shear(curves, stage, *s)) {
     auto stress = uniaxial_stress(*s, stage.snapshots.back().packing.domain.thickness);
     curves.confined = !stress;
     strain_by_sides(curves, *s);
-    curves.ratio = stress ? std::move(*stress) : q_over_p(*s);
+    if (stress) curves.ratio = std::move(*stress);
+    else take_ratio(curves, s->deviator(), s->pressure());
   }
   if (std::ranges::none_of(curves.strain, [](double v) { return std::abs(v) >= least_strain; })) return {};
   const double grains = stage.snapshots.back().packing.grains.area(), start = s->width.front() * s->height.front();
@@ -170,7 +163,7 @@ std::optional<CriticalState> critical_state(const TestCurves& curves) {
   const std::size_t first = offset + std::max(steady.first, solid.first);
   if (!steady.settled || !solid.settled || last - curves.strain[first] < 0.2 * last) return {};
   CriticalState state{curves.strain[first], last, {}, {}};
-  state.ratio = over(curves.ratio, first, state.sure);
+  state.ratio = over(fields::about_ratio_of_means(curves.shear, curves.normal, first), 0, state.sure);
   state.solid_fraction = over(curves.solid_fraction, first, state.sure);
   return state;
 }
@@ -179,9 +172,9 @@ Numbers numbers_of(const TestCurves& curves, const CriticalState& state) {
   return {{"strain", curves.strain_name},
           {"from", statistics::described(state.from, "", "Strain beyond which the ratio and the volume only fluctuate")},
           {"to", statistics::described(state.to, "", "Last strain of the test")},
-          {"sure", statistics::described(state.sure, "", "\"no\": errors are from six blocks, perhaps too small; shear further or repeat with other seeds")},
-          {curves.ratio_name(), with_interval(state.ratio, curves.sheared ? "Shear over normal stress on the sides, mean over the critical state"
-                                                                          : "q/p from the forces on the sides, mean over the critical state")},
+          {"sure", statistics::described(state.sure, "", "\"no\": too few fluctuations to tell the errors well, so that they and the intervals are wide; shear further or repeat with other seeds")},
+          {curves.ratio_name(), with_interval(state.ratio, curves.sheared ? "Mean shear over mean normal stress on the sides in the critical state"
+                                                                          : "Mean q over mean p in the critical state, from the forces on the sides")},
           {"solid_fraction", with_interval(state.solid_fraction, "Solid fraction of the whole box, mean over the critical state")}};
 }
 

@@ -15,6 +15,7 @@ struct TestCurves {
   bool confined = true;                ///< across its axis, too, and not drawn apart; else instead of the ratio there is the stress along the axis, Pa
   std::vector<double> strain;          ///< since the first row, positive where a side shortens
   std::vector<double> ratio;           ///< NaN where the sides are all but unloaded
+  std::vector<double> shear, normal;   ///< what it is the ratio of, N/m; empty of a stress
   std::vector<double> volume;          ///< volumetric strain since the first row, compaction positive
   std::vector<double> solid_fraction;  ///< of the whole box
 
@@ -28,8 +29,8 @@ std::optional<TestCurves> test_curves(const StageResult& stage);
 /// The critical state: the part of a test in which its ratio and the volume only fluctuate while the strain goes on.
 struct CriticalState {
   double from = 0, to = 0;  ///< strain
-  statistics::Measured ratio, solid_fraction;
-  bool sure = true;  ///< both errors are of blocks that are independent; else one or both are of six, the longest there can be, and may be too small
+  statistics::Measured ratio, solid_fraction;  ///< the ratio of the means of shear and normal stress, not the mean of their ratio
+  bool sure = true;                            ///< both errors are of blocks that are independent; else one or both are the largest of few long blocks
 };
 
 /// Where the transients of both have ended (fields::find_steady_state). Nothing where the test was cyclic, where its strain all but stops, or where

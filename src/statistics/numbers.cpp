@@ -64,7 +64,7 @@ Numbers::Numbers(const statistics::Estimate& e) {
 }
 
 Numbers::Numbers(const statistics::TensorEstimate& t) {
-  if (std::isfinite(t.value.xx)) *this = Numbers{{"value", matrix(t.value)}, {"error", matrix(t.error)}};
+  if (std::isfinite(t.value.xx)) *this = Numbers{{"value", matrix(t.value)}, {"error", std::isfinite(t.error.xx) ? matrix(t.error) : Numbers()}};
 }
 
 Numbers::Numbers(const statistics::Curve& c) : Numbers{{"x", c.x}, {"y", c.y}, {"error", c.error}} {}

@@ -12,20 +12,14 @@ namespace arenite::statistics {
 
 namespace {
 
-/// Vuong's comparison of two fits of the excesses y > 0: exponential of rate beta, half-Gaussian of the same data.
-void compare_with_half_gaussian(const std::vector<double>& y, double beta, TailFit& tail) {
-  double variance = 0;
+/// Lead in likelihood of the exponential of rate beta over the half-Gaussian of the same excesses y > 0.
+double lead_over_half_gaussian(const std::vector<double>& y, double beta) {
+  double variance = 0, sum = 0;
   const double n = static_cast<double>(y.size());
   for (const double v : y) variance += v * v / n;
-  double sum = 0, squares = 0;
-  for (const double v : y) {
-    const double lead = (std::log(beta) - beta * v) - (0.5 * std::log(2 / (std::numbers::pi * variance)) - v * v / (2 * variance));
-    sum += lead;
-    squares += lead * lead;
-  }
-  const double spread = std::sqrt(std::max(0.0, squares - sum * sum / n));
-  tail.likelihood_ratio = sum;
-  if (spread > 0) tail.p_value = 0.5 * std::erfc(sum / spread / std::numbers::sqrt2);
+  for (const double v : y)
+    sum += (std::log(beta) - beta * v) - (0.5 * std::log(2 / (std::numbers::pi * variance)) - v * v / (2 * variance));
+  return sum;
 }
 
 /// What likelihoods of a tail need of its values: number, sum of x - low, sum of (x - 1)^2.
@@ -70,9 +64,9 @@ void compare(const std::vector<TailSums>& sums, TailSums all, TailRange range, d
     squares += part * part;
   }
   const double blocks = static_cast<double>(sums.size());
-  fit.likelihood_ratio = lead;
-  const double variance = blocks > 1 ? (squares - lead * lead / blocks) * blocks / (blocks - 1) : 0;
-  if (variance > 0) fit.p_value = 0.5 * std::erfc(lead / std::sqrt(2 * variance));
+  fit.likelihood_ratio.value = lead;
+  if (blocks > 1) fit.likelihood_ratio.error = std::sqrt(std::max(0.0, (squares - lead * lead / blocks) * blocks / (blocks - 1)));
+  fit.p_value = chance_of_lead(fit.likelihood_ratio);
 }
 
 }  // namespace
@@ -90,13 +84,28 @@ TailFit exponential_tail(const std::vector<double>& sorted) {
   }
   tail.count = excess.size();
   if (tail.count < 2) return tail;
-  const double count = static_cast<double>(tail.count), beta = count / sum;
-  tail.slope = {beta, beta / std::sqrt(count)};
+  const double beta = static_cast<double>(tail.count) / sum;
+  tail.slope.value = beta;
   const Line line = fit_line(excess, logarithm);
-  tail.line_slope = {-line.slope, line.slope_error};
+  tail.line_slope.value = -line.slope;
   tail.line_r2 = line.r2;
-  compare_with_half_gaussian(excess, beta, tail);
+  tail.likelihood_ratio.value = lead_over_half_gaussian(excess, beta);
   return tail;
+}
+
+double weak_exponent(const std::vector<double>& sorted) {
+  double count = 0, sum = 0;
+  for (const double x : sorted) {
+    if (x <= 0) continue;
+    if (x >= 1) break;
+    sum -= std::log(x);
+    ++count;
+  }
+  return count < 2 ? unknown : 1 - count / sum;
+}
+
+double chance_of_lead(const Estimate& lead) {
+  return lead.error > 0 ? 0.5 * std::erfc(lead.value / lead.error / std::numbers::sqrt2) : unknown;
 }
 
 double cut_exponential_rate(double mean, double length) {

@@ -10,6 +10,8 @@
 #include "core/mapped.hpp"
 #include "core/problems.hpp"
 #include "core/text.hpp"
+#include "grains/dem/programme.hpp"
+#include "grains/fields/stage_numbers.hpp"
 #include "io/disk/store_file.hpp"
 #include "io/export/export.hpp"
 #include "io/results/results.hpp"
@@ -130,23 +132,26 @@ void refuse_stage(const fs::path& result, const std::string& name) {
   refuse(result.string(), "has no stage \"{}\"; those there are: {}", name, list_of(names));
 }
 
-texture::Options texture_options(const recipe::Recipe& recipe, std::size_t stage) {
+texture::Options texture_options(const recipe::Recipe& recipe, std::size_t stage, const StageResult& made) {
   texture::Options options;
   if (recipe.contact.adheres()) options.pull = texture::Pull::adhesion;
   else if (recipe.contact.attractive_dashpot) options.pull = texture::Pull::dashpots;
   if (stage == 0) return options;
-  if (recipe.stages[stage - 1].gravity) options.gravity = {0, -dem::standard_gravity};
-  options.load_axis = loading_axis(recipe.stages[stage - 1]);
+  const dem::Stage& asked = recipe.stages[stage - 1];
+  options.gravity = dem::gravity_at(asked, asked.duration.value_or(0));
+  options.load_axis = loading_axis(asked);
+  if (!fields::ends_in_motion(asked) || made.snapshots.empty()) return options;
+  options.in_time = fields::stress_in_time(made.history, made.snapshots.back().packing.domain.thickness).value_or(texture::TimeScatter{});
   return options;
 }
 
-texture::Options texture_options(const Provenance& provenance) {
+texture::Options texture_options(const StageResult& made) {
   recipe::Recipe recipe;
   try {
-    recipe = recipe::parse_recipe(provenance.recipe, "recipe");
+    recipe = recipe::parse_recipe(made.provenance.recipe, "recipe");
   } catch (const InputError&) { return {}; }
-  const auto at = std::find_if(recipe.stages.begin(), recipe.stages.end(), [&](const auto& stage) { return stage.name == provenance.stage; });
-  return texture_options(recipe, at == recipe.stages.end() ? 0 : static_cast<std::size_t>(at - recipe.stages.begin()) + 1);
+  const auto at = std::find_if(recipe.stages.begin(), recipe.stages.end(), [&](const auto& stage) { return stage.name == made.provenance.stage; });
+  return texture_options(recipe, at == recipe.stages.end() ? 0 : static_cast<std::size_t>(at - recipe.stages.begin()) + 1, made);
 }
 
 FinalState final_state(const fs::path& run, const StateOptions& wanted) {
@@ -154,7 +159,7 @@ FinalState final_state(const fs::path& run, const StateOptions& wanted) {
   if (!result && wanted.stage.empty()) refuse(run.string(), "there are no stage files of this run; remove its folder and run the study again");
   if (!result) refuse(run.string(), "there is no stage \"{}\" of this run; name one of its recipe, or run the study again", wanted.stage);
   if (result->snapshots.empty()) refuse(run.string(), "stage {} holds no state; remove its file and run the study again", result->name);
-  texture::Options options = texture_options(result->provenance);
+  texture::Options options = texture_options(*result);
   if (!wanted.rev) options.rev_sizes = 0;
   options.sectors = wanted.sectors;
   options.border = wanted.border.value_or(options.border);

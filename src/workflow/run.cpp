@@ -168,8 +168,9 @@ StageResult measure_stage(const GrainStage& stage, StageResult made, const std::
   const auto& [recipe, place, hash, before, known] = stage;
   made.provenance = {version, made.name, hash, to_toml(part_of(recipe, place)), recipe.seed, kernel, {}};
   if (made.snapshots.empty()) return made;
-  texture::Texture texture = texture::measure(made.snapshots.back().packing, texture_options(recipe, place));
-  made.texture = fields::stage_numbers({made, place > 0 ? recipe.stages[place - 1] : dem::Stage{}, place > 1 ? before : nullptr, texture});
+  const texture::Options measuring = texture_options(recipe, place, made);
+  texture::Texture texture = texture::measure(made.snapshots.back().packing, measuring);
+  made.texture = fields::stage_numbers({made, place > 0 ? recipe.stages[place - 1] : dem::Stage{}, place > 1 ? before : nullptr, texture, &measuring});
   if (known) *known = std::move(texture);
   return made;
 }

@@ -124,6 +124,15 @@ def test_rheology_is_in_the_order_of_the_rate():
     assert canvas.axes[0].get_xscale() == "log"
 
 
+def test_a_ratio_is_that_of_the_means():
+    rng = np.random.default_rng(3)
+    normal = 100 * (1 + 0.2 * rng.normal(size=4000))
+    shear = 30 - 0.1 * (normal - 100)
+    ratio, error = curves.steady_ratio(shear, normal)
+    assert ratio == pytest.approx(0.3, abs=4 * error) and error < 0.003
+    assert np.mean(shear / normal) > ratio + 0.01  # the mean of ratios is another number
+
+
 def test_errors_of_steady_means_respect_what_goes_together():
     rng = np.random.default_rng(1)
     slow = np.repeat(rng.normal(size=40), 50)

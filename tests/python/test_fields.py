@@ -42,6 +42,14 @@ def test_saturation_is_found(result):
     assert cement.coating > 0
 
 
+def test_saturation_holds_in_the_crop_as_in_the_recipe(recipe, result):
+    packing = result.stages[-1].packing
+    for crop in ("6 mm", "9 mm"):
+        cement = arenite.cement(packing, "coating", saturation=0.4, crop=crop)
+        map = arenite.rasterise(packing, cement, nodes=512, crop=crop)
+        assert np.sum(map.phase == 1) / np.sum(map.phase < 2) == pytest.approx(0.4, abs=0.02)
+
+
 def test_arrays_of_a_field_are_views(result):
     field = result.fields[-1]
     assert np.shares_memory(field.sigma_yy, field.sigma_yy) and not field.map.phase.flags.writeable

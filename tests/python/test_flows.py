@@ -59,14 +59,24 @@ def test_a_silo_tells_what_its_walls_carry():
     x, y = np.meshgrid(np.arange(4) + 0.5, np.arange(6) + 0.5)
     material = arenite.Material("clay", density=1000.0)
     packing = arenite.Packing(0.01 * x.ravel(), 0.01 * y.ravel(), np.full(24, 0.005), materials=[material], width=0.04, height=0.1, thickness=0.1)
-    weight = 9.81 * 1000 * 0.1 * 24 * np.pi * 0.005**2
+    weight = 1.62 * 1000 * 0.1 * 24 * np.pi * 0.005**2  # on the moon
+    recipe = '[[stages]]\nname = "sink"\ngravity = true\ngravity_size = "1.62 m/s^2"\n'
     history = {"bottom_force": 0.6 * weight + 1e-3 * np.cos(np.arange(200.0) * 2.1), "left_force": np.full(200, 0.5 * weight), "right_force": np.full(200, 0.5 * weight)}
-    stage = types.SimpleNamespace(history=history, snapshots=[types.SimpleNamespace(packing=packing)])
+    stage = types.SimpleNamespace(name="sink", provenance={"recipe": recipe}, history=history, snapshots=[types.SimpleNamespace(packing=packing)])
     with pytest.warns(RuntimeWarning):  # no contact tells the ratio of stresses
         found = flows.silos([types.SimpleNamespace(stages=[stage])])
     assert found["height"].values == pytest.approx([0.06], rel=1e-6)
     assert found["pressure"].values == pytest.approx([0.6 * weight / 0.004], rel=1e-3)
     assert found["wall_friction"].values == pytest.approx([0.4], rel=1e-3)
+
+
+def test_gravity_is_that_of_the_recipe():
+    def stage(*lines):
+        return types.SimpleNamespace(name="fall", provenance={"recipe": "\n".join(["[[stages]]", 'name = "fall"', "gravity = true", *lines])})
+
+    assert flows.gravity_of(stage()) == 9.81 and flows.gravity_of(stage('gravity_size = "1.62 m/s^2"')) == 1.62
+    growing = 'programmes = [{ of = "gravity_size", table = [["0 s", "2 m/s^2"], ["1 s", "6 m/s^2"]] }]'
+    assert flows.gravity_of(stage('duration = "500 ms"', growing)) == pytest.approx(4)
 
 
 def test_a_plateau_is_told_with_its_error_whether_it_is_sure_or_not(monkeypatch):
@@ -76,8 +86,12 @@ def test_a_plateau_is_told_with_its_error_whether_it_is_sure_or_not(monkeypatch)
     recipe = '[contact]\nfriction = 0.4\n[[stages]]\nname = "shear"\n'
     result = types.SimpleNamespace(stages=[types.SimpleNamespace(provenance={"recipe": recipe})])
     for change, reached in ((0, 1), (0.2, 0)):
-        found = {"mu": curves.Curve(-0.26 - noise[0], "1"), "solid_fraction": curves.Curve(0.81 + noise[1] + change * drift, "1")}
-        monkeypatch.setattr(curves, "along", lambda result, stage=None, found=found: found)
+        normal = 100 * (1 + noise[1])  # fluctuates as the shear stress does not
+        found = {"mu": curves.Curve((-0.26 - noise[0]) * 100 / normal, "1"), "tau": curves.Curve((-0.26 - noise[0]) * 100, "Pa"),
+                 "sigma_yy": curves.Curve(normal, "Pa"), "solid_fraction": curves.Curve(0.81 + noise[1] + change * drift, "1")}
+        monkeypatch.setattr(curves, "find_test", lambda result, stage=None: None)
+        monkeypatch.setattr(curves, "curves_of", lambda test, found=found: found)
+        monkeypatch.setattr(curves, "sides_shear", lambda test: False)
         states = flows.critical_states([result])
         assert states["reached"].values == [reached] and states["friction"].values == [0.4]
         assert abs(states["mu"].values[0] - 0.26) < 4 * states["mu_error"].values[0] < 0.004

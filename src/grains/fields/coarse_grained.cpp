@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/problems.hpp"
+#include "geometry/cell_grid.hpp"
 #include "grains/texture/view.hpp"
 #include "model/periodic_images.hpp"
 
@@ -103,14 +104,44 @@ void add_grains(const Packing& packing, const CoarseGraining& choice, const Kern
   }
 }
 
+/// V at the places of the grains, m/s.
+std::vector<Vec2> velocity_at_grains(const Packing& packing, const CoarseGraining& choice, const Kernel& kernel) {
+  const Grains& grains = packing.grains;
+  std::vector<Vec2> momentum(grains.size());
+  std::vector<double> density(grains.size(), 0.0);
+  if (grains.size() == 0) return momentum;
+  const geometry::PointGrid near(grains.position, kernel.reach());
+  const geometry::Rectangle around = geometry::bounds(grains.position);
+  for (std::size_t g = 0; g < grains.size(); ++g) {
+    const double mass = texture::mass_of(packing, g);
+    for_each_image(packing.domain, geometry::square_about(grains.position[g], kernel.reach()), around, [&](const ImageShift& image) {
+      const Vec2 centre = grains.position[g] + image.shift, velocity = grains.velocity[g] + image_velocity(packing.domain, choice, image);
+      near.within(centre, kernel.reach(), [&](std::int32_t other, double) {
+        const double weight = mass * kernel.value(grains.position[other] - centre);
+        density[other] += weight;
+        momentum[other] += weight * velocity;
+      });
+    });
+  }
+  for (std::size_t g = 0; g < grains.size(); ++g)
+    if (density[g] > 0) momentum[g] = momentum[g] / density[g];
+  return momentum;
+}
+
 /// In a second pass, when V is known everywhere: a difference of two large sums would lose the fluctuation of a fast flow.
 void add_kinetic_stress(const Packing& packing, const CoarseGraining& choice, const Kernel& kernel, CoarseFields& fields) {
+  const std::vector<Vec2> around = velocity_at_grains(packing, choice, kernel);
   for (std::size_t g = 0; g < packing.grains.size(); ++g) {
     const double mass = texture::mass_of(packing, g) / packing.domain.thickness;
+    const Vec2 fluctuation = packing.grains.velocity[g] - around[g];
+    const Tensor2 own = outer(fluctuation, fluctuation);
     for_points_near(packing, g, fields.grid, choice, kernel.reach(), [&](std::size_t k, Vec2 d, Vec2 velocity) {
       if (!(fields.density[k] > 0)) return;
-      const Vec2 fluctuation = velocity - fields.velocity[k];
-      fields.kinetic_stress[k] += -mass * kernel.value(d) * outer(fluctuation, fluctuation);
+      const Vec2 apart = velocity - fields.velocity[k];
+      const double weight = -mass * kernel.value(d);
+      fields.kinetic_stress[k] += weight * own;
+      fields.gradient_stress[k] += weight * outer(apart, apart);
+      fields.gradient_stress[k] += -weight * own;
     });
   }
 }
@@ -185,6 +216,7 @@ CoarseFields coarse_grain(const Packing& packing, const Grid& grid, const Coarse
                       std::vector<Vec2>(n),
                       std::vector<Vec2>(n, Vec2{unknown, unknown}),
                       std::vector<Tensor2>(n, Tensor2{unknown, unknown, unknown, unknown}),
+                      std::vector<Tensor2>(n),
                       std::vector<Tensor2>(n),
                       std::vector<Tensor2>(n),
                       std::vector<Vec2>(n)};

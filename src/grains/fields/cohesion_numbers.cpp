@@ -41,7 +41,7 @@ double tensile_strength(const StageResult& result, const dem::Stage& stage, doub
 }  // namespace
 
 Numbers cohesion_numbers(const StageEnd& of) {
-  const auto& [result, stage, before, texture] = of;
+  const auto& [result, stage, before, texture, options] = of;
   const Packing& end = result.snapshots.back().packing;
   const Packing& start = before ? *before : end;
   if (end.cohesive.empty() && start.cohesive.empty()) return Numbers::tree();

@@ -12,6 +12,8 @@ namespace arenite::fields {
 namespace {
 
 constexpr std::size_t intervals = 400;  // that the time of flow is parted into: enough to find where it is steady, and for blocks within
+constexpr double rounding = 1e-9;       // of all that passes: sums of the same masses in another order differ by less, a grain is more
+constexpr double long_pause = 0.1;      // of the time of flow without a passing: longer than the gaps of a flow that goes on
 
 void check(const std::vector<double>& time, const std::vector<double>& passed) {
   if (time.size() != passed.size()) throw refusal("there are {} times and {} amounts passed; give one per time", time.size(), passed.size());
@@ -45,10 +47,14 @@ double shortest_way(const Boundary& from, const Boundary& to) {
 Discharge find_discharge(const std::vector<double>& time, const std::vector<double>& passed) {
   check(time, passed);
   Discharge found;
-  const auto is_more = [&](double p) { return p > passed.front(); };
-  const auto first = static_cast<std::size_t>(std::find_if(passed.begin(), passed.end(), is_more) - passed.begin());
-  const auto last = static_cast<std::size_t>(std::find_if(passed.begin(), passed.end(), [&](double p) { return !(p < passed.back()); }) - passed.begin());
+  if (passed.empty()) return found;
+  const auto [least, most] = std::minmax_element(passed.begin(), passed.end());
+  const double nothing = rounding * std::max(std::abs(*least), std::abs(*most));
+  const auto row_where = [&](const auto& holds) { return static_cast<std::size_t>(std::find_if(passed.begin(), passed.end(), holds) - passed.begin()); };
+  const auto first = row_where([&](double p) { return p > passed.front() + nothing; });
+  const auto last = row_where([&](double p) { return p >= passed.back() - nothing; });
   if (first >= last) return found;
+  found.stopped = time.back() - time[last] > long_pause * (time[last] - time[first]);
   const double width = (time[last] - time[first]) / static_cast<double>(std::min(intervals, last - first));
   std::vector<double> rates;
   for (std::size_t k = 0; k < std::min(intervals, last - first); ++k) {

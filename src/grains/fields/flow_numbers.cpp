@@ -30,7 +30,8 @@ Numbers discharge_numbers(const StageResult& result) {
             {"rate_kg_s", estimate(by_mass.rate.value, by_mass.rate.error, "kg/s", "Rate of discharge over its steady part")},
             {"rate_grains_s", estimate(by_grains.rate.value, by_grains.rate.error, "1/s", "The same as a number of grains")},
             {"begin_s", described(by_mass.begin, "s", "Start of the steady part")},
-            {"end_s", described(by_mass.end, "s", "End of the steady part")}};
+            {"end_s", described(by_mass.end, "s", "End of the steady part")},
+            {"stopped", described(by_mass.stopped, "", "Whether nothing passes any more in the end: the container is empty or clogged")}};
   if (const double opening = narrowest_opening(result.snapshots.back().packing.domain); std::isfinite(opening))
     j["opening_m"] = described(opening, "m", "Narrowest opening between boundaries");
   return j;
@@ -116,7 +117,7 @@ Numbers surface_numbers(const StageResult& result, const dem::Stage& stage, cons
 }  // namespace
 
 Numbers flow_numbers(const StageEnd& end) {
-  const auto& [result, stage, before, texture] = end;
+  const auto& [result, stage, before, texture, options] = end;
   Numbers j = Numbers::tree();
   if (result.snapshots.back().packing.grains.size() == 0) return j;
   if (Numbers discharge = discharge_numbers(result); !discharge.empty()) j["discharge"] = std::move(discharge);

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <span>
+#include <vector>
 
 #include "statistics/measured.hpp"
 
@@ -24,6 +25,10 @@ struct SteadyState {
 /// pass is taken, it passes too early more often than too late. The error has the freedom of the blocks less one; it is NaN where fewer
 /// than six blocks would be left.
 SteadyState block_average(std::span<const double> samples);
+
+/// Samples, from the first on, whose mean is the ratio of the means of a and b, |<a>/<b>|, and whose fluctuations are those that its error comes from: R + (a -
+/// R b)/<b>. A mean of ratios would be another number where b fluctuates, by the part of a that goes with it.
+std::vector<double> about_ratio_of_means(std::span<const double> a, std::span<const double> b, std::size_t first = 0);
 
 /// Mean of so many equal blocks at the end of a series, its error by their scatter: neighbours in time are not independent.
 statistics::Measured mean_of_blocks(std::span<const double> samples, std::size_t blocks);

@@ -23,6 +23,11 @@ double share_beyond(const Items& items, const std::vector<double>& value, double
   return above / static_cast<double>(items.size());
 }
 
+/// The values over their mean, of items in their order.
+std::vector<double> rising(const Items& sorted, const std::vector<double>& value, double mean) {
+  return mapped(sorted, [&](std::size_t i) { return value[i] / mean; });
+}
+
 statistics::Curve density(const std::vector<double>& sorted) {
   statistics::Curve curve;
   if (sorted.empty() || !(sorted.back() > 0)) return curve;
@@ -52,69 +57,69 @@ statistics::Curve survival_function(const std::vector<double>& sorted) {
   return curve;
 }
 
-/// k and beta^2/((1 - alpha)(2 - alpha)), with errors carried over from beta and alpha as independent.
-void put_relation(Numbers& to, const Estimate& beta, const Estimate& alpha) {
-  const double b = beta.value, a = alpha.value, sb = beta.error, sa = alpha.error;
-  const double k = 1 / (1 / (1 - a) + 1 / b);
-  put(to, "k", Estimate{k, k * k * std::hypot(sa / ((1 - a) * (1 - a)), sb / (b * b))}, "", "Height of the pdf at the mean, 1/k = 1/(1 - alpha) + 1/beta");
-  const double product = (1 - a) * (2 - a), ratio = b * b / product;
-  put(to, "beta2_over_product", Estimate{ratio, ratio * std::hypot(2 * sb / b, (3 - 2 * a) * sa / product)}, "",
-      "beta^2/((1 - alpha)(2 - alpha)); 1 where T eq. 1.5 holds");
+/// The numbers of a set in the order of `put_numbers`.
+enum Number { mean_value, above_own, above_all, beta, beta_line, lead, alpha, k, relation, numbers_in_all };
+
+/// Of items in the order of their values. The mean is their own, so that its scatter is in the errors of all that is counted from it.
+std::vector<double> numbers_of(const Items& sorted, const std::vector<double>& value, double mean_of_all, double scale) {
+  std::vector<double> n(numbers_in_all, unknown);
+  if (sorted.empty()) return n;
+  const double mean = mean_of(sorted, value);
+  n[mean_value] = mean * scale;
+  n[above_own] = share_beyond(sorted, value, mean);
+  n[above_all] = share_beyond(sorted, value, mean_of_all);
+  const auto x = rising(sorted, value, mean);
+  if (!(x.front() <= x.back())) return n;  // the mean is nought, or of the other sign than that of all
+  const statistics::TailFit tail = statistics::exponential_tail(x);
+  const double b = tail.slope.value, a = statistics::weak_exponent(x);
+  n[beta] = b;
+  n[beta_line] = tail.line_slope.value;
+  n[lead] = tail.likelihood_ratio.value / static_cast<double>(sorted.size());  // a sum has no jackknife, a mean has
+  n[alpha] = a;
+  n[k] = 1 / (1 / (1 - a) + 1 / b);
+  n[relation] = b * b / ((1 - a) * (2 - a));
+  return n;
 }
 
-void put_tail(Numbers& to, const statistics::TailFit& tail) {
-  put(to, "beta", tail.slope, "", "Decay of values above the mean, P ~ exp(-beta x), by maximum likelihood");
-  put(to, "beta_error", tail.slope.error, "", "Standard error of beta");
-  put(to, "beta_line", tail.line_slope, "", "The same from a straight line through ln of the survival function");
+void put_numbers(Numbers& to, const std::vector<Estimate>& n, const DistributionNames& names) {
+  put(to, names.mean, n[mean_value], names.unit, names.mean_is);
+  put(to, names.share, n[above_own], "", names.share_is);
+  put(to, "fraction_above_mean_of_all", n[above_all], "", "Fraction of the set above the mean of all");
+}
+
+void put_laws(Numbers& to, const std::vector<Estimate>& n, const statistics::TailFit& tail) {
+  put(to, "beta", n[beta], "", "Decay of values above the mean, P ~ exp(-beta x), by maximum likelihood");
+  put(to, "beta_error", n[beta].error, "", "Standard error of beta");
+  put(to, "beta_line", n[beta_line], "", "The same from a straight line through ln of the survival function");
   put(to, "line_r2", tail.line_r2, "", "Coefficient of determination of that line");
   put(to, "tail_count", tail.count, "", "Values above the mean");
-  put(to, "log_likelihood_ratio", tail.likelihood_ratio, "", "ln L(exponential) - ln L(half-Gaussian)");
-  put(to, "p_value", tail.p_value, "", "Probability that the exponential fits better by chance (Vuong's test, one-sided)");
+  put(to, "log_likelihood_ratio", n[lead], "", "ln L(exponential) - ln L(half-Gaussian)");
+  put(to, "p_value", statistics::chance_of_lead(n[lead]), "", "Probability that the exponential fits better by chance (Vuong's test, one-sided)");
+  put(to, "alpha", n[alpha], "", "Exponent of values below the mean, P ~ x^-alpha, by maximum likelihood");
+  put(to, "k", n[k], "", "Height of the pdf at the mean, 1/k = 1/(1 - alpha) + 1/beta");
+  put(to, "beta2_over_product", n[relation], "", "beta^2/((1 - alpha)(2 - alpha)); 1 where T eq. 1.5 holds");
 }
 
 }  // namespace
 
-Estimate weak_exponent(const std::vector<double>& sorted) {
-  std::size_t count = 0;
-  double sum = 0;
-  for (const double x : sorted) {
-    if (x <= 0) continue;
-    if (x >= 1) break;
-    sum -= std::log(x);
-    ++count;
-  }
-  if (count < 2) return {};
-  const double n = static_cast<double>(count);
-  return {1 - n / sum, n / sum / std::sqrt(n)};
-}
-
 Numbers distribution(const Items& items, const std::vector<int>& block_of, const std::vector<double>& value, double mean_of_all, const DistributionNames& names,
-                     double scale) {
-  const auto values_of = [&](const Items& set) {
-    if (set.empty()) return std::vector<double>(3, unknown);
-    const double mean = mean_of(set, value);
-    return std::vector<double>{mean * scale, share_beyond(set, value, mean), share_beyond(set, value, mean_of_all)};
-  };
-  const auto estimates = jackknife(items, block_of, values_of);
+                     double scale, double level) {
+  const double own_mean = mean_of(items, value), sign = own_mean < 0 ? -1 : 1, count = static_cast<double>(items.size());
+  Items sorted = items;
+  std::ranges::stable_sort(sorted, [&](std::size_t i, std::size_t j) { return sign * value[i] < sign * value[j]; });
+  auto n = jackknife(sorted, block_of, [&](const Items& set) { return numbers_of(set, value, mean_of_all, scale); });
+  n[lead] = {n[lead].value * count, n[lead].error * count};
+  n[mean_value].error = std::hypot(n[mean_value].error, level * n[mean_value].value);
   Numbers j{{"count", described(items.size(), "", "Values of the set")}};
-  put(j, names.mean, estimates[0], names.unit, names.mean_is);
-  put(j, names.share, estimates[1], "", names.share_is);
-  put(j, "fraction_above_mean_of_all", estimates[2], "", "Fraction of the set above the mean of all");
-
-  const double own_mean = mean_of(items, value);
-  std::vector<double> sorted;
-  if (own_mean != 0) sorted = mapped(items, [&](std::size_t i) { return value[i] / own_mean; });
-  std::sort(sorted.begin(), sorted.end());
-  if (!sorted.empty()) put(j, "maximum", sorted.back(), "", "Largest value over the mean");
-  const statistics::TailFit tail = statistics::exponential_tail(sorted);
-  const Estimate alpha = weak_exponent(sorted);
-  put_tail(j, tail);
-  put(j, "alpha", alpha, "", "Exponent of values below the mean, P ~ x^-alpha, by maximum likelihood");
-  put_relation(j, tail.slope, alpha);
-  j["pdf"] = density(sorted);
-  const Numbers cumulative = survival_function(sorted);
-  for (double& x : sorted) x *= own_mean / mean_of_all;
-  j["pdf_over_all"] = density(sorted);
+  put_numbers(j, n, names);
+  std::vector<double> x;
+  if (own_mean != 0) x = rising(sorted, value, own_mean);
+  if (!x.empty()) put(j, "maximum", x.back(), "", "Largest value over the mean");
+  put_laws(j, n, statistics::exponential_tail(x));
+  j["pdf"] = density(x);
+  const Numbers cumulative = survival_function(x);
+  for (double& v : x) v *= own_mean / mean_of_all;
+  j["pdf_over_all"] = density(x);
   j["cumulative"] = cumulative;
   return j;
 }
@@ -134,12 +139,12 @@ void forces(const View& view, Texture& texture) {
   Numbers compressive = Numbers::tree(), tensile = Numbers::tree();
   for (const auto& [name, items] : sets) {
     if (const Items pushing = kept(items, [&](std::size_t c) { return push[c] > 0; }); !pushing.empty())
-      place_of(name, compressive, "by_type").update(distribution(pushing, view.contact_block, push, view.mean_force, names));
+      place_of(name, compressive, "by_type").update(distribution(pushing, view.contact_block, push, view.mean_force, names, 1, view.level()));
     const Items pulling = kept(items, [&](std::size_t c) { return pull[c] > 0; });
     if (pulling.empty()) continue;
     if (name == "all")
       for (const std::size_t c : pulling) mean_pull += pull[c] / static_cast<double>(pulling.size());
-    place_of(name, tensile, "by_type").update(distribution(pulling, view.contact_block, pull, mean_pull, names));
+    place_of(name, tensile, "by_type").update(distribution(pulling, view.contact_block, pull, mean_pull, names, 1, view.level()));
   }
   if (compressive.empty()) return;
   put(compressive, "tensile_share", mean(view.contacts, view.contact_block, [&](std::size_t c) { return pull[c] > 0 ? 1.0 : 0.0; }), "",

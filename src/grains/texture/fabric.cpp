@@ -16,12 +16,6 @@ constexpr double degrees = 180 / std::numbers::pi;
 /// Mean length of the resultant of n random unit vectors: sqrt(pi)/2 / sqrt(n).
 double resultant_noise(std::size_t n) { return 0.5 * std::sqrt(std::numbers::pi / static_cast<double>(n)); }
 
-/// arg(z)/m in degrees, in [0, 360/m).
-double phase(Complex z, int m) {
-  const double angle = std::arg(z) / m * degrees;
-  return angle < 0 ? angle + 360.0 / m : angle;
-}
-
 /// Sums over contacts: the powers of u = exp(2 i theta), and the normal equations that fit F_n and F_t by A + B cos 2 theta + C sin 2 theta.
 enum Term { count, c2, s2, c4, s4, c6, s6, cc, cs, ss, fn, fn_c, fn_s, ft, ft_c, ft_s, terms };
 
@@ -33,14 +27,8 @@ void add_contact(const Contacts& contacts, std::size_t c, double* sums) {
   for (int k = 0; k < terms; ++k) sums[k] += values[k];
 }
 
-enum Result { phi_xx, phi_xy, phi_yy, a_c, theta_c, a_c_signed, a_n, theta_n, a_t, amplitude2, phase2, amplitude4, phase4, amplitude6, phase6, results };
-const std::vector<double> periods = [] {
-  std::vector<double> p(results, 0.0);
-  p[theta_c] = p[theta_n] = p[phase2] = 180;
-  p[phase4] = 90;
-  p[phase6] = 60;
-  return p;
-}();
+/// Components along cos 2 theta, sin 2 theta and so on, of which amplitudes and directions are made when their errors are known.
+enum Result { phi_xx, phi_xy, phi_yy, a_c_signed, x2, y2, x4, y4, x6, y6, force_x, force_y, friction_x, friction_y, results };
 
 /// Anisotropies of force by least squares over directions, so that they do not inherit the anisotropy of the counts.
 void fit_forces(const std::vector<double>& s, std::vector<double>& r) {
@@ -51,9 +39,10 @@ void fit_forces(const std::vector<double>& s, std::vector<double>& r) {
   if (!(pivots.minCoeff() > 1e-15 * pivots.maxCoeff())) return;  // fewer directions than unknowns
   const Eigen::Vector3d n = factors.solve(Eigen::Vector3d(s[fn], s[fn_c], s[fn_s]));
   const Eigen::Vector3d t = factors.solve(Eigen::Vector3d(s[ft], s[ft_c], s[ft_s]));
-  r[a_n] = std::hypot(n[1], n[2]) / n[0];
-  r[theta_n] = phase({n[1], n[2]}, 2);
-  r[a_t] = std::hypot(t[1], t[2]) / n[0];
+  r[force_x] = n[1] / n[0];
+  r[force_y] = n[2] / n[0];
+  r[friction_x] = t[1] / n[0];
+  r[friction_y] = t[2] / n[0];
 }
 
 std::vector<double> evaluate(const std::vector<double>& s, double load_axis) {
@@ -64,14 +53,8 @@ std::vector<double> evaluate(const std::vector<double>& s, double load_axis) {
   r[phi_xx] = 0.5 * (1 + second.real());
   r[phi_yy] = 0.5 * (1 - second.real());
   r[phi_xy] = 0.5 * second.imag();
-  r[a_c] = 2 * std::abs(second);
-  r[theta_c] = phase(second, 2);
   r[a_c_signed] = 2 * (second * std::polar(1.0, -2 * load_axis)).real();
-  for (int k = 0; k < 3; ++k) {
-    const Complex z{s[c2 + 2 * k] / n, s[s2 + 2 * k] / n};
-    r[amplitude2 + 2 * k] = std::abs(z);
-    r[phase2 + 2 * k] = phase(z, 2 * (k + 1));
-  }
+  for (int k = x2; k <= y6; ++k) r[k] = s[c2 + k - x2] / n;
   if (n > 3) fit_forces(s, r);
   return r;
 }
@@ -98,23 +81,25 @@ void put_sectors(Numbers& to, const View& view, const Items& items) {
 Numbers fabric_of(const View& view, const Items& items) {
   const auto r = jackknife_of_sums(
       items, view.contact_block, terms, [&](std::size_t c, double* sums) { add_contact(view.pairs(), c, sums); },
-      [&](const std::vector<double>& s) { return evaluate(s, view.load_axis); }, periods);
+      [&](const std::vector<double>& s) { return evaluate(s, view.load_axis); });
+  const Oscillation contacts = oscillation(r[x2], r[y2], 2), force = oscillation(r[force_x], r[force_y], 2);
   const double noise = resultant_noise(items.size());
   const auto tensor = [&](double Estimate::*part) { return Tensor2{r[phi_xx].*part, r[phi_xy].*part, r[phi_xy].*part, r[phi_yy].*part}; };
   Numbers j = Numbers::tree();
   put(j, "contacts", items.size(), "", "Contacts of the set");
-  put(j, "a_c", r[a_c], "", "Contact anisotropy a_c, 2 (phi_1 - phi_2), T eq. 1.8; 0: isotropic");
-  put(j, "theta_c_deg", r[theta_c], "deg", "Principal direction of the contacts, from x");
+  put(j, "a_c", Estimate{2 * contacts.amplitude.value, 2 * contacts.amplitude.error}, "", "Contact anisotropy a_c, 2 (phi_1 - phi_2), T eq. 1.8; 0: isotropic");
+  put(j, "theta_c_deg", contacts.direction_deg, "deg", "Principal direction of the contacts, from x");
   put(j, "phi", statistics::TensorEstimate{tensor(&Estimate::value), tensor(&Estimate::error)}, "", "Fabric tensor <n (x) n>, T eq. 1.6");
   put(j, "a_c_signed", r[a_c_signed], "", "a_c cos 2(theta_c - theta_load): positive along the load");
   put(j, "a_c_noise", 2 * noise, "", "a_c of the same number of random orientations");
-  put(j, "a_n", r[a_n], "", "Anisotropy of the mean normal force");
-  put(j, "theta_n_deg", r[theta_n], "deg", "Direction of the largest normal forces, from x");
-  put(j, "a_t", r[a_t], "", "Anisotropy of the mean tangential force");
+  put(j, "a_n", force.amplitude, "", "Anisotropy of the mean normal force");
+  put(j, "theta_n_deg", force.direction_deg, "deg", "Direction of the largest normal forces, from x");
+  put(j, "a_t", oscillation(r[friction_x], r[friction_y], 2).amplitude, "", "Anisotropy of the mean tangential force");
   for (int k = 0; k < 3; ++k) {
     Numbers& mode = j["modes"][std::to_string(2 * (k + 1))] = Numbers::tree();
-    put(mode, "amplitude", r[amplitude2 + 2 * k], "", "|<exp(i m theta)>| of contact orientations");
-    put(mode, "phase_deg", r[phase2 + 2 * k], "deg", "Direction of its maximum, in [0, 360/m)");
+    const Oscillation fold = oscillation(r[x2 + 2 * k], r[y2 + 2 * k], 2 * (k + 1));
+    put(mode, "amplitude", fold.amplitude, "", "|<exp(i m theta)>| of contact orientations");
+    put(mode, "phase_deg", fold.direction_deg, "deg", "Direction of its maximum, in [0, 360/m)");
     put(mode, "noise", noise, "", "Amplitude for the same number of random orientations");
   }
   put_sectors(j, view, items);

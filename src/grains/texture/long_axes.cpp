@@ -45,16 +45,14 @@ void long_axes(const View& view, Texture& texture) {
     sums[1] += axis[g].y;
     sums[2] += 1;
   };
-  const auto of_sums = [](const std::vector<double>& s) {
-    const double half = 0.5 * std::atan2(s[1], s[0]) * 180 / std::numbers::pi;
-    return std::vector<double>{s[2] > 0 ? std::hypot(s[0], s[1]) / s[2] : unknown, half < 0 ? half + 180 : half};
-  };
-  const auto both = jackknife_of_sums(longish, view.grain_block, 3, add, of_sums, {0, 180});
+  const auto of_sums = [](const std::vector<double>& s) { return std::vector<double>{s[0] / s[2], s[1] / s[2]}; };
+  const auto both = jackknife_of_sums(longish, view.grain_block, 3, add, of_sums);
+  const Oscillation order = oscillation(both[0], both[1], 2);
   Numbers& j = texture.numbers["long_axes"];
   put(j, "grains", longish.size(), "", "Grains with a long axis");
   put(j, "noise", 0.886 / std::sqrt(static_cast<double>(longish.size())), "", "Order for the same number of random orientations");
-  put(j, "order", both[0], "", "|<exp(2 i theta)>| of long axes; 0 at random, 1 all alike");
-  put(j, "direction_deg", both[1], "deg", "Preferred direction of the long axes, from x");
+  put(j, "order", order.amplitude, "", "|<exp(2 i theta)>| of long axes; 0 at random, 1 all alike");
+  put(j, "direction_deg", order.direction_deg, "deg", "Preferred direction of the long axes, from x");
 }
 
 }  // namespace arenite::texture

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/mapped.hpp"
 
 namespace arenite::texture {
 namespace {
@@ -20,57 +19,38 @@ Tensor2 moment_of(const Packing& packing, const CohesivePair& pair) {
   return acts_across_gap(pair) ? outer(force_on_i(packing, pair), -branch_of(packing, pair)) : Tensor2{};
 }
 
-/// Where the branch of a bond or pull touches grain i.
-template <class Link> Vec2 middle_of(const Packing& packing, const Link& link) {
-  const Vec2 branch = branch_of(packing, link);
-  return packing.grains.position[link.i] - packing.grains.radius[link.i] / norm(branch) * branch;
-}
-
 /// Calls `see` for each bond and each cohesive pair.
 template <class See> void each_link(const Packing& packing, const See& see) {
   for (const Bond& bond : packing.bonds) see(bond);
   for (const CohesivePair& pair : packing.cohesive) see(pair);
 }
 
-/// Standard error, component by component, of the mean of equal blocks.
-Tensor2 block_error(const std::vector<Tensor2>& density) {
-  const auto component = [&](double Tensor2::*part) { return standard_error(mapped(density, part)); };
-  return {component(&Tensor2::xx), component(&Tensor2::xy), component(&Tensor2::yx), component(&Tensor2::yy)};
-}
-
 /// Sum over contacts, walls included, and over bonds and cohesive pairs that are apart, of f (x) l over the volume of the box (T eq. 1.10), with f on
 /// grain i and l from i to j (or to the wall).
-statistics::TensorEstimate whole_stress(const View& view) {
-  const Domain& domain = view.packing.domain;
-  const BlockGrid blocks{box_of(domain), std::max(2, view.blocks.per_side)};
-  const double volume = domain.area() * domain.thickness;
-  std::vector<Tensor2> density(static_cast<std::size_t>(blocks.count()));
-  const auto add = [&](Vec2 place, const Tensor2& moment, Tensor2& sum) {
-    density[blocks.block_of(place)] += blocks.count() / volume * moment;
-    sum += moment;
-  };
+Tensor2 whole_stress(const View& view) {
   Tensor2 sum, links;
-  for (std::size_t c = 0; c < view.pairs().size(); ++c) add(view.contact_point(c), moment_of(view.pairs(), c), sum);
-  each_link(view.packing, [&](const auto& link) { add(middle_of(view.packing, link), moment_of(view.packing, link), links); });
+  for (std::size_t c = 0; c < view.pairs().size(); ++c) sum += moment_of(view.pairs(), c);
+  each_link(view.packing, [&](const auto& link) { links += moment_of(view.packing, link); });
   sum += links;
-  return {1 / volume * sum, block_error(density)};
+  const Domain& domain = view.packing.domain;
+  return 1 / (domain.area() * domain.thickness) * sum;
 }
 
 /// Grains bring their moment in proportion to the area that lies in the window.
-statistics::TensorEstimate inner_stress(const View& view, const std::vector<Tensor2>& moments) {
-  const Domain& domain = view.packing.domain;
+Tensor2 inner_stress(const View& view, const std::vector<Tensor2>& moments) {
   const Grains& grains = view.packing.grains;
-  const BlockGrid blocks{view.blocks.bounds, std::max(2, view.blocks.per_side)};
-  const double volume = blocks.bounds.area() * domain.thickness / blocks.count();
-  std::vector<Tensor2> density(static_cast<std::size_t>(blocks.count()));
+  const double volume = view.blocks.bounds.area() * view.packing.domain.thickness;
+  Tensor2 sum;
   for (std::size_t g = 0; g < grains.size(); ++g) {
-    const double r = grains.radius[g], disk = std::numbers::pi * r * r;
-    for (int b = 0; b < blocks.count(); ++b)
-      if (const double area = covered_area(domain, grains.position[g], r, blocks.block(b)); area > 0) density[b] += area / disk / volume * moments[g];
+    const double r = grains.radius[g], covered = covered_area(view.packing.domain, grains.position[g], r, view.blocks.bounds);
+    sum += covered / (std::numbers::pi * r * r) / volume * moments[g];
   }
-  Tensor2 mean;
-  for (const Tensor2& d : density) mean += 1.0 / blocks.count() * d;
-  return {mean, block_error(density)};
+  return sum;
+}
+
+/// At rest forces balance, so that every cut through a sample bears the same: blocks cannot tell how the stress of another sample would differ.
+statistics::TensorEstimate with_scatter_in_time(const View& view, const Tensor2& stress) {
+  return {stress, view.options.in_time ? view.options.in_time->stress : Tensor2{unknown, unknown, unknown, unknown}};
 }
 
 /// What the internal moment must be at rest by the forces on walls and by weight: sum over wall contacts of f (x) x_c plus sum over grains of m g (x)
@@ -110,15 +90,16 @@ void put_strong_shares(Numbers& to, const View& view) {
 void put_whole_stress(Numbers& to, Numbers& details, const View& view) {
   const Domain& domain = view.packing.domain;
   const double volume = domain.area() * domain.thickness;
-  const statistics::TensorEstimate whole = whole_stress(view);
+  const Tensor2 s = whole_stress(view);
   const std::vector<Tensor2> moments = grain_moments(view.packing);
   Tensor2 sum;
   for (const Tensor2& m : moments) sum += 1 / volume * m;
   const bool walled = !domain.is_cell() && std::ranges::any_of(view.pairs().j, is_wall);
-  const Tensor2& s = whole.value;
   const double axis = 0.5 * std::atan2(-(s.xy + s.yx), -(s.xx - s.yy)) * 180 / std::numbers::pi;
-  put(to, "stress", whole, "Pa", "Mean stress of the sample, tension positive");
-  put(details, "in_window", inner_stress(view, moments), "Pa", "Stress of the grains in the window, tension positive");
+  put(to, "stress", with_scatter_in_time(view, s), "Pa",
+      view.options.in_time ? "Mean stress of the sample, tension positive; its error is the scatter in time"
+                           : "Mean stress of the sample, tension positive; its error is unknown from one sample");
+  put(details, "in_window", statistics::TensorEstimate{inner_stress(view, moments)}, "Pa", "Stress of the grains in the window, tension positive; its error is unknown from one sample");
   put(details, "sum_over_grains", sum, "Pa", "Stress as the sum over grains");
   if (walled)
     put(details, "from_walls_and_weight", 1 / volume * wall_moment(view.packing, view.options.gravity), "Pa",
@@ -218,7 +199,7 @@ void sigma_norm(const View& view, Texture& texture) {
   for (const auto& [name, all] : grains_by_type(view))
     if (const Items items = known(all, texture.per_grain.sigma_norm); !items.empty())
       place_of(name, texture.numbers["sigma_norm"], "by_material")
-          .update(distribution(items, view.grain_block, texture.per_grain.sigma_norm, 1.0, names, mean));
+          .update(distribution(items, view.grain_block, texture.per_grain.sigma_norm, 1.0, names, mean, view.level()));
 }
 
 }  // namespace arenite::texture

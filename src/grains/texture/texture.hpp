@@ -17,6 +17,12 @@ using statistics::unknown;
 /// What can make contacts pull.
 enum class Pull { measured, adhesion, dashpots };
 
+/// How far a sample in motion goes astray from its mean over time, as a whole: blocks in space cannot see it. Standard deviations of one moment.
+struct TimeScatter {
+  Tensor2 stress{unknown, unknown, unknown, unknown};  ///< Pa
+  double pressure = unknown;                           ///< over its mean
+};
+
 /// Choices that the definitions leave open (science: T 1.2, 3.2.4, 4.3.1).
 struct Options {
   double border = 2.5;                       ///< strip left out along each wall, in mean diameters (T 3.2.4)
@@ -29,6 +35,7 @@ struct Options {
   int sectors = 18;                          ///< of directions, over half a turn
   Pull pull = Pull::measured;                ///< where a simulation tells; of measured forces pulls are errors unless there is cohesion
   std::vector<double> grain_sigma_hyd = {};  ///< stress of every grain as a laboratory measured it, Pa; empty: that of its contacts
+  std::optional<TimeScatter> in_time = {};   ///< of a state in motion; unset: it is at rest, or nobody knows
   std::size_t doubled_rows = 0;              ///< contacts that stood twice in what was read and were merged
 };
 

@@ -68,6 +68,8 @@ struct View {
   double mean_force = 0;                        ///< of considered contacts that push, N; 0 if none does
   double load_axis = 0;                         ///< rad
 
+  /// Scatter of the pressure of a sample in motion over its mean in time, which all mean forces and stresses share; 0 at rest.
+  double level() const { return options.in_time ? options.in_time->pressure : 0; }
   const Contacts& pairs() const { return packing.contacts; }
   Vec2 contact_point(std::size_t c) const;  ///< in the periodic cell
   bool strong(std::size_t c) const { return pairs().fn[c] > mean_force; }
@@ -102,8 +104,15 @@ double mean_of_known(const Items& items, const std::vector<double>& values);
 /// Area of a disk inside a rectangle, periodic images of the disk included.
 double covered_area(const Domain& domain, Vec2 centre, double radius, const geometry::Rectangle& window);
 
-/// Exponent alpha of the power law k x^-alpha of the weak values, 0 < x < 1, by maximum likelihood, with its error (1 - alpha)/sqrt(n).
-Estimate weak_exponent(const std::vector<double>& sorted);
+/// How strongly and which way something depends on direction, A cos m(theta - theta_0).
+struct Oscillation {
+  Estimate amplitude, direction_deg;  ///< the direction in [0, 360/m)
+};
+
+/// By its parts along cos m theta and sin m theta. Noise of the same size in both, sigma, makes an amplitude out of nothing: a true one a, found as A, is
+/// about sqrt(A^2 - 2 sigma^2), the scatter of A is that of Rice's distribution (0.655 sigma where there is nothing, sigma where a is large), and a
+/// direction is known to sigma/(m a), with 1.5 sigma for what neighbouring blocks share, but never worse than a random one, (360/m)/sqrt(12).
+Oscillation oscillation(const Estimate& x, const Estimate& y, int m);
 
 /// What a kind of values calls its mean and the share above it.
 struct DistributionNames {
@@ -111,9 +120,10 @@ struct DistributionNames {
 };
 
 /// Numbers of one set of positive values (forces, stresses) over their own mean, x = F/<F>. `mean_of_all` is the mean of the set that this one is part
-/// of. `scale` turns the mean into its unit, NaN where that cannot be known.
+/// of. `scale` turns the mean into its unit, NaN where that cannot be known; `level` is View::level. All errors come from leaving out blocks, whatever the law: values of
+/// neighbours depend on each other.
 Numbers distribution(const Items& items, const std::vector<int>& block_of, const std::vector<double>& value, double mean_of_all, const DistributionNames& names,
-                     double scale = 1);
+                     double scale = 1, double level = 0);
 
 /// Where the numbers of a set go: those of "all" stand by themselves, those of the others in a group.
 inline Numbers& place_of(const std::string& set, Numbers& to, const char* group) { return set == "all" ? to : to[group][set]; }

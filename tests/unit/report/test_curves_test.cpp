@@ -139,7 +139,7 @@ TEST(TestCurves, ACriticalStateCoversWhatMadeIt) {
     const Numbers j = numbers_of(*curves, *state);
     EXPECT_NEAR(j["mu"]["value"].get<double>(), plateau, 5e-3);
     EXPECT_LT(j["mu"]["low_95"].get<double>(), j["mu"]["high_95"].get<double>());
-    EXPECT_NE(to_text(j).find("Shear over normal stress on the sides"), std::string::npos);
+    EXPECT_NE(to_text(j).find("Mean shear over mean normal stress on the sides"), std::string::npos);
   }
   EXPECT_GE(covered, 4);
 }
@@ -157,7 +157,7 @@ Loading slow_fluctuations(double plateau, std::uint64_t seed) {
   return test;
 }
 
-TEST(TestCurves, ACriticalStateOfFewFluctuationsHasTheErrorOfSixBlocksAndSaysSo) {
+TEST(TestCurves, ACriticalStateOfFewFluctuationsHasAWideIntervalAndSaysSo) {
   int found = 0, covered = 0, sure = 0;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     const auto curves = test_curves(slow_fluctuations(0.3, seed).stage);
@@ -165,13 +165,59 @@ TEST(TestCurves, ACriticalStateOfFewFluctuationsHasTheErrorOfSixBlocksAndSaysSo)
     if (!state) continue;
     ++found;
     sure += state->sure ? 1 : 0;
-    EXPECT_LT(state->ratio.error, 0.012);
+    EXPECT_LT(state->ratio.error, 0.02);
     const auto [low, high] = statistics::confidence_95(state->ratio);
     covered += low <= 0.3 && 0.3 <= high ? 1 : 0;
   }
   EXPECT_GE(found, 45);
   EXPECT_LT(sure, found / 2);
-  EXPECT_GE(covered, 85 * found / 100);  // 95 % less what is left of the correlation; without blocks a third
+  EXPECT_GE(covered, 92 * found / 100);  // 95 % within chance
+}
+
+TEST(TestCurves, ARatioIsThatOfTheMeansAndNotTheMeanOfRatios) {
+  // The pressure fluctuates by a fifth, the shear force against it: the mean of ratios is larger by the fifth's square and by what goes together.
+  Loading test = steady_shear(0.3);
+  RandomStream random(6, Purpose::test);
+  double shear = 0, normal = 0, ratios = 0;
+  for (std::size_t k = 0; k < 2000; ++k) {
+    const double off = 0.2 * random.normal(), force = 100 * (1 + off), along = 100 * (0.3 * (1 - std::exp(-0.025 * static_cast<double>(k))) - 0.1 * off);
+    test.of("bottom_force")[k] = test.of("top_force")[k] = force;
+    test.of("bottom_shear_force")[k] = along;
+    test.of("top_shear_force")[k] = -along;
+    if (k >= 1000) shear += along, normal += force, ratios += along / force / 1000;
+  }
+  const auto state = critical_state(*test_curves(test.stage));
+  ASSERT_TRUE(state);
+  EXPECT_GT(ratios - shear / normal, 0.01);
+  EXPECT_NEAR(state->ratio.value, shear / normal, 3 * state->ratio.error);
+  EXPECT_LT(state->ratio.error, 0.003);
+}
+
+/// A box between walls that slide along themselves, the top by a table over time.
+StageResult slid_to_and_fro() {
+  Loading test(400, false);
+  for (std::size_t k = 0; k < 400; ++k) {
+    test.of("time")[k] = 5 + 0.01 * static_cast<double>(k + 1);  // the stage began at 5 s; its first row is a little later
+    test.of("bottom_force")[k] = test.of("top_force")[k] = 100;
+    test.of("bottom_shear_force")[k] = 30, test.of("top_shear_force")[k] = -30;
+  }
+  test.stage.provenance.recipe =
+      "[container]\nwidth = \"100 mm\"\nthickness = \"10 mm\"\n[packing]\nsolid_fraction = 0.7\n[materials.A]\ndensity = \"2500 kg/m^3\"\nstiffness = \"1 kN/mm\"\n"
+      "[[populations]]\nmaterial = \"A\"\ncount = 1\ndiameter = \"10 mm\"\n[contact]\nfriction = 0.3\n[[stages]]\nname = \"shear\"\nduration = \"4 s\"\n"
+      "top = { pressure = \"1 kPa\" }\nslide = { top = \"10 mm/s\" }\n"
+      "programmes = [{ of = \"slide.top\", repeat = true, table = [[\"0 s\", \"10 mm/s\"], [\"1 s\", \"20 mm/s\"], [\"2 s\", \"-20 mm/s\"]] }]\n";
+  return test.stage;
+}
+
+TEST(TestCurves, OfAProgrammedSlideAreOfTheWayThatItWent) {
+  const auto curves = test_curves(slid_to_and_fro());
+  ASSERT_TRUE(curves);
+  EXPECT_EQ(curves->strain_name, "shear strain");
+  // 15 mm in the first second, then 5 mm forth and 5 mm back in half a second each; over 100 mm of height, since the first row at 0.01 s.
+  EXPECT_NEAR(curves->strain[99], 0.15, 2e-3);
+  EXPECT_NEAR(curves->strain[149], 0.20, 2e-3);
+  EXPECT_NEAR(curves->strain[199], 0.15, 2e-3);
+  EXPECT_NEAR(curves->strain[399], 0.30, 2e-3);
 }
 
 TEST(TestCurves, NoCriticalStateWhileTheVolumeChanges) {

@@ -58,11 +58,11 @@ TEST(TailFit, GivesBackAnExponentialWithinItsError) {
 TEST(TailFit, TellsAnExponentialFromAGaussianAboutTheMeanEitherWay) {
   const BlockedSample exponential = drawn(100000, 5, [](RandomStream& r) { return -std::log(1 - r.uniform()); });
   const TailFit a = fit_tail(exponential, counted(exponential), held);
-  EXPECT_GT(a.likelihood_ratio, 0);
+  EXPECT_GT(a.likelihood_ratio.value, 0);
   EXPECT_LT(a.p_value, 0.01);
   const BlockedSample gaussian = drawn(600000, 6, [](RandomStream& r) { return 1 + 0.2 * r.normal(); });
   const TailFit b = fit_tail(gaussian, counted(gaussian), held);
-  EXPECT_LT(b.likelihood_ratio, 0);
+  EXPECT_LT(b.likelihood_ratio.value, 0);
   EXPECT_GT(b.p_value, 0.99);
 }
 

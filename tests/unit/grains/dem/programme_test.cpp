@@ -1,4 +1,4 @@
-#include "grains/dem/stage.hpp"
+#include "grains/dem/programme.hpp"
 
 #include <gtest/gtest.h>
 
@@ -41,6 +41,17 @@ TEST(Programme, IsLinearBetweenItsRowsJumpsWhereTwoHaveOneTimeAndBeginsAnew) {
   EXPECT_EQ(p.at(4.5), 10);
   EXPECT_EQ(p.at(9.25), 12.5);
   EXPECT_EQ(p.at(8003), 6);
+}
+
+TEST(Programme, HasTheAreaBelowItsTable) {
+  Programme p{0, {{1, 10}, {2, 20}, {2, 5}, {4, 7}}, false};
+  EXPECT_EQ(integral(p, 0), 0);
+  EXPECT_DOUBLE_EQ(integral(p, 1.5), 10 + 0.5 * 12.5);
+  EXPECT_DOUBLE_EQ(integral(p, 2), 10 + 15);
+  EXPECT_DOUBLE_EQ(integral(p, 5), 10 + 15 + 12 + 7);
+  p.repeat = true;
+  EXPECT_DOUBLE_EQ(integral(p, 8 + 1.5), 2 * 37 + 10 + 0.5 * 12.5);
+  for (const double t : {0.3, 1.7, 3.1, 4.5, 6.2, 9.25}) EXPECT_NEAR((integral(p, t + 1e-6) - integral(p, t - 1e-6)) / 2e-6, p.at(t), 1e-5) << t;
 }
 
 TEST(Programme, MovesAWallByTheAreaBelowItsVelocities) {

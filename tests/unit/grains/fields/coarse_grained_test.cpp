@@ -153,6 +153,7 @@ TEST(CoarseGrained, ConservesMassAndMomentumAtEveryPoint) {
   std::vector<Tensor2> flux = f.contact_stress;  // of momentum
   for (std::size_t k = 0; k < flux.size(); ++k) {
     flux[k] += f.kinetic_stress[k];
+    flux[k] += f.gradient_stress[k];
     flux[k] += -f.density[k] * outer(f.velocity[k], f.velocity[k]);
   }
   const std::vector<double> outflow = divergence(grid, part(f.momentum, &Vec2::x), part(f.momentum, &Vec2::y));
@@ -202,19 +203,34 @@ TEST(CoarseGrained, HasTheGradientOfItsVelocity) {
 }
 
 TEST(CoarseGrained, KineticStressIsThatOfTheFluctuationAboutTheLocalVelocity) {
-  // Two grains of equal mass at the same distance from the point: V is their mean, each fluctuates by (1, 2) m/s about it.
+  // Two grains of equal mass at the same distance from the point: V is their mean, from which each differs by (1, 2) m/s; at a grain the other counts
+  // with the share of its kernel, so each fluctuates by 2 phi(2)/(phi(0) + phi(2)) of that.
   Packing p = test::empty_box(10, 8, 0.06);
   test::add_grain(p, {4, 4}, 0.5);
   test::add_grain(p, {6, 4}, 0.5);
   p.grains.velocity = {{101, 2}, {99, -2}};
   const Grid middle{{4.5, 5.5, 3.5, 4.5}, 1, 1};
   const CoarseFields f = coarse_grain(p, middle, {KernelShape::lucy, 0.8, {}});
-  const double rho = 2 * 1000 * pi * 0.25 * Kernel(KernelShape::lucy, 0.8).value({1, 0});
+  const Kernel kernel(KernelShape::lucy, 0.8);
+  const double rho = 2 * 1000 * pi * 0.25 * kernel.value({1, 0}), far = kernel.value({2, 0});
+  const double share = 2 * far / (kernel.value({}) + far), square = rho * share * share;
   EXPECT_NEAR(f.density[0], rho, 1e-13 * rho);
   EXPECT_NEAR(f.velocity[0].x, 100, 1e-12);
-  EXPECT_NEAR(f.kinetic_stress[0].xx, -rho, 1e-11 * rho);  // the velocity is rounded at 1e-14 of 100 m/s
-  EXPECT_NEAR(f.kinetic_stress[0].xy, -2 * rho, 1e-11 * rho);
-  EXPECT_NEAR(f.kinetic_stress[0].yy, -4 * rho, 1e-11 * rho);
+  EXPECT_NEAR(f.kinetic_stress[0].xx, -square, 1e-11 * rho);  // the velocity is rounded at 1e-14 of 100 m/s
+  EXPECT_NEAR(f.kinetic_stress[0].xy, -2 * square, 1e-11 * rho);
+  EXPECT_NEAR(f.kinetic_stress[0].yy, -4 * square, 1e-11 * rho);
+  EXPECT_NEAR(f.kinetic_stress[0].xx + f.gradient_stress[0].xx, -rho, 1e-11 * rho);
+}
+
+TEST(CoarseGrained, KineticStressOfAShearWithoutFluctuationIsNoneWhateverTheWidth) {
+  // A lattice under simple shear v_x = 0.3 y in a Lees-Edwards cell: V at a grain is its own velocity; about V(r) alone there would be rho (0.3 w)^2.
+  Packing p = test::square_lattice(12);
+  for (std::size_t g = 0; g < p.grains.size(); ++g) p.grains.velocity[g].x = 0.3 * p.grains.position[g].y;
+  for (const double width : {0.9, 1.5, 2.5}) {
+    const CoarseFields f = coarse_grain(p, grid_over(p.domain, 1), {KernelShape::gaussian, width, 0.3 * 12});
+    EXPECT_LT(largest(part(f.kinetic_stress, &Tensor2::xx)), 1e-10 * f.density[0]) << width;
+    EXPECT_NEAR(f.gradient_stress[0].xx, -f.density[0] * 0.09 * width * width, 0.02 * f.density[0] * 0.09 * width * width) << width;
+  }
 }
 
 TEST(CoarseGrained, ImagesMoveWithTheSidesOfTheCell) {

@@ -67,6 +67,39 @@ TEST(Discharge, HasNoErrorWhereItNeverIsSteadyAndNoRateWhereNothingPasses) {
   EXPECT_TRUE(std::isnan(find_discharge({}, {}).rate.value));
 }
 
+/// `sum` of the masses of grains that have passed, each row added up anew, so that it jitters in its last bit; the last grain passes at 0.9 s of 3.
+Record emptied(bool jitters) {
+  Record r;
+  double whole = 0;
+  for (int k = 0; k <= 1500; ++k) {
+    const double t = 2e-3 * k;
+    if (t > 0.2 && t < 0.9 && k % 3 == 0) whole += 9.5e-4;
+    r.time.push_back(t);
+    r.passed.push_back(whole * (1 + (jitters ? 4e-16 * (k * 7 % 5 - 2) : 0)));
+  }
+  return r;
+}
+
+TEST(Discharge, OfAHopperThatRanEmptyIsThatBeforeThoughSumsJitter) {
+  const Record exact = emptied(false), jittering = emptied(true);
+  const Discharge a = find_discharge(exact.time, exact.passed), b = find_discharge(jittering.time, jittering.passed);
+  ASSERT_TRUE(a.steady);
+  EXPECT_NEAR(a.rate.value, 9.5e-4 / 6e-3, 0.01 * 9.5e-4 / 6e-3);
+  EXPECT_TRUE(b.steady);
+  EXPECT_NEAR(b.rate.value, a.rate.value, 1e-9 * a.rate.value);
+  EXPECT_NEAR(b.end, a.end, 1e-9);
+  EXPECT_TRUE(a.stopped && b.stopped);
+  const Record flowing = record(1, 0.3, 5, 0.5);
+  EXPECT_FALSE(find_discharge(flowing.time, flowing.passed).stopped);
+}
+
+TEST(Discharge, OfAnEmptyHopperIsNoneThoughSumsJitter) {
+  Record r = emptied(true);
+  r.time.erase(r.time.begin(), r.time.begin() + 600);
+  r.passed.erase(r.passed.begin(), r.passed.begin() + 600);
+  EXPECT_TRUE(std::isnan(find_discharge(r.time, r.passed).rate.value));
+}
+
 TEST(Discharge, RefusesRowsThatMakeNoSense) {
   EXPECT_THROW(find_discharge({0, 1}, {0}), InputError);
   EXPECT_THROW(find_discharge({0, 1, 1}, {0, 1, 2}), InputError);
