@@ -26,7 +26,7 @@ std::string status_text(const campaign::Study& study, const campaign::StudyFolde
 std::string slurm_script(const StudyArguments& arguments, const campaign::StudyFolder& folder);
 
 /// Does the runs that are left, with `options` for what the user chose; shows progress unless `quiet`, tells notices, and
-/// leaves at a signal.
+/// leaves at a signal, or where `options` asks to.
 campaign::StudyOutcome run_missing(const campaign::Study& study, const campaign::StudyFolder& folder, campaign::StudyOptions options, bool quiet);
 
 /// Where the figures of a study are declared: figures.toml beside its recipe.

@@ -97,7 +97,7 @@ std::string status_text(const campaign::Study& study, const campaign::StudyFolde
 
 campaign::StudyOutcome run_missing(const campaign::Study& study, const campaign::StudyFolder& folder, campaign::StudyOptions options, bool quiet) {
   options.numbers = [](const workflow::RunOutcome& outcome) { return report::Summary(outcome).numbers(); };
-  options.asked_to_stop = stop_requested;
+  options.asked_to_stop = [also = options.asked_to_stop] { return stop_requested() || also(); };
   options.notice = [](const std::string& sentence) { print(stderr, "{}\n", sentence); };
   for (const std::string& sentence : study.notices) options.notice(sentence);
   StudyLine line(quiet);

@@ -3,105 +3,24 @@
 #include <algorithm>
 #include <ctime>
 #include <fstream>
-#include <iterator>
 #include <memory>
-#include <optional>
 #include <thread>
 
-#include "campaign/virtual_film.hpp"
 #include "commands.hpp"
+#include "core/units.hpp"
 #include "core/version.hpp"
 #include "io/disk/file.hpp"
+#include "ledger_runs.hpp"
 #include "print.hpp"
 #include "progress.hpp"
-#include "report/study_page.hpp"
-#include "study_parts.hpp"
 #include "validation/report.hpp"
 #include "validation/report_dots.hpp"
-#include "validation/studies.hpp"
 #include "workflow/result_folder.hpp"
 
 namespace arenite::app {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct VerifyArguments {
-  std::vector<std::string> sources, overrides, only;
-  std::string out, markdown, csv, verdicts, expected, keep = "numbers";
-  std::size_t jobs = 1;
-  bool small = false, json = false, read_only = false, quiet = false;
-};
-
-/// Runs what is missing of a study; false if it was asked to stop.
-bool complete(const campaign::Study& study, const campaign::StudyFolder& folder, const VerifyArguments& a) {
-  campaign::StudyOptions options;
-  options.jobs = a.jobs;
-  options.keep_fields = a.keep == "all";
-  return !run_missing(study, folder, options, a.quiet).interrupted;
-}
-
-/// The films that the study's figures show; false if it was asked to stop.
-bool make_films(const campaign::Study& study, const campaign::StudyFolder& folder, const campaign::CollectedTable& table) {
-  const auto filmed = report::filmed_runs(read_study_figures(study), table);
-  workflow::RunOptions options;
-  options.notice = [](const std::string& sentence) { print(stderr, "{}\n", sentence); };
-  options.asked_to_stop = stop_requested;
-  return std::ranges::all_of(
-      study.runs, [&](const campaign::StudyRun& run) { return std::ranges::count(filmed, run.name) == 0 || campaign::make_film(study, folder, run, options); });
-}
-
-bool wanted(const VerifyArguments& a, const std::string& name) { return a.only.empty() || std::find(a.only.begin(), a.only.end(), name) != a.only.end(); }
-
-/// Where the runs of one of the studies lie; nothing where none are wanted.
-std::optional<campaign::StudyFolder> folder_of(const validation::StudySource& source, const fs::path& out, const VerifyArguments& a) {
-  if (!wanted(a, source.name) || (a.read_only && source.has_runs() && !fs::exists(out / source.name))) return std::nullopt;
-  return campaign::StudyFolder(out / source.name);
-}
-
-/// Does what is missing of a source's runs; false if it was asked to stop.
-bool run_studies(char letter, const fs::path& out, const VerifyArguments& a) {
-  for (const std::string& name : validation::studies_of(letter)) {
-    const auto* source = validation::find_study(name);
-    const auto folder = source ? folder_of(*source, out, a) : std::nullopt;
-    if (!folder || !source->has_runs()) continue;
-    const campaign::Study study = validation::unpack_study(*source, folder->out, a.small, a.overrides);
-    if (!a.quiet) print(stderr, "{}: {} runs\n", name, study.runs.size());
-    if (!complete(study, *folder, a)) return false;
-  }
-  return true;
-}
-
-/// Reads the runs of a source's studies, makes the films that are missing unless told to read only, and draws the pages; false
-/// if it was asked to stop.
-bool gather(char letter, const fs::path& out, const VerifyArguments& a, validation::Results& results) {
-  for (const std::string& name : validation::studies_of(letter)) {
-    const auto* source = validation::find_study(name);
-    const auto folder = source ? folder_of(*source, out, a) : std::nullopt;
-    if (!folder) continue;
-    if (!source->has_runs()) {
-      validation::unpack(*source, folder->out);
-      results.add(name, {}, folder->out);
-      continue;
-    }
-    const campaign::Study study = validation::unpack_study(*source, folder->out, a.small, a.overrides);
-    results.add(name, campaign::collect(study, *folder), folder->out);
-    if (!fs::exists(figures_of(study))) continue;
-    const bool films = fs::exists(folder->out / "camera.toml") && (!a.small || name == campaign::filmed_study);
-    if (!a.read_only && films && !make_films(study, *folder, results.table(name))) return false;
-    write_study_figures(study, *folder);
-  }
-  return true;
-}
-
-/// Whose claims are judged.
-char letter_of(const std::string& source) { return source == "thesis" ? 'T' : 'P'; }
-
-/// All runs of all sources first: a process that has solved for a field or for forces can start no other that solves, since
-/// the threads of the sparse solver do not outlive a fork.
-bool run_all(const fs::path& out, const VerifyArguments& a) {
-  return a.read_only || std::all_of(a.sources.begin(), a.sources.end(), [&](const std::string& source) { return run_studies(letter_of(source), out, a); });
-}
 
 int stopped() {
   print(stderr, "stopped; the same command continues where it stopped\n");
@@ -123,14 +42,22 @@ std::string heading(const VerifyArguments& a) {
   std::strftime(date, sizeof date, "%Y-%m-%d", std::gmtime(&now));
   return fmt::format(
       "# The ledger of claims\n\n{}Written by `arenite verify`, version {}, on {}, {} cores of {}.\n\n"
-      "Errors (±) are standard errors over runs with different seeds. A check holds where the 95 % interval (Student's t) lies within the claimed range, "
-      "fails where it lies outside, and is undecided where it contains a bound. Many numbers of one kind, such as those of all pairs, form one check: it holds "
-      "if each of them holds, and fails if one lies outside after Holm's correction; the value shown is the worst case. Independence of a parameter means that "
-      "the change lies within a margin. Law S has a tangential spring; law R is the thesis's regularised friction, which has no static friction. "
+      "Errors (±) are standard errors over runs with different seeds. A check holds where the 95 % interval (Student's "
+      "t) lies within the claimed range, "
+      "fails where it lies outside, and is undecided where it contains a bound. Many numbers of one kind, such as "
+      "those of all pairs, form one check: it holds "
+      "if each of them holds, and fails if one lies outside after Holm's correction; the value shown is the worst "
+      "case. Independence of a parameter means that "
+      "the change lies within a margin. *Decided by* names what a verdict depends on: more seeds, the grid, the "
+      "protocol (friction, damping, equilibrium, load), the reading of "
+      "a sentence or a rule of the source, the source's own tables, or data that it did not keep. Law S has a "
+      "tangential spring; law R is the thesis's regularised friction, which has no static friction. "
       "{}\n\n",
-      a.small ? "**From the small studies: this is not the ledger.**\n\n" : "", version, date, std::thread::hardware_concurrency(), processor_name(),
-      a.csv.empty() ? "`--csv FILE` writes all checks and all choices."
-                    : fmt::format("All checks, and all choices, are in [{0}]({0}).", fs::path(a.csv).filename().string()));
+      a.small ? "**From the small studies: this is not the ledger.**\n\n" : "", version, date,
+      std::thread::hardware_concurrency(), processor_name(),
+      a.csv.empty()
+          ? "`--csv FILE` writes all checks and all choices."
+          : fmt::format("All checks, and all choices, are in [{0}]({0}).", fs::path(a.csv).filename().string()));
 }
 
 bool fails(const validation::Ledger& ledger) {
@@ -158,17 +85,19 @@ void write_page(const validation::Ledger& ledger, const VerifyArguments& a) {
 
 int execute(const VerifyArguments& a) {
   const fs::path out = !a.out.empty() ? a.out : a.small ? "out/ledger-small" : "out/ledger";
+  const bool draws = !a.budget.empty();
+  const double budget =
+      draws ? option_value("--budget", [&] { return parse_si(a.budget, dimension::time, "min"); }) : 0;
   watch_for_signals();
-  validation::Ledger all;
-  if (!run_all(out, a)) return stopped();
-  for (const std::string& source : a.sources) {
-    validation::Results results;
-    const char letter = letter_of(source);
-    if (!gather(letter, out, a, results)) return stopped();
-    validation::Ledger one = validation::judge(letter, results);
-    all.studies.insert(all.studies.end(), one.studies.begin(), one.studies.end());
-    std::move(one.claims.begin(), one.claims.end(), std::back_inserter(all.claims));
-  }
+  LedgerStudies studies(out, a);
+  // All runs come before the pages: a process that has solved for a field or for forces can start no other that solves,
+  // since the threads of the sparse solver do not outlive a fork.
+  if (!a.read_only && run_ledger(studies, a) != LedgerEnd::complete) return stopped();
+  if (draws && draw_further_seeds(studies, a, budget) == LedgerEnd::stopped) return stopped();
+  const auto judged = judge_ledger(studies, a, true);
+  if (!judged) return stopped();
+  const validation::Ledger& all = *judged;
+  if (draws) tell_what_is_left(all, studies);
   print("{}", a.json ? validation::ledger_json(all) : validation::ledger_text(all));
   if (!a.markdown.empty()) write_page(all, a);
   if (!a.csv.empty()) io::write_atomically(a.csv, validation::ledger_csv(all));
@@ -195,6 +124,13 @@ void add_verify(Options& command, int& status) {
   command.add("--jobs", a->jobs, "Concurrent runs, each in its own process (default: all cores)").between(1, 4096).type("J");
   command.add("--only", a->only, "Run and read only this study; may be repeated").each().type("STUDY");
   command.add("--read", a->read_only, "Run nothing: judge the existing runs");
+  command
+      .add("--budget", a->budget,
+           "Then draw further seeds for checks that they can decide, until these are decided or this time on the clock "
+           "is over; "
+           "the same command continues")
+      .type("TIME")
+      .not_with("--read");
   command.add("--keep", a->keep, "Keep all files, or only the numbers of cemented samples and loads (default)").type("WHAT").among({"all", "numbers"});
   command.add("--quiet", a->quiet, "Show no progress");
   add_overrides(command, a->overrides);

@@ -68,15 +68,25 @@ Check equivalent(std::string what, std::string source, const Value& ours, double
 
 Check differs(std::string what, std::string source, const Value& ours, double margin, std::string unit) {
   Check other = check(std::move(what), std::move(source), ours, std::move(unit), {});
-  other.wanted = "not 0";
-  if (outcome_of(ours, {.low = 0}) == Outcome::holds || outcome_of(ours, {.high = 0}) == Outcome::holds) other.outcome = Outcome::holds;
-  else if (outcome_of(ours, {-margin, margin}) == Outcome::holds) other.outcome = Outcome::fails;
-  else if (other.outcome != Outcome::unknown) other.outcome = Outcome::undecided;
+  other.wanted = fmt::format("not 0, and not surely within {:.2g} of it", margin);
+  other.range = ours.value < 0 ? Range{.high = 0} : Range{.low = 0};
+  if (outcome_of(ours, {-margin, margin}) == Outcome::holds) other.outcome = Outcome::fails;
+  else other.outcome = outcome_of(ours, other.range);
   return other;
 }
 
 Check as(Kind kind, Check check) {
   check.kind = kind;
+  return check;
+}
+
+Check drawn(std::vector<Draw> draws, Check check) {
+  check.draws = std::move(draws);
+  return check;
+}
+
+Check decided_by(Decider decider, Check check) {
+  check.decider = decider;
   return check;
 }
 

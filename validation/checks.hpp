@@ -20,13 +20,18 @@ Check positive(std::string what, std::string source, const Value& ours, std::str
 Check negative(std::string what, std::string source, const Value& ours, std::string unit = "");
 /// No further from zero than the margin.
 Check equivalent(std::string what, std::string source, const Value& ours, double margin, std::string unit = "");
-/// Other than zero; fails where it is shown to be no further from it than the margin.
+/// Other than zero by more than nothing: fails where the whole interval lies within the margin, significant or not, and
+/// holds where it lies on one side of zero and reaches beyond the margin. No value does both.
 Check differs(std::string what, std::string source, const Value& ours, double margin, std::string unit = "");
 
 /// The same check of another kind.
 Check as(Kind kind, Check check);
 inline Check number(Check check) { return as(Kind::number, std::move(check)); }
 inline Check beside(Check check) { return as(Kind::beside, std::move(check)); }
+/// Made surer by further seeds of these runs.
+Check drawn(std::vector<Draw> draws, Check check);
+/// Decided by that, where it is not as wanted.
+Check decided_by(Decider decider, Check check);
 /// As a sentence begins; a symbol (a_c) stays as it is.
 std::string capital(std::string text);
 

@@ -13,6 +13,10 @@ bool any(const std::vector<Check>& checks, Kind kind, Outcome outcome) {
   return std::any_of(checks.begin(), checks.end(), [=](const Check& c) { return c.kind == kind && c.outcome == outcome; });
 }
 
+bool any_known(const std::vector<Check>& checks) {
+  return std::any_of(checks.begin(), checks.end(), [](const Check& c) { return c.outcome != Outcome::unknown; });
+}
+
 /// The check that a verdict of `outcome` is to be looked for in: sources first, then trends, then numbers.
 const Check* first_that(const std::vector<Check>& checks, Outcome outcome) {
   for (const Kind kind : {Kind::source, Kind::trend, Kind::number})
@@ -33,12 +37,21 @@ const char* word_for(Kind kind) {
   return words[static_cast<int>(kind)];
 }
 
+const char* word_for(Decider decider) {
+  constexpr const char* words[] = {"none found", "seeds",  "grid",      "protocol",
+                                   "reading",    "source", "lost data", "missing runs"};
+  return words[static_cast<int>(decider)];
+}
+
 const char* word_for(Verdict verdict) {
-  constexpr const char* words[] = {"reproduced", "trend reproduced, numbers not", "undecided", "not reproduced", "source inconsistent", "unknown"};
+  constexpr const char* words[] = {"reproduced",     "trend reproduced, numbers not", "undecided",
+                                   "not reproduced", "source inconsistent",           "not testable",
+                                   "unknown"};
   return words[static_cast<int>(verdict)];
 }
 
 Verdict Judgement::verdict() const {
+  if (!untestable.empty()) return any_known(checks) ? Verdict::not_testable : Verdict::unknown;
   const bool has_trend = count(checks, Kind::trend) > 0;
   if (!has_trend && count(checks, Kind::number) == 0) return Verdict::unknown;
   if (any(checks, Kind::source, Outcome::fails)) return Verdict::source_inconsistent;
@@ -60,6 +73,7 @@ const Check* deciding_check(const Judgement& judgement) {
     case Verdict::not_reproduced: found = first_that(checks, Outcome::fails); break;
     case Verdict::undecided: found = first_that(checks, Outcome::undecided); break;
     case Verdict::unknown: found = first_that(checks, Outcome::unknown); break;
+    case Verdict::not_testable:
     case Verdict::reproduced: break;
   }
   return found || checks.empty() ? found : &checks.front();

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "validation/draw.hpp"
 #include "validation/value.hpp"
 
 namespace arenite::validation {
@@ -27,6 +28,19 @@ enum class Kind {
 };
 const char* word_for(Kind kind);  ///< "trend", "number", "source", "beside"
 
+/// What decides how a check or a claim ends.
+enum class Decider {
+  none,      ///< nothing that was tried
+  seeds,     ///< more of them
+  grid,      ///< its nodes and its crop
+  protocol,  ///< how samples are made and loaded: friction, damping, equilibrium, load
+  reading,   ///< of a sentence or a rule of the source that can be read in two ways
+  source,    ///< its own tables
+  lost,      ///< what the source did not keep
+  runs       ///< those that are missing
+};
+const char* word_for(Decider decider);  ///< "none found", "seeds", "grid", ..., "lost data", "missing runs"
+
 /// The claimed range of a number, ends excluded.
 struct Range {
   double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
@@ -42,6 +56,8 @@ struct Check {
   Range range;  ///< the same as `wanted`, where it is one
   Outcome outcome = Outcome::unknown;
   Kind kind = Kind::trend;
+  Decider decider = Decider::none;  ///< where the claim itself knows it; otherwise choices and errors tell
+  std::vector<Draw> draws = {};     ///< further seeds that would help; empty: of all runs of the claim's first study
 };
 
 /// How a number depends on the choices that its source leaves open, varied one at a time.
@@ -50,6 +66,7 @@ struct Sensitivity {
     std::string choice;  ///< "without friction"; empty: as the study has it
     Value value;
     Outcome outcome = Outcome::unknown;  ///< whether it is as wanted
+    Decider kind = Decider::protocol;    ///< of the choice: grid, protocol or reading
   };
   std::string what, wanted;  ///< wanted of it, as text; empty if nothing is
   Range range;
@@ -57,26 +74,47 @@ struct Sensitivity {
 };
 
 /// How a claim ends.
-enum class Verdict { reproduced, trend_reproduced, undecided, not_reproduced, source_inconsistent, unknown };
+enum class Verdict {
+  reproduced,
+  trend_reproduced,
+  undecided,
+  not_reproduced,
+  source_inconsistent,
+  not_testable,  ///< the source did not keep what a test needs
+  unknown
+};
 const char* word_for(Verdict verdict);  ///< "reproduced", "trend reproduced, numbers not", ...
+inline constexpr Verdict all_verdicts[] = {Verdict::reproduced,     Verdict::trend_reproduced,    Verdict::undecided,
+                                           Verdict::not_reproduced, Verdict::source_inconsistent, Verdict::not_testable,
+                                           Verdict::unknown};
 
 /// What is said of a claim.
 struct Judgement {
   std::vector<Check> checks;
   std::string ours;                        ///< beside the source's number, as short as can be; empty: that of the deciding check
   std::string decides;                     ///< the fact that decides it, if it is no choice: a sentence
+  std::string untestable;                  ///< why no run can test it: a sentence; empty: runs can
   std::vector<std::string> findings;       ///< what else is worth telling: sentences with numbers
   std::vector<Sensitivity> sensitivities;  ///< to friction, damping and what else is not stated
 
-  /// A source whose tables contradict its words is inconsistent; otherwise a trend that fails decides, then what is missing,
-  /// then what is undecided, then the numbers. A claim of numbers alone stands and falls with them.
+  /// A source whose tables contradict its words is inconsistent, and what no run can test is not testable; otherwise a
+  /// trend that fails decides, then what is missing, then what is undecided, then the numbers. A claim of numbers alone
+  /// stands and falls with them.
   Verdict verdict() const;
 };
 
 /// The check that decides its verdict: of the first that ends like it; the first of all if it is reproduced. nullptr if it has none.
 const Check* deciding_check(const Judgement& judgement);
+/// What kind of thing decides its verdict: what the deciding check says of itself; otherwise the choices that turn a
+/// number that is not as wanted beyond the errors of both. A number that is undecided and that grids move from one end
+/// of its range to the other is decided by the grid; any other that is undecided, by seeds.
+Decider decider_of(const Judgement& judgement);
 /// One sentence: the fact or the choice that decides.
 std::string what_decides(const Judgement& judgement);
+/// How many times as many seeds would decide a check if its value stayed where it is, at most most_times_seeds; NaN
+/// where that cannot be told.
+double seeds_factor(const Check& check);
+inline constexpr double most_times_seeds = 100;
 
 /// One claim of a source. `id` begins with T (thesis) or P (paper).
 struct Claim {

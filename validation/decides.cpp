@@ -1,6 +1,7 @@
-// The sentence that names what decides a claim's verdict.
+// What decides a claim's verdict, as a kind and as a sentence.
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "validation/checks.hpp"
@@ -23,23 +24,82 @@ std::string listed(Words words) {
   return text;
 }
 
-/// Choices that turn what is wanted of a number into another end, beyond the errors of both.
-Words turned_to(const Sensitivity& found, Outcome outcome) {
-  Words words;
+using Entry = Sensitivity::Entry;
+
+/// The choices that turn what is wanted of a number into another end, beyond the errors of both.
+std::vector<const Entry*> turned_to(const Sensitivity& found, Outcome outcome) {
+  std::vector<const Entry*> turned;
   for (std::size_t k = 1; k < found.entries.size(); ++k) {
-    const auto& entry = found.entries[k];
+    const Entry& entry = found.entries[k];
     const Value change = difference(entry.value, found.entries.front().value);
-    if (entry.outcome == outcome && std::abs(change.value) > half_interval(change)) words.push_back(entry.choice);
+    if (entry.outcome == outcome && std::abs(change.value) > half_interval(change)) turned.push_back(&entry);
   }
+  return turned;
+}
+
+Words words_of(const std::vector<const Entry*>& entries) {
+  Words words;
+  for (const Entry* entry : entries) words.push_back(entry->choice);
   return words;
+}
+
+/// Something is wanted of it and not there with the usual choices.
+bool is_open(const Sensitivity& found) {
+  const Outcome usual = found.entries.front().outcome;
+  return !found.wanted.empty() && (usual == Outcome::fails || usual == Outcome::undecided);
+}
+
+/// Whether a number that is not as wanted is known with another choice.
+bool is_scanned(const std::vector<Sensitivity>& all) {
+  return std::ranges::any_of(all, [](const Sensitivity& found) {
+    return is_open(found) && std::any_of(found.entries.begin() + 1, found.entries.end(),
+                                         [](const Entry& entry) { return entry.outcome != Outcome::unknown; });
+  });
+}
+
+/// The kind of choice that gives what is wanted and is not there, or spoils what is; none if none does.
+Decider kind_that_turns(const std::vector<Sensitivity>& all, Outcome from) {
+  for (const Sensitivity& found : all) {
+    const bool holds = found.entries.front().outcome == Outcome::holds;
+    if (from == Outcome::holds ? !holds || found.wanted.empty() : !is_open(found)) continue;
+    const auto turned = turned_to(found, holds ? Outcome::fails : Outcome::holds);
+    if (!turned.empty()) return turned.front()->kind;
+  }
+  return Decider::none;
+}
+
+/// The first number that is not as wanted and that grids bring to either end of its range.
+const Sensitivity* moved_by_grids(const std::vector<Sensitivity>& all) {
+  for (const Sensitivity& found : all) {
+    const auto ends = [&](Outcome outcome) {
+      return std::ranges::any_of(turned_to(found, outcome),
+                                 [](const Entry* entry) { return entry->kind == Decider::grid; });
+    };
+    if (is_open(found) && ends(Outcome::holds) && ends(Outcome::fails)) return &found;
+  }
+  return nullptr;
+}
+
+/// "Mean in small grains: 0.976 with 512 nodes, 1.002 with the reference settings, 1.019 with 2048 nodes, required <
+/// 1."
+std::string grids_in_words(const Sensitivity& found) {
+  std::vector<const Entry*> shown{&found.entries.front()};
+  for (const Entry& entry : found.entries)
+    if (entry.kind == Decider::grid && std::isfinite(entry.value.value)) shown.push_back(&entry);
+  std::ranges::stable_sort(shown, {}, [](const Entry* entry) { return entry->value.value; });
+  Words words;
+  for (const Entry* entry : shown)
+    words.push_back(fmt::format("{} {}", text_of(entry->value),
+                                entry->choice.empty() ? "with the reference settings" : entry->choice));
+  return fmt::format("The grid decides it. {}: {}, required {}.", capital(found.what), listed(words), found.wanted);
 }
 
 /// Which choices give what is wanted and is not there; empty if there are none.
 std::string what_mends(const std::vector<Sensitivity>& all) {
   std::string text;
   for (const Sensitivity& found : all) {
-    if (found.wanted.empty() || found.entries.front().outcome == Outcome::holds || found.entries.front().outcome == Outcome::unknown) continue;
-    if (const Words words = turned_to(found, Outcome::holds); !words.empty())
+    if (!is_open(found)) continue;
+    if (const Words words = words_of(turned_to(found, Outcome::holds)); !words.empty())
       text += fmt::format("{}{} meets its criterion ({}) {}", text.empty() ? "" : "; ", found.what, found.wanted, listed(words));
   }
   return text.empty() ? text : text + ".";
@@ -52,26 +112,84 @@ std::string what_spoils(const std::vector<Sensitivity>& all) {
   for (const Sensitivity& found : all) {
     if (found.wanted.empty() || found.entries.front().outcome != Outcome::holds) continue;
     for (std::size_t k = 1; k < found.entries.size(); ++k) choices += found.entries[k].outcome != Outcome::unknown;
-    if (const Words words = turned_to(found, Outcome::fails); !words.empty())
+    if (const Words words = words_of(turned_to(found, Outcome::fails)); !words.empty())
       text += fmt::format("{}{} no longer meets its criterion ({}) {}", text.empty() ? "" : "; ", found.what, found.wanted, listed(words));
   }
   if (!text.empty()) return text + ".";
-  return choices > 0 ? "None of the choices tried reverses it." : "";
+  return choices > 0 ? "None of the choices tried reverses it." : "No other choices were tried.";
+}
+
+std::string in_words(const Check& check) {
+  return fmt::format("{}: {}, required {}.", capital(check.what), text_of(check.ours), check.wanted);
+}
+
+/// "About 1.8 times as many seeds would decide it."
+std::string seeds_in_words(const Check& check) {
+  const double factor = seeds_factor(check);
+  if (!(factor < most_times_seeds)) return "More seeds are needed, and many: its value lies close to the bound.";
+  return fmt::format("About {:.{}f} times as many seeds would decide it.", factor, factor < 10 ? 1 : 0);
+}
+
+std::string without_choice(const Judgement& judgement, const Check& check) {
+  switch (decider_of(judgement)) {
+    case Decider::seeds: return seeds_in_words(check) + " " + in_words(check);
+    case Decider::grid:
+      if (const Sensitivity* moved = moved_by_grids(judgement.sensitivities)) return grids_in_words(*moved);
+      return "The grid decides it. " + in_words(check);
+    case Decider::reading: return "The reading of the source decides it. " + in_words(check);
+    default: break;
+  }
+  const char* tried = is_scanned(judgement.sensitivities) ? "None of the choices tried meets the criterion. "
+                                                          : "No other choices were tried for it. ";
+  return tried + in_words(check);
 }
 
 }  // namespace
 
+Decider decider_of(const Judgement& judgement) {
+  const Check* check = deciding_check(judgement);
+  const bool knows_itself = check && check->decider != Decider::none;
+  switch (judgement.verdict()) {
+    case Verdict::unknown: return Decider::runs;
+    case Verdict::not_testable: return Decider::lost;
+    case Verdict::source_inconsistent: return Decider::source;
+    case Verdict::reproduced: return kind_that_turns(judgement.sensitivities, Outcome::holds);
+    case Verdict::undecided:
+      if (knows_itself) return check->decider;
+      return moved_by_grids(judgement.sensitivities) ? Decider::grid : Decider::seeds;
+    case Verdict::trend_reproduced:
+    case Verdict::not_reproduced: break;
+  }
+  if (knows_itself) return check->decider;
+  return moved_by_grids(judgement.sensitivities) ? Decider::grid
+                                                 : kind_that_turns(judgement.sensitivities, Outcome::fails);
+}
+
+double seeds_factor(const Check& check) {
+  const auto& [value, error, freedom] = check.ours;
+  const double inside = std::min(value - check.range.low, check.range.high - value), distance = std::abs(inside);
+  if (!(error > 0) || !(freedom > 0) || !std::isfinite(distance)) return statistics::unknown;
+  const auto half_with = [&](double times) {
+    return half_interval({value, error / std::sqrt(times), (freedom + 1) * times - 1});
+  };
+  double times = 1;
+  while (times < most_times_seeds && half_with(times) > distance) times *= 1.02;
+  return std::min(times, most_times_seeds);
+}
+
 std::string what_decides(const Judgement& judgement) {
   const Verdict verdict = judgement.verdict();
   if (verdict == Verdict::unknown) return "The runs that decide it are missing.";
-  if (!judgement.decides.empty()) return judgement.decides;
-  const std::string choice = verdict == Verdict::reproduced ? what_spoils(judgement.sensitivities) : what_mends(judgement.sensitivities);
-  if (!choice.empty()) return choice;
-  if (verdict == Verdict::reproduced) return "No other choices were tried.";
+  if (verdict == Verdict::not_testable) return judgement.untestable;
+  const bool by_seeds = decider_of(judgement) == Decider::seeds;
+  if (!judgement.decides.empty() && !by_seeds) return judgement.decides;
+  if (verdict == Verdict::reproduced) return what_spoils(judgement.sensitivities);
   const Check& check = *deciding_check(judgement);
-  if (verdict == Verdict::undecided)
-    return fmt::format("More samples are needed. {}: {}, required {}.", capital(check.what), text_of(check.ours), check.wanted);
-  return fmt::format("None of the choices tried meets the criterion. {}: {}, required {}.", capital(check.what), text_of(check.ours), check.wanted);
+  if (by_seeds && !judgement.decides.empty()) return without_choice(judgement, check) + " " + judgement.decides;
+  const bool by_grid = decider_of(judgement) == Decider::grid;
+  const std::string mends = by_grid ? "" : what_mends(judgement.sensitivities);
+  if (mends.empty()) return without_choice(judgement, check);
+  return by_seeds ? without_choice(judgement, check) + " " + mends : mends;
 }
 
 }  // namespace arenite::validation

@@ -63,6 +63,21 @@ std::vector<bool> holm(const std::vector<double>& chances, double level) {
   return rejected;
 }
 
+namespace {
+
+/// Further seeds of the members that do not hold.
+std::vector<Draw> draws_of(const Family& family, const Range& range) {
+  std::vector<Draw> draws;
+  for (const Member& m : family) {
+    if (outcome_of(m.value, range) == Outcome::holds) continue;
+    for (const Draw& draw : m.draws)
+      if (std::ranges::count(draws, draw) == 0) draws.push_back(draw);
+  }
+  return draws;
+}
+
+}  // namespace
+
 Check every(const std::string& what, const std::string& source, const Family& family, const Range& range, const std::string& unit) {
   Check check = between(what, source, {}, range.low, range.high, unit);
   if (std::isinf(range.low)) check = below(what, source, {}, range.high, unit);
@@ -70,6 +85,7 @@ Check every(const std::string& what, const std::string& source, const Family& fa
   if (family.empty()) return check;
   const Member& worst = *least_sure(family, range);
   check.ours = worst.value;
+  check.draws = draws_of(family, range);
   check.outcome = Outcome::holds;
   for (const Member& m : family)
     if (const Outcome one = outcome_of(m.value, range); one != Outcome::holds && check.outcome != Outcome::unknown)
@@ -100,6 +116,7 @@ Check on_the_whole(const std::string& what, const std::string& source, const Fam
 
 Check trend(const std::string& what, const std::string& source, const Value& size, const Family& against, int direction) {
   Check check = direction > 0 ? positive(what, source, size) : negative(what, source, size);
+  check.draws = draws_of(against, this_way(direction));
   if (check.outcome == Outcome::unknown) return check;
   if (const std::string wrong = contradictions(against, direction); !wrong.empty()) {
     check.outcome = Outcome::fails;

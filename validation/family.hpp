@@ -10,6 +10,7 @@ namespace arenite::validation {
 struct Member {
   std::string name;  ///< "gamma 2.5, theta 1.4"
   Value value;
+  std::vector<Draw> draws = {};  ///< of which further seeds would make it surer
 };
 using Family = std::vector<Member>;
 

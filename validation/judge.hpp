@@ -14,10 +14,12 @@ struct Judged {
   Judgement judgement;
 };
 
-/// How many runs of a study are done.
+/// How many runs of a study are done, and the days on which the first and the last of these ended, "2026-01-31"; empty
+/// where there are none.
 struct StudyState {
   std::string name;
   std::size_t runs = 0, done = 0;
+  std::string first_day = {}, last_day = {};
 };
 
 /// A ledger: what was judged, by what.

@@ -1,5 +1,6 @@
 #include "validation/pooled.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <map>
@@ -103,6 +104,36 @@ Value slope_over_seeds(const std::vector<Run>& runs, const Number& x, const Numb
   for (const auto& [seed, xy] : seeds)
     if (const double slope = statistics::fit_line(xy.first, xy.second).slope; std::isfinite(slope)) slopes.push_back(slope);
   return mean_of(slopes);
+}
+
+Value paired_change(const std::vector<Run>& some, const std::vector<Run>& others, const Number& number) {
+  std::vector<double> changes;
+  for (const Run& one : some)
+    for (const Run& other : others)
+      if (const double change = number.of(one) / number.of(other) - 1;
+          seed_of(one) == seed_of(other) && std::isfinite(change))
+        changes.push_back(change);
+  return mean_of(changes);
+}
+
+Hump hump_over_seeds(const std::vector<Run>& runs, const Number& x, const Number& y) {
+  std::map<std::string, std::map<double, double>> seeds;
+  for (const Run& run : runs)
+    if (const double at = x.of(run), value = y.of(run); std::isfinite(at) && std::isfinite(value))
+      seeds[seed_of(run)][at] = value;
+  std::vector<double> rises, falls;
+  for (const auto& [seed, own] : seeds) {
+    std::map<double, std::vector<double>> others;
+    for (const auto& [other, values] : seeds)
+      for (const auto& [at, value] : values)
+        if ((other != seed || seeds.size() == 1) && own.contains(at)) others[at].push_back(value);
+    if (others.size() < 3 || others.size() < own.size()) continue;
+    const auto greatest =
+        std::ranges::max_element(others, {}, [](const auto& point) { return mean_of(point.second).value; });
+    rises.push_back(own.at(greatest->first) - own.begin()->second);
+    falls.push_back(own.at(greatest->first) - own.rbegin()->second);
+  }
+  return {mean_of(rises), mean_of(falls)};
 }
 
 PooledTail pooled_tail(const std::vector<Run>& runs, const std::string& name) {

@@ -33,6 +33,18 @@ Value mean_over_seeds(const std::vector<Run>& runs, const Number& number);
 /// The same of the slope of y against x that each seed gives by itself; seeds with fewer than three points are left out.
 Value slope_over_seeds(const std::vector<Run>& runs, const Number& x, const Number& y);
 
+/// A number in some runs over that in others of the same seed, minus 1: mean over seeds. Of one packing treated in two
+/// ways.
+Value paired_change(const std::vector<Run>& some, const std::vector<Run>& others, const Number& number);
+
+/// How far a number rises from the least x to its greatest mean, and falls from there to the greatest x. Where the
+/// greatest lies is found without the seed that is looked at, since the greatest of several noisy means lies above the
+/// true ones.
+struct Hump {
+  Value rise, fall;
+};
+Hump hump_over_seeds(const std::vector<Run>& runs, const Number& x, const Number& y);
+
 /// An exponential tail seen in several runs: means over seeds.
 struct PooledTail {
   Value lead;      ///< ln L of the exponential less that of the half-Gaussian, of one run

@@ -9,7 +9,8 @@ namespace arenite::validation {
 /// A ledger for people at a terminal: claim by claim its verdict, what decides it, and line by line what it rests on.
 std::string ledger_text(const validation::Ledger& ledger);
 
-/// For programs: {"studies": {NAME: {"runs", "done"}}, "claims": {ID: {"verdict": "reproduced", "checks": [...], ...}}}.
+/// For programs: {"studies": {NAME: {"runs", "done", "first_day", "last_day"}}, "claims": {ID: {"verdict": "undecided",
+/// "decider": "seeds", "checks": [...], ...}}}.
 std::string ledger_json(const validation::Ledger& ledger);
 
 /// A page of Markdown: a table with one row a claim; then a section for each claim that is not simply reproduced, with the checks

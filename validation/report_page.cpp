@@ -50,11 +50,21 @@ std::string runs_of(const std::vector<validation::StudyState>& studies) {
   return missing.empty() ? fmt::format("All {} runs of the studies are done.", done) : "Runs are missing: " + missing + ".";
 }
 
+/// Which runs the verdicts are from.
+std::string studies_of_ledger(const validation::Ledger& ledger) {
+  std::string text = "\n## Runs\n\n| study | runs | ended |\n|---|---|---|\n";
+  for (const auto& study : ledger.studies) {
+    const bool one_day = study.first_day == study.last_day;
+    const std::string days = one_day ? study.first_day : study.first_day + " to " + study.last_day;
+    text += fmt::format("| {} | {} | {} |\n", study.name, progress_of(study), days);
+  }
+  return text;
+}
+
 /// "20 reproduced, 6 trend reproduced, numbers not, ...".
 std::string counts(const validation::Ledger& ledger) {
   std::string text;
-  for (const Verdict verdict :
-       {Verdict::reproduced, Verdict::trend_reproduced, Verdict::undecided, Verdict::not_reproduced, Verdict::source_inconsistent, Verdict::unknown}) {
+  for (const Verdict verdict : all_verdicts) {
     const auto count = std::count_if(ledger.claims.begin(), ledger.claims.end(), [=](const Judged& judged) { return judged.judgement.verdict() == verdict; });
     if (count > 0) text += fmt::format("{}{} *{}*", text.empty() ? "" : "; ", count, word_for(verdict));
   }
@@ -62,12 +72,14 @@ std::string counts(const validation::Ledger& ledger) {
 }
 
 std::string table_of(const validation::Ledger& ledger) {
-  std::string text = "| claim | | source | ours | verdict | reason |\n|---|---|---|---|---|---|\n";
+  std::string text = "| claim | | source | ours | verdict | decided by | reason |\n|---|---|---|---|---|---|---|\n";
   for (const Judged& judged : ledger.claims) {
     const std::string id = judged.claim->id;
-    text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", simply_reproduced(judged) ? id : fmt::format("[{}](#{})", id, anchor_of(id)),
-                        cell(judged.claim->sentence), cell(judged.claim->number), cell(with_signs(ours_text(judged.judgement))),
-                        word_for(judged.judgement.verdict()), cell(with_signs(validation::what_decides(judged.judgement))));
+    text += fmt::format(
+        "| {} | {} | {} | {} | {} | {} | {} |\n",
+        simply_reproduced(judged) ? id : fmt::format("[{}](#{})", id, anchor_of(id)), cell(judged.claim->sentence),
+        cell(judged.claim->number), cell(with_signs(ours_text(judged.judgement))), word_for(judged.judgement.verdict()),
+        word_for(decider_of(judged.judgement)), cell(with_signs(validation::what_decides(judged.judgement))));
   }
   return text;
 }
@@ -85,8 +97,10 @@ std::string open_checks(const std::vector<Check>& checks) {
 std::string section_of(const Judged& judged, const std::string& pictures) {
   const auto& [claim, judgement] = judged;
   const std::string figure = validation::figure_place(*claim);
-  std::string text = fmt::format("\n### {}\n\n**{}.** {} ({}{}). {}", claim->id, word_for(judgement.verdict()), claim->sentence, claim->where,
-                                 figure.empty() ? "" : fmt::format("; figure: `{}`", figure), validation::what_decides(judgement));
+  std::string text =
+      fmt::format("\n### {}\n\n**{}** (decided by: {}). {} ({}{}). {}", claim->id, word_for(judgement.verdict()),
+                  word_for(decider_of(judgement)), claim->sentence, claim->where,
+                  figure.empty() ? "" : fmt::format("; figure: `{}`", figure), validation::what_decides(judgement));
   for (const auto& finding : judgement.findings) text += " " + finding;
   text = with_signs(text) + "\n" + open_checks(judgement.checks);
   if (has_dots(judgement)) text += fmt::format("\n![{}: open choices and the required range]({}/{}.svg)\n", claim->id, pictures, claim->id);
@@ -96,7 +110,8 @@ std::string section_of(const Judged& judged, const std::string& pictures) {
 }  // namespace
 
 std::string ledger_page(const validation::Ledger& ledger, const std::string& pictures) {
-  std::string text = fmt::format("{} {}.\n\n{}", runs_of(ledger.studies), counts(ledger), table_of(ledger));
+  std::string text = fmt::format("{} {}.\n\n{}{}", runs_of(ledger.studies), counts(ledger), table_of(ledger),
+                                 studies_of_ledger(ledger));
   const bool all = std::all_of(ledger.claims.begin(), ledger.claims.end(), simply_reproduced);
   if (!all) text += "\n## Claims not fully reproduced\n";
   for (const Judged& judged : ledger.claims)

@@ -10,6 +10,7 @@
 
 #include "campaign/collect.hpp"
 #include "statistics/measured.hpp"
+#include "validation/draw.hpp"
 
 namespace arenite::validation {
 
@@ -52,9 +53,6 @@ struct Number {
   std::function<double(const Run&)> of;
 };
 
-/// Runs whose swept values are these; numbers are compared as numbers. Empty: all runs.
-using Where = std::vector<std::pair<std::string, std::string>>;
-
 /// The runs that claims are judged by.
 class Results {
  public:
@@ -75,6 +73,7 @@ statistics::Measured mean(const Results& results, const std::string& study, cons
 struct Point {
   double x = 0, mean = 0, error = 0;  ///< error NaN for one run
   std::size_t runs = 0;
+  double freedom = statistics::unknown;  ///< behind the error, where that is not of these runs alone
 };
 using Series = std::vector<Point>;
 /// `x` gives what runs are put together by; usually Number that reads a swept key, see swept().

@@ -19,6 +19,9 @@ Wanted wanted_negative() { return wanted_below(0); }
 Wanted wanted_equivalent(double margin) {
   return [=](const Value& v) { return equivalent("", "", v, margin); };
 }
+Wanted wanted_different(double margin) {
+  return [=](const Value& v) { return differs("", "", v, margin); };
+}
 
 void add_sensitivity(Judgement& judgement, const std::string& what, const Choice& usual, const std::vector<Choice>& choices,
                      const std::function<Value(const Choice&)>& value, const Wanted& wanted) {
@@ -26,7 +29,7 @@ void add_sensitivity(Judgement& judgement, const std::string& what, const Choice
   Sensitivity found{what, none.wanted, none.range, {}};
   const auto add = [&](const Choice& choice) {
     const Value v = value(choice);
-    found.entries.push_back({choice.text, v, wanted ? wanted(v).outcome : Outcome::unknown});
+    found.entries.push_back({choice.text, v, wanted ? wanted(v).outcome : Outcome::unknown, choice.kind});
   };
   add(usual);
   if (!std::isfinite(found.entries.front().value.value)) return;

@@ -9,12 +9,14 @@
 
 namespace arenite::validation {
 
-/// A choice that a source leaves open, made otherwise than its study makes it: the swept values, words for them, and the study
-/// that has such runs, empty where it is clear.
+/// A choice that a source leaves open, made otherwise than its study makes it: the swept values, words for them, the
+/// study that has such runs, empty where it is clear, and whether it is one of the protocol, of the grid or of the
+/// reading.
 struct Choice {
   Where where;
   std::string text;
   std::string study = {};
+  Decider kind = Decider::protocol;
 };
 
 /// Holds a number against what a claim wants of it; empty where nothing is wanted.
@@ -33,6 +35,8 @@ Wanted wanted_positive();
 Wanted wanted_negative();
 /// No further from zero than the margin.
 Wanted wanted_equivalent(double margin);
+/// Other than zero.
+Wanted wanted_different(double margin);
 
 /// `value` of the runs with the usual choices, and with each of `choices` instead. Nothing is added where it is not known with
 /// the usual ones.

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "statistics/correlation.hpp"
@@ -33,7 +34,10 @@ std::pair<std::vector<double>, std::vector<double>> columns(const Series& points
 
 }  // namespace
 
-Value value_of(const Point& point) { return {point.mean, point.error, point.runs > 0 ? static_cast<double>(point.runs) - 1 : statistics::unknown}; }
+Value value_of(const Point& point) {
+  if (std::isfinite(point.freedom)) return {point.mean, point.error, point.freedom};
+  return {point.mean, point.error, point.runs > 0 ? static_cast<double>(point.runs) - 1 : statistics::unknown};
+}
 
 Value rise(const Series& points) {
   if (points.size() < 2) return {};
@@ -46,8 +50,14 @@ Value slope(const Series& points) {
   for (const Point& p : points) mean_x += p.x / static_cast<double>(points.size());
   for (const Point& p : points) sxx += (p.x - mean_x) * (p.x - mean_x);
   std::vector<std::pair<double, Value>> terms;
-  for (const Point& p : points) terms.emplace_back((p.x - mean_x) / sxx, value_of(p));
-  if (const Value by_means = weighted_sum(terms); std::isfinite(by_means.error)) return by_means;
+  double pooled = 0;
+  for (const Point& p : points) {
+    terms.emplace_back((p.x - mean_x) / sxx, value_of(p));
+    if (std::isfinite(p.freedom)) pooled = std::max(pooled, p.freedom);
+  }
+  Value by_means = weighted_sum(terms);
+  if (pooled > 0) by_means.freedom = std::min(by_means.freedom, pooled);  // one variance, counted once
+  if (std::isfinite(by_means.error)) return by_means;
   const auto [x, y] = columns(points);
   const auto line = statistics::fit_line(x, y);
   return {line.slope, line.slope_error, static_cast<double>(points.size()) - 2};

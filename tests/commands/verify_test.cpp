@@ -1,6 +1,7 @@
 // arenite verify without runs: what it says, writes and refuses.
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "support/program.hpp"
@@ -24,12 +25,25 @@ TEST(Verify, WithoutRunsJudgesTheSourcesTablesAndSaysWhatIsMissing) {
   EXPECT_EQ(claims.size(), 34u);
   EXPECT_EQ(claims["T1"]["verdict"], "source inconsistent");
   EXPECT_EQ(claims["T2"]["verdict"], "source inconsistent");
+  EXPECT_EQ(claims["T1"]["decider"], "source");
+  EXPECT_EQ(claims["T8"]["decider"], "missing runs");
   EXPECT_EQ(claims["T8"]["verdict"], "unknown");
   const std::string text = test::slurp(page.string());
   EXPECT_NE(text.find("| [T8](#t8) |"), std::string::npos);
   EXPECT_NE(text.find("`thesis-ch4` (not started)"), std::string::npos);
   EXPECT_NE(text.find("[ledger.csv](ledger.csv)"), std::string::npos);
   EXPECT_EQ(test::slurp(table.string()).substr(0, 10), "claim,kind");
+}
+
+TEST(Verify, TakesABudgetWithItsUnitBeforeAnyRun) {
+  const test::TemporaryFolder folder;
+  const auto out = folder.path() / "runs";
+  const auto bare = test::arenite("verify thesis --small --quiet --budget 5 --out " + out.string());
+  EXPECT_EQ(bare.status, 2);
+  EXPECT_NE(bare.err.find("--budget"), std::string::npos) << bare.err;
+  EXPECT_NE(bare.err.find("min"), std::string::npos) << bare.err;
+  EXPECT_FALSE(std::filesystem::exists(out));
+  EXPECT_EQ(test::arenite("verify thesis --read --budget 5min --out " + out.string()).status, 2);
 }
 
 TEST(Verify, HoldsVerdictsAgainstEarlierOnesOfTheSameSize) {

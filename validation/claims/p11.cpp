@@ -38,6 +38,9 @@ Judgement judge_p11(const Results& results) {
   for (const double width : {full, 0.2}) {
     const std::string name = width == full ? "full" : "eta 0.2";
     const auto at = [&](bool exact, const char* strain) { return pulled(results, exact, strain, width); };
+    const std::vector<Draw> draws{{linearity_study,
+                                   {width == full ? std::pair<std::string, std::string>{"cement.kind", "full"}
+                                                  : std::pair<std::string, std::string>{"cement.width", "0.2"}}}};
     const auto once = at(false, "1e-4"), thrice = at(false, "3e-4");
     const Value linear = size_of(departure(thrice, once, 1)), stretched = size_of(departure(at(true, "3e-4"), at(true, "1e-4"), 1));
     j.checks.push_back(below("relative change of the modulus at three times the strain, linearised, " + name, "linear", linear, 1e-6));
@@ -46,6 +49,8 @@ Judgement judge_p11(const Results& results) {
     for (const auto& [strain, unit, linearised] : {std::tuple{"1e-4", 1e-4, once}, {"3e-4", 3e-4, thrice}})
       j.checks.push_back(between(fmt::format("departure with P's stretch, divided by the strain of {}, {}", strain, name), "proportional to strain",
                                  size_of(departure(at(true, strain), linearised, unit)), low, high));
+    for (Check& check : j.checks)
+      if (check.draws.empty()) check.draws = draws;
     if (std::isfinite(stretched.value))
       ours += fmt::format("{}{}: {}", ours.empty() ? "change of the modulus at three times the strain, " : "; ", name, text_of(stretched));
   }

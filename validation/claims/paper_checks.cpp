@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "validation/claims/paper_errors.hpp"
+
 namespace arenite::validation {
 namespace {
 
@@ -45,7 +47,10 @@ Check in_range(const std::string& what, const std::string& source, const PairMea
 
 Family by_theta(const PairMeans& means, const std::function<Value(double theta)>& number) {
   Family family;
-  for (const double theta : thetas(means)) family.push_back({fmt::format("theta {:g}", theta), number(theta)});
+  for (const double theta : thetas(means))
+    family.push_back({fmt::format("theta {:g}", theta),
+                      number(theta),
+                      {{"paper", {{"bidisperse.volume_ratio", fmt::format("{:g}", theta)}}}}});
   return family;
 }
 
@@ -77,7 +82,11 @@ Dip dip(const PairMeans& means, double theta) {
     rises.push_back(own(points.back()) - own(points[lowest]));
   }
   if (falls.empty()) return {};
-  return {statistics::mean_of(falls), statistics::mean_of(rises)};
+  const PairMean& lowest = *std::min_element(points.begin(), points.end(), less);
+  Dip found{difference(points.front().value, lowest.value), difference(points.back().value, lowest.value)};
+  found.fall.value = statistics::mean_of(falls).value;
+  found.rise.value = statistics::mean_of(rises).value;
+  return found;
 }
 
 PairMeans at_greatest(const std::vector<PairMeans>& sizes, const std::vector<PairMeans>& numbers) {
@@ -93,7 +102,7 @@ PairMeans at_greatest(const std::vector<PairMeans>& sizes, const std::vector<Pai
     }
     if (!own.empty()) result.push_back(pair_of_samples(pair.gamma, pair.theta, pair.width, std::move(own)));
   }
-  return result;
+  return with_pooled_variance(std::move(result));
 }
 
 }  // namespace arenite::validation

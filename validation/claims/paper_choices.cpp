@@ -13,20 +13,20 @@ namespace {
 
 constexpr const char* choices_study = "paper-choices";
 
-const std::vector<Choice> choices{
+const std::vector<Choice> open_choices{
     {{{"contact.friction", "0"}}, "without friction"},
     {{{"contact.friction", "0.6"}}, "with friction 0.6"},
     {{{"contact.restitution", "0.4"}}, "with restitution 0.4"},
     {{{"stages.1.equilibrium.unbalanced", "1e-3"}}, "with equilibrium at 1e-3"},
     {{{"stages.1.equilibrium.unbalanced", "1e-6"}}, "with equilibrium at 1e-6"},
-    {{{"bidisperse.trials", "100"}}, "with 100 trials per disk"},
-    {{{"bidisperse.maximal", "true"}}, "with every gap filled"},
-    {{{"bidisperse.hold_radius", "true"}}, "with radii kept until placed"},
-    {{{"bidisperse.truncate_each_class", "true"}}, "with radii truncated by class"},
-    {{{"cement.gap", "0.05"}}, "with a neighbour gap of 2 nodes (not 3)"},
-    {{{"grid.nodes", "1280"}}, "with a crop of 32 rbar_L"},
-    {{{"grid.nodes", "512"}}, "with 512 nodes"},
-    {{{"grid.nodes", "2048"}}, "with 2048 nodes"},
+    {{{"bidisperse.trials", "100"}}, "with 100 trials per disk", "", Decider::reading},
+    {{{"bidisperse.maximal", "true"}}, "with every gap filled", "", Decider::reading},
+    {{{"bidisperse.hold_radius", "true"}}, "with radii kept until placed", "", Decider::reading},
+    {{{"bidisperse.truncate_each_class", "true"}}, "with radii truncated by class", "", Decider::reading},
+    {{{"cement.gap", "0.05"}}, "with a neighbour gap of 2 nodes (not 3)", "", Decider::reading},
+    {{{"grid.nodes", "1280"}}, "with a crop of 32 rbar_L", "", Decider::grid},
+    {{{"grid.nodes", "512"}}, "with 512 nodes", "", Decider::grid},
+    {{{"grid.nodes", "2048"}}, "with 2048 nodes", "", Decider::grid},
 };
 
 using Place = std::tuple<double, double, double>;
@@ -63,7 +63,7 @@ Samples chosen(const Results& results, const Where& choice, const Samples& usual
 /// Once a claim.
 void tell_samples(Judgement& judgement, const Results& results, const Samples& usual) {
   std::size_t fewest = 0;
-  for (const Choice& choice : choices)
+  for (const Choice& choice : open_choices)
     if (const std::size_t here = samples_a_place(chosen(results, choice.where, usual).runs); here > 0) fewest = fewest == 0 ? here : std::min(fewest, here);
   const std::string note =
       fmt::format("Open choices (below): {} samples per pair with the reference settings, {} with each choice.", samples_a_place(usual.runs), fewest);
@@ -86,7 +86,8 @@ void add_choices(Judgement& judgement, const Results& results, const std::string
   if (wanted) tell_difference(judgement, what, wanted(value(paper_samples(results))), wanted(value(usual)));
   const Choice as_it_is{};
   add_sensitivity(
-      judgement, what, as_it_is, choices, [&](const Choice& choice) { return value(choice.where.empty() ? usual : chosen(results, choice.where, usual)); },
+      judgement, what, as_it_is, open_choices,
+      [&](const Choice& choice) { return value(choice.where.empty() ? usual : chosen(results, choice.where, usual)); },
       wanted);
 }
 

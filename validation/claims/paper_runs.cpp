@@ -6,6 +6,8 @@
 #include <cmath>
 #include <map>
 
+#include "validation/claims/paper_errors.hpp"
+
 namespace arenite::validation {
 namespace {
 
@@ -41,6 +43,15 @@ PairMeans without(PairMeans means, std::size_t k) {
   return means;
 }
 
+PairMeans without(PairMeans means, double gamma, double theta, const std::string& sample) {
+  for (PairMean& m : means) {
+    if (m.gamma != gamma || m.theta != theta) continue;
+    std::erase_if(m.samples, [&](const Sample& s) { return s.name == sample; });
+    m.value = mean_over(m.samples);
+  }
+  return means;
+}
+
 std::size_t fewest_samples(const std::vector<PairMeans>& means) {
   std::size_t fewest = 0;
   for (const PairMeans& some : means)
@@ -63,7 +74,7 @@ PairMeans pair_means(const Samples& samples, const Number& number, double width)
       if (const double value = number.of(run); std::isfinite(value)) pairs[{gamma_of(run), theta_of(run)}].push_back({run.text("seed"), value});
   PairMeans means;
   for (auto& [pair, all] : pairs) means.push_back(pair_of_samples(pair.first, pair.second, width, std::move(all)));
-  return means;
+  return with_pooled_variance(std::move(means));
 }
 
 PairMeans stress_means(const Samples& samples, const std::string& set, const std::string& statistic, double width) {
@@ -96,7 +107,7 @@ PairMeans difference(const PairMeans& a, const PairMeans& b) {
       auto samples = difference(m.samples, other.samples);
       if (!samples.empty()) result.push_back(pair_of_samples(m.gamma, m.theta, m.width, std::move(samples)));
     }
-  return result;
+  return with_pooled_variance(std::move(result));
 }
 
 PairMeans mean_of(const std::vector<PairMeans>& all) {
@@ -114,13 +125,15 @@ PairMeans mean_of(const std::vector<PairMeans>& all) {
     for (const auto& [name, sum] : sums) samples.push_back({name, sum.first / sum.second});
     result.push_back(pair_of_samples(pair.first, pair.second, full, std::move(samples)));
   }
-  return result;
+  return with_pooled_variance(std::move(result));
 }
 
 Series against_gamma(const PairMeans& means, double theta) {
   Series points;
   for (const PairMean& m : means)
-    if (m.theta == theta) points.push_back({m.gamma, m.value.value, m.value.error, m.samples.size()});
+    if (m.theta == theta)
+      points.push_back({m.gamma, m.value.value, m.value.error, m.samples.size(),
+                        is_pooled(m) ? m.value.freedom : statistics::unknown});
   return points;
 }
 
@@ -148,33 +161,26 @@ Value of_pair(const PairMeans& means, double gamma, double theta) {
 
 Family members(const PairMeans& means) {
   Family family;
-  for (const PairMean& m : means) family.push_back({name_of(m), m.value});
+  for (const PairMean& m : means)
+    family.push_back({name_of(m),
+                      m.value,
+                      {{"paper",
+                        {{"bidisperse.size_ratio", fmt::format("{:g}", m.gamma)},
+                         {"bidisperse.volume_ratio", fmt::format("{:g}", m.theta)}}}}});
   return family;
 }
 
 Value overall(const PairMeans& means) {
   if (means.empty()) return {};
   std::vector<std::pair<double, Value>> terms;
-  for (const PairMean& m : means) terms.emplace_back(1 / static_cast<double>(means.size()), m.value);
-  return weighted_sum(terms);
-}
-
-Value jackknifed(const std::vector<PairMeans>& means, const std::function<double(const std::vector<PairMeans>&)>& number) {
-  const double value = number(means);
-  const std::size_t n = fewest_samples(means);
-  if (n < 2) return {value};
-  std::vector<double> left;
-  for (std::size_t k = 0; k < n; ++k) {
-    std::vector<PairMeans> fewer;
-    for (const PairMeans& some : means) fewer.push_back(without(some, k));
-    left.push_back(number(fewer));
+  double pooled = 0;
+  for (const PairMean& m : means) {
+    terms.emplace_back(1 / static_cast<double>(means.size()), m.value);
+    if (is_pooled(m)) pooled = std::max(pooled, m.value.freedom);
   }
-  // Values with one of n left out scatter n - 1 times less than those of one alone would.
-  return {value, (static_cast<double>(n) - 1) * statistics::mean_of(left).error, static_cast<double>(n) - 1};
-}
-
-Value jackknifed(const PairMeans& means, const std::function<double(const PairMeans&)>& number) {
-  return jackknifed(std::vector<PairMeans>{means}, [&](const std::vector<PairMeans>& all) { return number(all.front()); });
+  Value sum = weighted_sum(terms);
+  if (pooled > 0) sum.freedom = std::min(sum.freedom, pooled);  // one variance, counted once
+  return sum;
 }
 
 std::string name_of(const PairMean& m) { return fmt::format("gamma {:g}, theta {:g}", m.gamma, m.theta); }

@@ -41,14 +41,15 @@ struct PairMean {
 };
 using PairMeans = std::vector<PairMean>;
 
-/// Means over the samples of all pairs with this cement, by gamma and then theta.
+/// Means over the samples of all pairs with this cement, by gamma and then theta; their errors with_pooled_variance().
 PairMeans pair_means(const Samples& samples, const Number& number, double width = full);
 /// The same of a statistic ("variance") of the node stress in a set of nodes ("large").
 PairMeans stress_means(const Samples& samples, const std::string& set, const std::string& statistic, double width = full);
 /// One pair from its samples.
 PairMean pair_of_samples(double gamma, double theta, double width, std::vector<Sample> samples);
-/// Every pair without its k-th sample.
+/// Every pair without its k-th sample; one pair without a sample.
 PairMeans without(PairMeans means, std::size_t k);
+PairMeans without(PairMeans means, double gamma, double theta, const std::string& sample);
 /// Samples of the pair that has fewest.
 std::size_t fewest_samples(const std::vector<PairMeans>& means);
 /// Those that are wanted.
@@ -70,15 +71,10 @@ std::vector<double> thetas(const PairMeans& means);
 std::vector<double> gammas(const PairMeans& means);
 /// The value of one pair; unknown if there is none.
 Value of_pair(const PairMeans& means, double gamma, double theta);
-/// One member a pair.
+/// One member a pair; further seeds are of the pair, with all its cements.
 Family members(const PairMeans& means);
 /// Mean over all pairs, its error from those of the pairs.
 Value overall(const PairMeans& means);
-
-/// A number worked out from several means, its error by the jackknife: every pair without its first sample, then every pair
-/// without its second, and so on. Samples of one packing are left out together.
-Value jackknifed(const std::vector<PairMeans>& means, const std::function<double(const std::vector<PairMeans>&)>& number);
-Value jackknifed(const PairMeans& means, const std::function<double(const PairMeans&)>& number);
 
 /// "gamma 2.5, theta 1.4".
 std::string name_of(const PairMean& m);

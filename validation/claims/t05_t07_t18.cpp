@@ -84,10 +84,12 @@ Judgement judge_t5(const Results& results) {
   for (const auto& [sample, percent] :
        {std::pair{sample_2, std::array{47.4, 50.2, 50.9}}, {sample_8, std::array{46.3, 47.2, 45.1}}, {sample_12, std::array{45.6, 50.9, 44.3}}}) {
     const auto runs = runs_of(results, sample);
-    all.push_back({sample.name, mean_over_seeds(runs, "sigma_norm.P0")});
+    const std::vector<Draw> draws{{"thesis-ch3", where(sample)}};
+    all.push_back({sample.name, mean_over_seeds(runs, "sigma_norm.P0"), draws});
     measured.push_back({fmt::format("{} all", sample.name), {percent[0] / 100, 0}});
     for (const auto& [k, material] : {std::pair{1u, "POM"}, {2u, "HDPE"}}) {
-      single.push_back({fmt::format("{} {}", sample.name, material), mean_over_seeds(runs, fmt::format("sigma_norm.by_material.{}.P0", material))});
+      single.push_back({fmt::format("{} {}", sample.name, material),
+                        mean_over_seeds(runs, fmt::format("sigma_norm.by_material.{}.P0", material)), draws});
       measured.push_back({single.back().name, {percent[k] / 100, 0}});
     }
   }
@@ -118,6 +120,7 @@ Judgement judge_t7(const Results& results) {
   judgement.checks = {positive("largest grain stress of HDPE over POM, minus 1", "> 0", most),
                       positive("95 % quantile of grain stress, HDPE over POM, minus 1", "> 0", mean_value(leads)),
                       positive("mean force of POM-POM over HDPE-HDPE, minus 1", "> 0", force)};
+  for (Check& check : judgement.checks) check.draws = {{"thesis-ch3", where(sample_12)}};
   if (!runs.empty())
     judgement.ours = fmt::format("relative excess of the largest stress in HDPE {}, of the mean force in POM-POM {}", text_of(most), text_of(force));
   add_choices(judgement, results, "Mean force of #12's POM-POM over HDPE-HDPE, minus 1", sample_12, ratio_of_means, wanted_positive());
@@ -151,6 +154,7 @@ Judgement judge_t18(const Results& results) {
   judgement.checks = {
       equivalent("solid fraction at 90 % of the area over that at 20 %, minus 1, #11", "constant", mean_value(changes), plateau),
       every("solid fraction of windows between 20 and 90 % over their mean, minus 1, #11", "constant", departures(curves), {-plateau, plateau})};
+  for (Check& check : judgement.checks) check.draws = {{"thesis-ch3", where(sample_11)}};
   for (const auto& [what, values] : {std::pair{"solid fraction in a strip of 2.5 mean diameters along the walls, #11", &at_walls},
                                      {"solid fraction inside this strip, #11", &within},
                                      {"change from 20 to 90 % if the whole deficit is in the outermost half diameter, #11", &by_thin_layers},

@@ -16,10 +16,16 @@ constexpr const char* study_4 = "thesis-ch4";
 constexpr const char* study_5 = "thesis-ch5";
 
 /// The slope against the ratio goes this way.
-Check slope_goes(const Results& results, const char* study, const std::string& what, const std::string& number, int direction) {
+Check slope_goes(const Results& results, const char* study, const std::string& what, const Number& number,
+                 int direction) {
   const Value size = slope(series(results, study, number_ratio(), number));
   return direction > 0 ? positive("slope of " + what + " against the ratio", "rises", size)
                        : negative("slope of " + what + " against the ratio", "falls", size);
+}
+
+/// Of all contacts of a run, those that are strong and of a type.
+std::string share_of_strong(const std::string& type) {
+  return fmt::format("force.by_type.{}.strong_share_of_all", type);
 }
 
 struct Typed {
@@ -66,9 +72,9 @@ Judgement judge_t10(const Results& results) {
     return mean_over_seeds(results.runs(study), type.empty() ? "force.strong_share" : fmt::format("force.by_type.{}.strong_share", type));
   };
   const auto asked = [&](const char* fourth, const char* fifth) {
-    Family all{{"ch. 4", share(fourth, "")}, {"ch. 5", share(fifth, "")}}, typed;
-    for (const auto& [study, type] : types_of_chapter_4) typed.push_back({type, share(fourth, type)});
-    for (const auto& [study, type] : types_of_chapter_5) typed.push_back({type, share(fifth, type)});
+    Family all{{"ch. 4", share(fourth, ""), {{fourth, {}}}}, {"ch. 5", share(fifth, ""), {{fifth, {}}}}}, typed;
+    for (const auto& [study, type] : types_of_chapter_4) typed.push_back({type, share(fourth, type), {{fourth, {}}}});
+    for (const auto& [study, type] : types_of_chapter_5) typed.push_back({type, share(fifth, type), {{fifth, {}}}});
     return std::pair{all, typed};
   };
   const auto checks = [](const Family& all, const Family& typed) {
@@ -126,11 +132,16 @@ Judgement judge_t12(const Results& results) {
     const auto runs = results.runs(study);
     const PooledMode pom = pooled_mode(runs, "POM-POM", 2);
     const Value along = weighted_sum({{2, pooled_along(runs, "POM-POM", 2, 90)}}), all = weighted_sum({{2, pooled_along(runs, "", 2, 90)}});
-    judgement.checks.push_back(below(fmt::format("deviation of POM-POM orientations from the load axis, {}", law), "0", angle_from(pom, 90, 180), 15, "deg"));
+    const std::vector<Draw> draws{{study, {}}};
     judgement.checks.push_back(
-        positive(fmt::format("a_c of POM-POM contacts along the load (noise {:.2g}), {}", 2 * pom.noise, law), "oriented along the load", along));
-    judgement.checks.push_back(
-        positive(fmt::format("a_c of POM-POM contacts minus that of all contacts, along the load, {}", law), "> 0", difference(along, all)));
+        drawn(draws, below(fmt::format("deviation of POM-POM orientations from the load axis, {}", law), "0",
+                           angle_from(pom, 90, 180), 15, "deg")));
+    judgement.checks.push_back(drawn(
+        draws, positive(fmt::format("a_c of POM-POM contacts along the load (noise {:.2g}), {}", 2 * pom.noise, law),
+                        "oriented along the load", along)));
+    judgement.checks.push_back(drawn(
+        draws, positive(fmt::format("a_c of POM-POM contacts minus that of all contacts, along the load, {}", law),
+                        "> 0", difference(along, all))));
     judgement.checks.push_back(reported(fmt::format("a_c of all contacts along the load, {}", law), all));
     if (!runs.empty())
       judgement.ours += fmt::format("{}{}: a_c {} at {} degrees", judgement.ours.empty() ? "" : "; ", law, text_of(along), text_of(pom.phase_deg));
@@ -139,7 +150,8 @@ Judgement judge_t12(const Results& results) {
   return judgement;
 }
 
-/// Who carries the largest forces.
+/// The strong contacts by type, as shares of all contacts: the types add up to the 40 % of T10. Who carries the largest
+/// forces.
 Judgement judge_t19(const Results& results) {
   const auto over_others = [](const char* statistic) {
     return [=](const Run& run) {
@@ -151,23 +163,44 @@ Judgement judge_t19(const Results& results) {
     };
   };
   const auto asked = [&](const char* study) {
-    return std::vector<Check>{
-        slope_goes(results, study, "the fraction of HDPE-HDPE above the mean of the whole network", "force.by_type.HDPE-HDPE.fraction_above_mean_of_all", +1),
-        slope_goes(results, study, "the fraction of POM-POM above the mean of the whole network", "force.by_type.POM-POM.fraction_above_mean_of_all", -1),
-        positive("largest force of POM-POM over that of the other types, minus 1", "> 0", mean_over_seeds(results.runs(study), over_others("maximum")))};
+    const Hump mixed = hump_over_seeds(results.runs(study), number_ratio(), share_of_strong("HDPE-POM"));
+    std::vector<Check> checks{
+        slope_goes(results, study, "the share of all contacts that are strong and HDPE-HDPE",
+                   share_of_strong("HDPE-HDPE"), +1),
+        slope_goes(results, study, "the share of all contacts that are strong and POM-POM", share_of_strong("POM-POM"),
+                   -1),
+        positive("share of all contacts that are strong and POM-HDPE: its greatest minus that at the smallest ratio",
+                 "first rises", mixed.rise),
+        positive("share of all contacts that are strong and POM-HDPE: its greatest minus that at the largest ratio",
+                 "then falls", mixed.fall),
+        positive("largest force of POM-POM over that of the other types, minus 1", "> 0",
+                 mean_over_seeds(results.runs(study), over_others("maximum")))};
+    for (Check& check : checks) check.draws = {{study, {}}};
+    return checks;
   };
   Judgement judgement;
   judgement.checks = asked(study_4);
-  if (std::isfinite(judgement.checks[2].ours.value))
-    judgement.ours = fmt::format("slopes {} and {}; largest force of POM-POM higher by {}", text_of(judgement.checks[0].ours),
-                                 text_of(judgement.checks[1].ours), text_of(judgement.checks[2].ours));
+  if (std::isfinite(judgement.checks[4].ours.value)) {
+    for (const char* type : {"POM-POM", "HDPE-HDPE", "HDPE-POM"}) {
+      const Series share = series(results, study_4, number_ratio(), share_of_strong(type));
+      if (share.empty()) continue;
+      judgement.ours +=
+          fmt::format("{} {} to {}, ", type, text_of(value_of(share.front())), text_of(value_of(share.back())));
+    }
+    judgement.ours += fmt::format("largest force of POM-POM higher by {}", text_of(judgement.checks[4].ours));
+  }
   judgement.checks.push_back(
       reported("mean force of POM-POM over the larger mean of the other types, minus 1", mean_over_seeds(results.runs(study_4), over_others(""))));
+  for (const char* type : {"POM-POM", "HDPE-HDPE", "HDPE-POM"})
+    judgement.checks.push_back(reported(
+        fmt::format("slope of the fraction of {} contacts above the mean of all contacts against the ratio", type),
+        slope(series(results, study_4, number_ratio(),
+                     fmt::format("force.by_type.{}.fraction_above_mean_of_all", type)))));
   add_beside(judgement, "under law R", asked("thesis-ch4-r"));
-  add_choices_of_ratios(judgement, results, "Fraction of HDPE-HDPE above the mean of the whole network", "force.by_type.HDPE-HDPE.fraction_above_mean_of_all",
-                        {{}, {}, wanted_positive()});
-  add_choices_of_ratios(judgement, results, "Fraction of POM-POM above the mean of the whole network", "force.by_type.POM-POM.fraction_above_mean_of_all",
-                        {{}, {}, wanted_negative()});
+  add_choices_of_ratios(judgement, results, "Share of all contacts that are strong and HDPE-HDPE",
+                        share_of_strong("HDPE-HDPE"), {{}, {}, wanted_positive()});
+  add_choices_of_ratios(judgement, results, "Share of all contacts that are strong and POM-POM",
+                        share_of_strong("POM-POM"), {{}, {}, wanted_negative()});
   return judgement;
 }
 

@@ -22,8 +22,8 @@ std::vector<Choice> choices_of(const std::string& usual_study, const Choice& fri
                               {{{"contact.friction", "0.6"}}, "with friction 0.6"},
                               {{{"contact.wall_friction", "0"}}, "with smooth walls"}};
   choices.insert(choices.end(), others.begin(), others.end());
-  choices.push_back({{}, "without a border", with_border(usual_study, narrow)});
-  choices.push_back({{}, "with a border of 5 diameters", with_border(usual_study, wide)});
+  choices.push_back({{}, "without a border", with_border(usual_study, narrow), Decider::reading});
+  choices.push_back({{}, "with a border of 5 diameters", with_border(usual_study, wide), Decider::reading});
   return choices;
 }
 
@@ -71,18 +71,19 @@ const std::vector<Choice>& with_two_stiffnesses() {
 }
 
 const std::vector<Choice>& with_glue() {
-  static const auto choices = choices_of("thesis-ch6", without_friction,
-                                         {
-                                             {{{"contact.friction_law", "regularised_coulomb"}}, "with law R"},
-                                             {{{"contact.restitution", "0.9"}}, "with restitution 0.9"},
-                                             {{{"contact.effective_radius", "sum"}}, "with r_eff = r_i + r_j"},
-                                             {{{"contact.effective_radius", "geometric_mean"}}, "with r_eff = 2 sqrt(r_i r_j)"},
-                                             {{{"contact.adhesion", "geometrical_breaking"}}, "with glue that breaks for good"},
-                                             {{{"stages.1.equilibrium.unbalanced", "1e-6"}}, "with a 100 times stricter equilibrium"},
-                                             {{{"stages.1.gravity", "false"}}, "without gravity"},
-                                             {{{"stages.1.bottom.force", "200"}}, "under 200 kN"},
-                                             {{{"stages.1.bottom.force", "4"}}, "under 4 kN"},
-                                         });
+  static const auto choices = choices_of(
+      "thesis-ch6", without_friction,
+      {
+          {{{"contact.friction_law", "regularised_coulomb"}}, "with law R"},
+          {{{"contact.restitution", "0.9"}}, "with restitution 0.9"},
+          {{{"contact.effective_radius", "sum"}}, "with r_eff = r_i + r_j", "", Decider::reading},
+          {{{"contact.effective_radius", "geometric_mean"}}, "with r_eff = 2 sqrt(r_i r_j)", "", Decider::reading},
+          {{{"contact.adhesion", "geometrical_breaking"}}, "with glue that breaks for good"},
+          {{{"stages.1.equilibrium.unbalanced", "1e-6"}}, "with a 100 times stricter equilibrium"},
+          {{{"stages.1.gravity", "false"}}, "without gravity"},
+          {{{"stages.1.bottom.force", "200"}}, "under 200 kN"},
+          {{{"stages.1.bottom.force", "4"}}, "under 4 kN"},
+      });
   return choices;
 }
 
@@ -135,6 +136,19 @@ void add_glue_choices(Judgement& judgement, const Results& results, const std::s
   const Choice usual{{}, "", "thesis-ch6"};
   add_sensitivity(judgement, what + ", with glue", usual, with_glue(), glued_by("1.060"), wanted);
   add_sensitivity(judgement, what + ", almost without glue", usual, with_glue(), glued_by("0.000001"), {});
+}
+
+void add_change_by_glue(Judgement& judgement, const Results& results, const std::string& what, const Number& number,
+                        const Wanted& wanted) {
+  const auto of = [&](const Choice& choice) {
+    const auto runs = [&](const char* energy) {
+      Where where{{"contact.surface_energy", energy}};
+      where.insert(where.end(), choice.where.begin(), choice.where.end());
+      return results.runs(choice.study.empty() ? "thesis-choices-glue" : choice.study, where);
+    };
+    return paired_change(runs("1.060"), runs("0.000001"), number);
+  };
+  add_sensitivity(judgement, what, {{}, "", "thesis-ch6"}, with_glue(), of, wanted);
 }
 
 void measure_with_other_borders(Results& results) {

@@ -24,6 +24,10 @@ void add_stiffness_change(Judgement& judgement, const Results& results, const st
 /// Of chapter 6, with glue and with next to none; something is wanted with glue only.
 void add_glue_choices(Judgement& judgement, const Results& results, const std::string& what, const Number& number, const Wanted& wanted = {});
 
+/// Of its change by glue, seed by seed in the same packings.
+void add_change_by_glue(Judgement& judgement, const Results& results, const std::string& what, const Number& number,
+                        const Wanted& wanted);
+
 /// Adds what the tables need of the states with other borders.
 void measure_with_other_borders(Results& results);
 

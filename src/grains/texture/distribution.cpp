@@ -100,6 +100,13 @@ void put_laws(Numbers& to, const std::vector<Estimate>& n, const statistics::Tai
   put(to, "beta2_over_product", n[relation], "", "beta^2/((1 - alpha)(2 - alpha)); 1 where T eq. 1.5 holds");
 }
 
+/// Of all contacts, the share that is strong and in the set.
+Estimate strong_share_of_all(const View& view, const Items& set) {
+  std::vector<double> counts(view.pairs().size(), 0.0);
+  for (const std::size_t c : set) counts[c] = view.strong(c);
+  return mean(view.contacts, view.contact_block, [&](std::size_t c) { return counts[c]; });
+}
+
 }  // namespace
 
 Numbers distribution(const Items& items, const std::vector<int>& block_of, const std::vector<double>& value, double mean_of_all, const DistributionNames& names,
@@ -138,8 +145,13 @@ void forces(const View& view, Texture& texture) {
   double mean_pull = 0;
   Numbers compressive = Numbers::tree(), tensile = Numbers::tree();
   for (const auto& [name, items] : sets) {
-    if (const Items pushing = kept(items, [&](std::size_t c) { return push[c] > 0; }); !pushing.empty())
-      place_of(name, compressive, "by_type").update(distribution(pushing, view.contact_block, push, view.mean_force, names, 1, view.level()));
+    if (const Items pushing = kept(items, [&](std::size_t c) { return push[c] > 0; }); !pushing.empty()) {
+      Numbers& set = place_of(name, compressive, "by_type");
+      set.update(distribution(pushing, view.contact_block, push, view.mean_force, names, 1, view.level()));
+      if (name != "all")
+        put(set, "strong_share_of_all", strong_share_of_all(view, items), "",
+            "Fraction of all contacts that are of the set and above the mean of all");
+    }
     const Items pulling = kept(items, [&](std::size_t c) { return pull[c] > 0; });
     if (pulling.empty()) continue;
     if (name == "all")

@@ -59,6 +59,15 @@ TEST(Checks, ADifferenceIsShownRefutedOrOpen) {
   EXPECT_EQ(differs("", "", {}, 0.02).outcome, Outcome::unknown);
 }
 
+TEST(Checks, ADifferenceIsNeverBothShownAndRefuted) {
+  const auto is_other = [](double value, double error) { return differs("", "", {value, error, 9}, 0.02).outcome; };
+  EXPECT_EQ(is_other(-0.048, 0.011), Outcome::holds);
+  EXPECT_EQ(is_other(-0.026, 0.013), Outcome::undecided) << "beyond the margin, and not yet beyond its error";
+  EXPECT_EQ(is_other(0.01, 0.001), Outcome::fails) << "surely not zero, and surely within the margin";
+  EXPECT_EQ(is_other(0.019, 0.003), Outcome::holds) << "surely not zero, and perhaps beyond the margin";
+  EXPECT_EQ(is_other(0, 0), Outcome::fails);
+}
+
 TEST(Checks, ToldBesideCountAndNameWhatFails) {
   Judgement judgement;
   add_beside(judgement, "under law R", {above("z", "", {4.2, 0.01, 4}, 4), above("rise", "", {}, 0), above("share", "", {0.1, 0.01, 4}, 0.5)});

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "report/figure_list.hpp"
 #include "validation/checks.hpp"
@@ -53,6 +54,16 @@ TEST(Verdict, IsUnknownWhileRunsAreMissingUnlessATrendFails) {
 
 TEST(Verdict, OfASourceThatContradictsItselfIsNeither) { EXPECT_EQ(of({{trend, fails}, {source, fails}}).verdict(), Verdict::source_inconsistent); }
 
+TEST(Verdict, OfWhatNoRunCanTestIsNeither) {
+  Judgement judgement = of({{beside, fails}});
+  judgement.untestable = "The positions are lost.";
+  EXPECT_EQ(judgement.verdict(), Verdict::not_testable);
+  EXPECT_EQ(decider_of(judgement), Decider::lost);
+  EXPECT_EQ(what_decides(judgement), "The positions are lost.");
+  judgement.checks[0].outcome = unknown;
+  EXPECT_EQ(judgement.verdict(), Verdict::unknown) << "there are no runs";
+}
+
 TEST(Verdict, DoesNotHangOnWhatIsToldBeside) {
   EXPECT_EQ(of({{trend, holds}, {beside, fails}, {beside, unknown}}).verdict(), Verdict::reproduced);
   EXPECT_EQ(of({{beside, holds}}).verdict(), Verdict::unknown);
@@ -60,10 +71,18 @@ TEST(Verdict, DoesNotHangOnWhatIsToldBeside) {
 
 TEST(WhatDecides, IsTheFactBeforeTheChoiceBeforeTheNumber) {
   Judgement judgement = of({{trend, fails}});
-  EXPECT_EQ(what_decides(judgement), "None of the choices tried meets the criterion. A number: 1.000 +- 0.010, required 0.9 to 1.1.");
-  Sensitivity z{"z", "> 2", {.low = 2}, {{"", {1, 0.1, 4}, fails}, {"without friction", {3, 0.1, 4}, holds}, {"with drag", {1.1, 0.1, 4}, fails}}};
+  EXPECT_EQ(what_decides(judgement),
+            "No other choices were tried for it. A number: 1.000 +- 0.010, required 0.9 to 1.1.");
+  Sensitivity z{"z", "> 2", {.low = 2}, {{"", {1, 0.1, 4}, fails}, {"with drag", {1.1, 0.1, 4}, fails}}};
   judgement.sensitivities = {z};
+  EXPECT_EQ(what_decides(judgement),
+            "None of the choices tried meets the criterion. A number: 1.000 +- 0.010, required 0.9 to 1.1.");
+  EXPECT_EQ(decider_of(judgement), Decider::none);
+  judgement.sensitivities[0].entries.push_back({"without friction", {3, 0.1, 4}, holds});
   EXPECT_EQ(what_decides(judgement), "z meets its criterion (> 2) without friction.");
+  EXPECT_EQ(decider_of(judgement), Decider::protocol);
+  judgement.sensitivities[0].entries.back().kind = Decider::reading;
+  EXPECT_EQ(decider_of(judgement), Decider::reading);
   judgement.decides = "The glue.";
   EXPECT_EQ(what_decides(judgement), "The glue.");
 }
@@ -71,7 +90,51 @@ TEST(WhatDecides, IsTheFactBeforeTheChoiceBeforeTheNumber) {
 TEST(WhatDecides, IsNoChoiceThatDiffersByChance) {
   Judgement judgement = of({{trend, undecided}});
   judgement.sensitivities = {{"z", "> 2", {.low = 2}, {{"", {2.05, 0.1, 4}, undecided}, {"without friction", {2.2, 0.05, 4}, holds}}}};
-  EXPECT_EQ(what_decides(judgement), "More samples are needed. A number: 1.000 +- 0.010, required 0.9 to 1.1.");
+  EXPECT_EQ(what_decides(judgement),
+            "About 1.0 times as many seeds would decide it. A number: 1.000 +- 0.010, required 0.9 to 1.1.");
+  EXPECT_EQ(decider_of(judgement), Decider::seeds);
+}
+
+TEST(WhatDecides, IsTheGridWhereGridsMoveANumberAcrossItsBound) {
+  Judgement judgement = of({{trend, undecided}});
+  const auto with = [&](Decider kind, double finer) {
+    judgement.sensitivities = {{"the mean in small grains",
+                                "< 1",
+                                {.high = 1},
+                                {{"", {1.002, 0.0015, 4}, undecided},
+                                 {"with 512 nodes", {0.976, 0.002, 4}, holds, kind},
+                                 {"with 2048 nodes", {finer, 0.002, 4}, finer > 1 ? fails : holds, kind}}}};
+    return decider_of(judgement);
+  };
+  EXPECT_EQ(with(Decider::protocol, 1.019), Decider::seeds)
+      << "more of them tell what holds with the reference settings";
+  EXPECT_EQ(with(Decider::grid, 0.98), Decider::seeds) << "no grid gives the other end";
+  EXPECT_EQ(with(Decider::grid, 1.019), Decider::grid);
+  EXPECT_EQ(what_decides(judgement),
+            "The grid decides it. The mean in small grains: 0.9760 +- 0.0020 with 512 nodes, 1.0020 +- 0.0015 with the "
+            "reference settings and 1.0190 +- 0.0020 with 2048 nodes, required < 1.");
+}
+
+TEST(WhatDecides, IsWhatTheDecidingCheckSaysOfItself) {
+  Judgement judgement = of({{trend, holds}, {number, fails}});
+  judgement.checks[1].decider = Decider::lost;
+  EXPECT_EQ(decider_of(judgement), Decider::lost);
+  EXPECT_EQ(decider_of(of({{trend, holds}, {source, fails}})), Decider::source);
+  EXPECT_EQ(decider_of(of({{trend, unknown}})), Decider::runs);
+  EXPECT_EQ(decider_of(of({{trend, holds}})), Decider::none);
+}
+
+TEST(WhatDecides, TellsHowManyTimesAsManySeedsItTakes) {
+  const auto factor = [](double value, double error, double freedom) {
+    return seeds_factor(above("", "", {value, error, freedom}, 0));
+  };
+  // Ten seeds: 0.037 +- 0.022 is beyond its error with 18 (0.037 over 0.0164 is 2.26 > t of 17 degrees of freedom,
+  // 2.11).
+  EXPECT_NEAR(factor(0.037, 0.022, 9), 1.6, 0.1);
+  EXPECT_NEAR(factor(-0.037, 0.022, 9), 1.6, 0.1) << "or fails with as many";
+  EXPECT_EQ(factor(3, 1, 9), 1) << "decided";
+  EXPECT_EQ(factor(0.001, 1, 9), most_times_seeds);
+  EXPECT_TRUE(std::isnan(factor(1, statistics::unknown, 0)));
 }
 
 TEST(WhatDecides, OfWhatIsReproducedIsTheChoiceThatSpoilsIt) {

@@ -28,15 +28,19 @@ Ledger three_claims() {
   Judgement open, rises;
   open.checks = {positive("k", "5", {})};
   rises.checks = {positive("rise of k", "rises", {0.2, 0.01, 4})};
-  return {{{"made-up", 4, 2}}, {{&first, judged}, {&second, open}, {&third, rises}}};
+  return {{{"made-up", 4, 2, "2026-01-30", "2026-01-31"}}, {{&first, judged}, {&second, open}, {&third, rises}}};
 }
 
 TEST(LedgerReport, TextHasVerdictsNumbersAndWhatDecides) {
   const std::string text = ledger_text(three_claims());
-  for (const char* part : {"2 of 4 runs done", "trend reproduced, numbers not: source 3|4 kN/mm, ours k: 3.500 +- 0.025 kN/mm\n",
-                           "  k|k meets its criterion (> 4) without friction.\n", "fails     k: 3.500 +- 0.025 kN/mm (source 3, required 3 +- 0.1; number)\n",
-                           "More of it would be better.", "  unknown: source 5, ours not known\n",
-                           "k|k (required > 4): 3.500 +- 0.025; without friction 5.00 +- 0.25 (holds)\n", "  figure: made-up/study.html#k\n"})
+  for (const char* part :
+       {"2 of 4 runs done",
+        "trend reproduced, numbers not (decided by: protocol): source 3|4 kN/mm, ours k: 3.500 +- 0.025 kN/mm\n",
+        "  k|k meets its criterion (> 4) without friction.\n",
+        "fails     k: 3.500 +- 0.025 kN/mm (source 3, required 3 +- 0.1; number)\n", "More of it would be better.",
+        "  unknown (decided by: missing runs): source 5, ours not known\n",
+        "k|k (required > 4): 3.500 +- 0.025; without friction 5.00 +- 0.25 (holds)\n",
+        "  figure: made-up/study.html#k\n"})
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
 }
 
@@ -49,6 +53,8 @@ TEST(LedgerReport, JsonHasNoNumberThatIsNotKnown) {
   EXPECT_EQ(j["T1"]["sensitivity"][0]["entries"].size(), 2u);
   EXPECT_EQ(j["T1"]["sensitivity"][0]["entries"][1]["outcome"], "holds");
   EXPECT_FALSE(j["T1"]["sensitivity"][1].contains("wanted"));
+  EXPECT_EQ(j["T1"]["decider"], "protocol");
+  EXPECT_EQ(j["T2"]["decider"], "missing runs");
   EXPECT_EQ(j["T2"]["verdict"], "unknown");
   EXPECT_FALSE(j["T2"]["checks"][0].contains("ours"));
 }
@@ -75,14 +81,19 @@ TEST(LedgerReport, VerdictsOfSmallStudiesAreNotTakenForTheLedger) {
 
 TEST(LedgerReport, ThePageHasOneRowAClaimAndSectionsOnlyForWhatIsNotReproduced) {
   const std::string page = ledger_page(three_claims(), "ledger");
-  EXPECT_NE(page.find("| [T1](#t1) | k is 3\\|4 | 3\\|4 kN/mm | k: 3.500 ± 0.025 kN/mm | trend reproduced, numbers not | k\\|k meets its criterion (> 4) "
+  EXPECT_NE(page.find("| [T1](#t1) | k is 3\\|4 | 3\\|4 kN/mm | k: 3.500 ± 0.025 kN/mm | trend reproduced, numbers not "
+                      "| protocol | k\\|k meets its criterion (> 4) "
                       "without friction. |\n"),
             std::string::npos)
       << page;
   EXPECT_NE(page.find("| T3 | k rises |"), std::string::npos) << page;
-  EXPECT_NE(page.find("\n### T1\n\n**trend reproduced, numbers not.** k is 3|4 (table 1; figure: `made-up/study.html#k`)."), std::string::npos) << page;
+  EXPECT_NE(page.find("\n### T1\n\n**trend reproduced, numbers not** (decided by: protocol). k is 3|4 (table 1; "
+                      "figure: `made-up/study.html#k`)."),
+            std::string::npos)
+      << page;
   EXPECT_EQ(page.find("### T3"), std::string::npos);
   EXPECT_NE(page.find("Runs are missing: `made-up` (2 of 4 runs done)."), std::string::npos) << page;
+  EXPECT_NE(page.find("| made-up | 2 of 4 runs done | 2026-01-30 to 2026-01-31 |\n"), std::string::npos) << page;
 }
 
 TEST(LedgerReport, ASectionHasOnlyChecksThatDoNotHoldAndOnePicture) {
@@ -97,9 +108,13 @@ TEST(LedgerReport, ASectionHasOnlyChecksThatDoNotHoldAndOnePicture) {
 
 TEST(LedgerReport, CsvHasAllChecksAndChoices) {
   const std::string csv = ledger_csv(three_claims());
-  EXPECT_EQ(csv.substr(0, csv.find('\n')), "claim,kind,what,choice,source,wanted,ours,error,freedom,unit,outcome");
-  for (const char* row : {"T1,number,k,,3,3 +- 0.1,3.5,0.025,4,kN/mm,fails\n", "T1,supplementary,\"k, under law R\",,3,< 4,9,0.5,4,,fails\n",
-                          "T1,choice,k|k,without friction,,> 4,5,0.25,2,,holds\n", "T1,choice,z,reference,,,4,,,,\n", "T2,trend,k,,5,> 0,,,,,unknown\n"})
+  EXPECT_EQ(csv.substr(0, csv.find('\n')),
+            "claim,kind,what,choice,source,wanted,ours,error,freedom,unit,outcome,decider");
+  for (const char* row : {"T1,claim,k is 3|4,,3|4 kN/mm,,,,,,\"trend reproduced, numbers not\",protocol\n",
+                          "T1,number,k,,3,3 +- 0.1,3.5,0.025,4,kN/mm,fails,\n",
+                          "T1,supplementary,\"k, under law R\",,3,< 4,9,0.5,4,,fails,\n",
+                          "T1,choice,k|k,without friction,,> 4,5,0.25,2,,holds,protocol\n",
+                          "T1,choice,z,reference,,,4,,,,,\n", "T2,trend,k,,5,> 0,,,,,unknown,\n"})
     EXPECT_NE(csv.find(row), std::string::npos) << row << "\n" << csv;
 }
 

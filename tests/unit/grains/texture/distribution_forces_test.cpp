@@ -56,6 +56,11 @@ TEST(Forces, ByTypeKnowTheirOwnMeanAndThatOfAll) {
   EXPECT_DOUBLE_EQ(value_of(t.numbers, "force/by_type/B-B/strong_share"), 0);
   EXPECT_DOUBLE_EQ(value_of(t.numbers, "force/by_type/B-B/fraction_above_mean_of_all"), 1);
   EXPECT_DOUBLE_EQ(value_of(t.numbers, "force/by_type/A-A/fraction_above_mean_of_all"), 0);
+  // The mean is 5/3: A-B and B-B are above, and their shares of all contacts add up to that of all.
+  EXPECT_DOUBLE_EQ(value_of(t.numbers, "force/by_type/A-A/strong_share_of_all"), 0);
+  EXPECT_DOUBLE_EQ(value_of(t.numbers, "force/by_type/A-B/strong_share_of_all"), 24.0 / 72);
+  EXPECT_DOUBLE_EQ(value_of(t.numbers, "force/by_type/B-B/strong_share_of_all"), 12.0 / 72);
+  EXPECT_DOUBLE_EQ(value_of(t.numbers, "force/strong_share"), 36.0 / 72);
   EXPECT_DOUBLE_EQ(value_of(t.numbers, "force/mean_N"), (36.0 * 1 + 24 * 2 + 12 * 3) / 72);
 }
 

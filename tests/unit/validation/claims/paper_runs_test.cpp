@@ -6,6 +6,7 @@
 
 #include "unit/validation/made_up_table.hpp"
 #include "validation/claims/paper_checks.hpp"
+#include "validation/claims/paper_errors.hpp"
 
 namespace arenite::validation {
 namespace {
@@ -95,8 +96,43 @@ TEST(PaperChecks, MembersArePairsWithTheFreedomOfTheirSamples) {
   const Family family = members(z(r, full));
   ASSERT_EQ(family.size(), 6u);
   EXPECT_EQ(family[1].name, "gamma 1, theta 6");
-  EXPECT_EQ(family[1].value.freedom, 2);
-  EXPECT_NEAR(overall(z(r, full)).freedom, 12, 1e-9);
+  EXPECT_EQ(family[1].value.freedom, 12) << "of six pairs together";
+  EXPECT_NEAR(overall(z(r, full)).freedom, 12, 1e-9) << "and no more in their mean";
+  EXPECT_EQ(slope(against_gamma(z(r, full), 6)).freedom, 12);
+  ASSERT_EQ(family[1].draws.size(), 1u);
+  EXPECT_EQ(family[1].draws[0], (Draw{"paper", {{"bidisperse.size_ratio", "1"}, {"bidisperse.volume_ratio", "6"}}}));
+}
+
+TEST(PaperErrors, AreOfOneVarianceWhereItIsOne) {
+  const auto even = results("z", [](double gamma, double theta, double, int seed) {
+    return noise({gamma, theta, 1.0 * seed});
+  });
+  double squares = 0;
+  for (const PairMean& m : z(even, full))
+    for (const Sample& s : m.samples) squares += std::pow(s.number - m.value.value, 2) / 12;
+  for (const PairMean& m : z(even, full)) {
+    EXPECT_NEAR(m.value.error, std::sqrt(squares / 3), 1e-12);
+    EXPECT_EQ(m.value.freedom, 12);
+  }
+}
+
+TEST(PaperErrors, AreOfThePairsOfOneGammaOrOfOnePairWhereTheyDiffer) {
+  // Samples scatter a hundred times as much at each greater gamma, and at gamma 5 also at each greater theta.
+  const auto wide = results("z", [](double gamma, double theta, double, int seed) {
+    return std::pow(100, gamma) * (gamma == 5 ? theta * theta * theta : 1) * noise({gamma, theta, 1.0 * seed});
+  });
+  const PairMeans means = z(wide, full);
+  for (const PairMean& m : means) EXPECT_EQ(m.value.freedom, m.gamma == 5 ? 2 : 4) << name_of(m);
+  EXPECT_EQ(means[0].value.error, means[1].value.error);
+}
+
+TEST(PaperErrors, OfALineHaveTheFreedomOfAllItsPackings) {
+  const auto line = results("z", [](double gamma, double theta, double width, int seed) {
+    return gamma + 0.1 * noise({gamma, theta, width, 1.0 * seed});
+  });
+  const Value r2 = straightness(z(line, full), 6, Against::gamma);
+  EXPECT_GT(r2.freedom, 2) << "three pairs of three samples are more than three samples";
+  EXPECT_LE(r2.freedom, 6 + 1e-9);
 }
 
 TEST(PaperChecks, ATrendWithGammaIsASlopeAtEveryTheta) {
