@@ -44,7 +44,7 @@ test:
 	@scripts/setup run python test bench fuzz docs
 	@$(COMMON) $(WITH_MODULE) -DARENITE_TESTS=ON -DARENITE_BENCH=ON >/dev/null
 	@ninja -C $(BUILD) -j $(JOBS)
-	@$(MAKE) --no-print-directory fuzz FUZZ_SECONDS=1
+	@$(MAKE) --no-print-directory fuzz FUZZ_FOR="-runs=2000 -seed=1"
 	@ctest --test-dir $(BUILD) -j $$(($(JOBS) + 1)) --timeout 1200 --output-on-failure  # some wait for a browser or a killed run
 
 bench:
@@ -60,16 +60,19 @@ peers:
 	@bench/peers/run $(BUILD)
 	@bench/peers/peridynamics $(BUILD)
 
-# Every fuzz target for FUZZ_SECONDS; inputs that reach new code gather in build-fuzz/found.
+# Every fuzz target for FUZZ_SECONDS; inputs that reach new code gather in build-fuzz/found. (The tests run as many inputs every time.)
 FUZZ_SECONDS ?= 60
+FUZZ_FOR ?= -max_total_time=$(FUZZ_SECONDS)
 fuzz:
 	@scripts/setup run fuzz
-	@cmake --preset fuzz >/dev/null
+	@[ -e $(BUILD)/CMakeCache.txt ] || $(COMMON) $(WITHOUT_MODULE) >/dev/null
+	@ninja -C $(BUILD) -j $(JOBS) arenite_core
+	@cmake --preset fuzz -DARENITE_LIBRARY=$(abspath $(BUILD))/libarenite.a >/dev/null
 	@cmake --build --preset fuzz -j $(JOBS)
 	@cd build-fuzz && for f in tests/fuzz/fuzz_*; do \
 	  what=$${f##*fuzz_}; mkdir -p found/$$what; \
 	  dict=../tests/fuzz/$$what.dict; [ -e $$dict ] && words=-dict=$$dict || words=; \
-	  $$f -max_total_time=$(FUZZ_SECONDS) -max_len=4096 -timeout=60 -detect_leaks=0 $$words \
+	  $$f $(FUZZ_FOR) -max_len=4096 -timeout=60 $$words \
 	    -artifact_prefix=found/$$what- found/$$what ../tests/fuzz/corpus/$$what > found/$$what.log 2>&1 \
 	    || { tail -60 found/$$what.log; echo "$$f found this, in build-fuzz/found"; exit 1; }; \
 	  echo "$$f: $$(tail -1 found/$$what.log)"; \

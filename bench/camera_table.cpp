@@ -156,7 +156,8 @@ bool row(const char* name, const std::vector<std::string>& changes, const Truth&
   const auto outcome = workflow::run_film(folder / "film.ptw", recipe::read_film_recipe((folder / "film.toml").string(), given), run);
   const Errors e = compare(truth, outcome.result);
   std::printf("| %s%s | %zu | %zu | %zu | %.3f | %.4f | %.4f | %.4f | %.1f | %.1f |\n", name, listed ? ", grains listed" : "", e.found, e.missed,
-              e.wrong_material, e.centres, e.stress.correlation, e.stress.rms_sigma_norm, e.stress.slope, 100 * e.normal, 100 * e.tangential);
+              e.wrong_material, e.centres, e.stress.relation.pearson.value, e.stress.rms_sigma_norm, e.stress.relation.line.slope, 100 * e.normal,
+              100 * e.tangential);
   std::fflush(stdout);
   return 10 * e.missed < e.found;
 }

@@ -60,7 +60,9 @@ def run_peers(build):
             ast.parse(script.read_text(), str(script))
     run(sys.executable, HERE / "peers" / "lockin_numpy.py", 200)
     run(sys.executable, HERE / "peers" / "run", build, 0)
-    run(sys.executable, HERE / "peers" / "peridynamics", build, 1, 64)
+    run("lmp", "-in", HERE / "peers" / "peridynamics.in", "-log", "none", "-var", "nodes", 16, "-var", "steps", 4)
+    if (build / "bench" / "peers" / "petsc_gamg").exists():
+        run(build / "bench" / "peers" / "petsc_gamg", 64, 2.5, 0.4)
 
 
 if __name__ == "__main__":

@@ -81,11 +81,12 @@ void write_polygons(const std::filesystem::path& folder, const std::string& name
 }  // namespace
 
 int main(int count, char** words) {
-  if (count != 2) {
-    std::fputs("usage: export_packing FOLDER\n", stderr);
+  if (count != 2 && count != 3) {
+    std::fputs("usage: export_packing FOLDER [walls]      (walls: the first packing alone)\n", stderr);
     return 2;
   }
   write_disks(words[1], "walls_4000", bench::walls_4000());
+  if (count == 3) return 0;
   write_disks(words[1], "periodic_100000", bench::periodic_100000());
   write_clumps(words[1], "clumps_4000", bench::clumps_4000());
   write_polygons(words[1], "polygons_4000", bench::polygons_4000());

@@ -98,6 +98,7 @@ class PointGrid {
 
  private:
   static Box<2> box_of(std::span<const Vec2> points) {
+    if (points.empty()) return {};
     const Rectangle box = bounds(points);
     return {{box.x_min, box.y_min}, {box.width(), box.height()}};
   }

@@ -157,7 +157,7 @@ void add_failure(Numbers& j, const recipe::Load& load, const peridynamics::Damag
   l["toughness_Pa_m0.5"] =
       described({{"matrix", k.matrix}, {"interface", k.interface}, {"particle", k.particle}}, "Pa m^0.5", "Fracture toughness of these bonds");
   if (load.strength.matrix || load.strength.interface || load.strength.particle) l["strength_Pa"] = limits(load.strength.resolved());
-  l["cracks_stay_open"] = load.cracks_stay_open;
+  l["cracks_stay_open"] = described(load.cracks_stay_open, "", "Whether faces that have parted do not push where they meet again");
   l.update({{"ending", peridynamics::damage_endings[static_cast<std::size_t>(result.ending)].word},
             {"solves", described(result.solves, "", "Static solutions")},
             {"iterations", described(result.iterations, "", "Iterations of the solver")}});

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double beyond_counts = 1.5;  // rims on a wall that one beyond it outweighs
 constexpr double clearly = 3;          // rim errors
-constexpr int rounds = 10;
+constexpr int wall_rounds = 10;
 
 /// How well a wall at this place, m inwards, fits gaps between rims and the wall as it was said to be.
 double support(const std::vector<double>& gaps, double at, double error, double reach) {
@@ -27,7 +27,7 @@ FittedWall fitted(const std::vector<double>& gaps, double error, double reach) {
   for (const double gap : gaps)
     if (const double here = support(gaps, gap, error, reach); std::abs(gap) < reach && here > best) best = here, wall.shift = gap;
   double squares = 0, weights = 0;
-  for (int round = 0; round < rounds; ++round) {
+  for (int round = 0; round < wall_rounds; ++round) {
     double sum = 0;
     squares = weights = 0, wall.touching = 0;
     for (const double gap : gaps) {
