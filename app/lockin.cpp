@@ -10,7 +10,7 @@
 #include "commands.hpp"
 #include "film_reading.hpp"
 #include "progress.hpp"
-#include "thermal/thermography/lost_frames.hpp"
+#include "thermal/thermography/blank_frames.hpp"
 #include "workflow/measure_film.hpp"
 
 namespace arenite::app {
@@ -65,7 +65,7 @@ Numbers numbers(const LockinMaps& m, const LockinArguments& a, const FilmInfo& f
       {"frequency_error_Hz", described(m.frequency_error, "Hz", "Its standard error; unknown where the film does not show the load")},
       {"method", a.nearest_bin ? "nearest_bin" : "least_squares"},
       {"frames", described(m.frames, "", "Frames used")},
-      {"lost_frames", described(m.lost, "", "Frames that hold no picture and are left out")},
+      {"blank_frames", described(m.blank, "", "Frames that hold no picture and are left out")},
       {"width", described(m.width, "", "Pixels along x")},
       {"height", described(m.height, "", "Pixels along y")},
       {"drift_order", described(m.drift_order, "", "Order of the polynomial that describes the drift of a pixel")},
@@ -123,7 +123,7 @@ int execute(LockinArguments& a) {
     return other_failure;
   }
   if (!a.out.empty()) write_maps(a.out, a.format, maps_of(maps, phase_in_degrees(maps)));
-  if (!maps.lost.empty()) print(stderr, "{}: {}\n", a.film, thermography::lost_frames_sentence(maps.lost));
+  if (!maps.blank.empty()) print(stderr, "{}: {}\n", a.film, thermography::blank_frames_sentence(maps.blank));
   if (!thermography::shows_load(maps)) print(stderr, "{}: {}\n", a.film, workflow::no_load_sentence(maps, maps.frequency, "--frequency"));
   else if (maps.other_frequency > 0)
     print(stderr, "{}: the amplitude is larger at {:.4g} Hz than at {:.6g} Hz, a multiple of it\n", a.film, maps.other_frequency, maps.frequency);

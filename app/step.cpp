@@ -6,7 +6,7 @@
 #include "film_reading.hpp"
 #include "print.hpp"
 #include "progress.hpp"
-#include "thermal/thermography/lost_frames.hpp"
+#include "thermal/thermography/blank_frames.hpp"
 #include "thermal/thermography/step_load.hpp"
 
 namespace arenite::app {
@@ -40,7 +40,7 @@ Numbers numbers(const thermography::StepMaps& m, const StepArguments& a, const F
            described(m.rise, "s", "Time for which the film shows the load on its way; frames in between are left out")},
           {"frames_before", described(m.before, "", "Frames used before the step")},
           {"frames_after", described(m.after, "", "Frames used after it")},
-          {"lost_frames", described(m.lost, "", "Frames that hold no picture and are left out")},
+          {"blank_frames", described(m.blank, "", "Frames that hold no picture and are left out")},
           {"width", described(m.width, "", "Pixels along x")},
           {"height", described(m.height, "", "Pixels along y")},
           {"drift_order",
@@ -71,7 +71,7 @@ int execute(StepArguments& a) {
     print(stderr, "stopped; nothing was stored\n");
     return other_failure;
   }
-  if (!maps.lost.empty()) print(stderr, "{}: {}\n", a.film, thermography::lost_frames_sentence(maps.lost));
+  if (!maps.blank.empty()) print(stderr, "{}: {}\n", a.film, thermography::blank_frames_sentence(maps.blank));
   for (const std::string& doubt : maps.doubts) print(stderr, "{}: {}\n", a.film, doubt);
   if (!a.out.empty()) write_maps(a.out, a.format, maps_of(maps));
   const Numbers found = numbers(maps, a, film->info());

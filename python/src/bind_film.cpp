@@ -60,7 +60,7 @@ py::dict stepped(const FilmLike& film, const std::optional<Quantity>& time, cons
   d["jump"] = map(maps.jump);
   d["standard_error"] = map(maps.standard_error);
   d["residual"] = map(maps.residual);
-  d["lost_frames"] = maps.lost;
+  d["blank_frames"] = maps.blank;
   return d;
 }
 
@@ -182,7 +182,7 @@ void bind_film(py::module_& m) {
   m.def("step_load", &stepped, py::arg("film"), py::kw_only(), py::arg("time") = py::none(), py::arg("rise") = 0.0, py::arg("window") = 0.0,
         py::arg("drift_order") = 1, py::arg("frame_rate") = 0.0,
         "The jump of every pixel at a step of the load (s after the first frame; found on the film if not given): time (s), jump, standard_error, residual "
-        "(height, width), in the film's unit; lost_frames, which hold no picture and were left out.");
+        "(height, width), in the film's unit; blank_frames, which hold no picture and were left out.");
   m.def("film_info", &film_info, py::arg("path"), "Metadata of a film: width, height, frames, frame_rate (Hz), integration (s), bits, format, camera.");
   m.def("read_film", &film_frames, py::arg("path"), py::arg("first") = 0, py::arg("count") = 1,
         "Frames of a film as an array (frames, height, width), top row first.");

@@ -118,7 +118,7 @@ struct LockinMaps {
   double frequency_error = 0;          ///< standard error, Hz
   double reference_phase = 0;          ///< rad
   std::size_t frames = 0;              ///< used
-  std::vector<std::int64_t> lost;      ///< frames of the film that hold no picture and were left out
+  std::vector<std::int64_t> blank;      ///< frames of the film that hold no picture and were left out
   double noise_ratio = 1;              ///< variance of the noise at the load's frequency over what the residual would be there if it were white
   /// How often noise alone has as much amplitude in one phase as the pixels have at this frequency; NaN: unknown.
   double chance = std::numeric_limits<double>::quiet_NaN();
@@ -126,6 +126,9 @@ struct LockinMaps {
   double one_phase = std::numeric_limits<double>::quiet_NaN();
   double other_frequency = 0;          ///< Hz, at which the film oscillates where the load's frequency shows nothing; 0: none
   int drift_order = 0, harmonics = 1;  ///< that were fitted
+  std::size_t lost_frames = 0;         ///< that no time stamp shows, but the phase of the load does
+  std::vector<double> time;  ///< of all frames where some were lost so, s after the first; else as the film says
+  std::vector<std::string> disturbances;  ///< what the film shows beside the load and its drift, each a sentence
   AmplitudeConvention convention = AmplitudeConvention::amplitude;  ///< of every amplitude below
   std::vector<float> mean;                                          ///< at the middle of the film
   std::vector<float> drift;                                         ///< slope of the mean, unit/s

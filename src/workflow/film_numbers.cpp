@@ -43,7 +43,7 @@ Numbers film_of(const FilmResult& r) {
 Numbers lockin_of(const FilmResult& r) {
   const LockinMaps& m = r.maps;
   Numbers j{{"convention", name_of(m.convention)}, {"frames", described(m.frames, "", "Frames of whole cycles")}};
-  j["lost_frames"] = described(m.lost, "", "Frames that hold no picture and are left out");
+  j["blank_frames"] = described(m.blank, "", "Frames that hold no picture and are left out");
   put(j, "frequency_Hz", Estimate{m.frequency, m.frequency_error}, "Hz", "Frequency of the load");
   put(j, "reference_phase_deg", m.reference_phase * 180 / std::numbers::pi, "deg", "Phase of the load at the first frame");
   put(j, "standard_error_K", median_of_finite(m.standard_error), "K", "Median standard error of a pixel's amplitude");

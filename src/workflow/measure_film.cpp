@@ -11,7 +11,7 @@
 #include "thermal/imaging/fitted_walls.hpp"
 #include "thermal/thermography/grain_motion.hpp"
 #include "thermal/thermography/halo.hpp"
-#include "thermal/thermography/lost_frames.hpp"
+#include "thermal/thermography/blank_frames.hpp"
 #include "thermal/thermography/phase_pictures.hpp"
 
 namespace arenite::workflow {
@@ -58,7 +58,7 @@ class Measurement {
     r.maps = recipe_.lockin.method == recipe::LockinSection::Method::nearest_bin ? thermography::nearest_bin_transform(film, options)
                                                                                  : thermography::lock_in(film, options);
     if (r.maps.size() == 0) return false;
-    if (!r.maps.lost.empty()) options_.notice(thermography::lost_frames_sentence(r.maps.lost));
+    if (!r.maps.blank.empty()) options_.notice(thermography::blank_frames_sentence(r.maps.blank));
     refuse_without_load(r.maps, recipe_.lockin.frequency);
     refuse_impossible(recipe_, r.maps);
     return true;

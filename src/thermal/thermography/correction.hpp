@@ -18,7 +18,7 @@ struct FrameStatistics {
                              ///< frames that follow each other, which neither drift nor rims that move with a load touch; 0
                              ///< for one frame, and half the square of the difference of two
   std::vector<float> least, most;
-  std::vector<std::int64_t> lost = {};  ///< frames that hold no picture (lost_frames.hpp)
+  std::vector<std::int64_t> blank = {};  ///< frames that hold no picture (blank_frames.hpp)
 };
 
 /// Of at most `most_frames` frames from the first on, 0 for all; read some at a time.

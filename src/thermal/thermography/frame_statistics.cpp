@@ -7,7 +7,7 @@
 
 #include "core/mapped.hpp"
 #include "core/median.hpp"
-#include "thermal/thermography/lost_frames.hpp"
+#include "thermal/thermography/blank_frames.hpp"
 
 namespace arenite::thermography {
 namespace {
@@ -88,7 +88,7 @@ FrameStatistics frame_statistics(FilmSource& film, std::size_t most_frames) {
   std::vector<double> sum(n), differences(n);
   std::vector<float> before(n, std::numeric_limits<float>::quiet_NaN()), earlier = before;
   std::vector<std::uint32_t> count(n), steps(n);
-  LostFrames lost;
+  BlankFrames lost;
   read_frames(film, 0, s.frames, [&](const auto* pixel, std::size_t, std::size_t some) {
     for (std::size_t k = 0; k < some; ++k, pixel += n) {
       lost.see(pixel, n);
@@ -108,7 +108,7 @@ FrameStatistics frame_statistics(FilmSource& film, std::size_t most_frames) {
     }
     return true;
   });
-  s.lost = lost.all();
+  s.blank = lost.all();
   for (std::size_t i = 0; i < n; ++i) {
     if (count[i] == 0) continue;
     s.mean[i] = static_cast<float>(sum[i] / count[i]);

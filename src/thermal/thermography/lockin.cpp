@@ -12,6 +12,7 @@
 #include "core/problems.hpp"
 #include "statistics/correlation.hpp"
 #include "statistics/least_squares.hpp"
+#include "thermal/thermography/blank_frames.hpp"
 #include "thermal/thermography/harmonic_fit.hpp"
 #include "thermal/thermography/lost_frames.hpp"
 #include "thermal/thermography/refine_frequency.hpp"
@@ -102,19 +103,48 @@ bool may_lack_frames(const SegmentSums& s) {
   return false;
 }
 
-LockinMaps locked_in(FilmSource& film, const LockinOptions& o, std::vector<double> time, int harmonics) {
+/// Sentences for a film without time stamps in whose segments the phase of the load wanders.
+void tell_wander(const LoadPhases& phases, const std::vector<LostFrames>& lost, LockinMaps& maps) {
+  if (!lost.empty()) {
+    for (const LostFrames& each : lost) maps.lost_frames += each.count;
+    maps.disturbances.push_back(
+        fmt::format("{} frames are missing at {} places though no time stamp shows it: only so the load has one "
+                    "frequency; frames are given the times that they then have",
+                    maps.lost_frames, lost.size()));
+    return;
+  }
+  constexpr double steady = 0.1;  // rad, which takes half a per cent from amplitudes
+  if (phases.wander < std::max(steady, 4 * phases.noise)) return;
+  maps.disturbances.push_back(
+      fmt::format("the phase of the load wanders by {:.2g} deg over the film: its frequency is not steady, or frames "
+                  "were lost; amplitudes are about {:.2g} % too small",
+                  phases.wander * 180 / std::numbers::pi, 100 * (1 - std::exp(-phases.wander * phases.wander / 2))));
+}
+
+/// `lost` are the losses that the times allow for already.
+LockinMaps locked_in(FilmSource& film, const LockinOptions& o, std::vector<double> time, int harmonics,
+                     const std::vector<LostFrames>& lost = {}) {
   const ThreadPool pool(o.threads);
   SegmentSums sums = sum_segments(film, std::move(time), o.frequency, harmonics, o.drift_order, pool, o.progress);
   if (sums.sums.empty()) return {};
   if (may_lack_frames(sums))
-    if (const auto lost = lost_frames(film); !lost.empty()) {
-      FilmWithout kept(film, lost, sums.time);
+    if (const auto blank = blank_frames(film); !blank.empty()) {
+      FilmWithout kept(film, blank, sums.time);
       sums = {};
       LockinMaps maps = locked_in(kept, o, kept.info().time, possible_harmonics(kept.info().time, o));
-      maps.lost = lost;
+      maps.blank = blank;
       return maps;
     }
   refuse_constant(sums);
+  LoadPhases phases;
+  if (o.refine && film.info().time.empty() && lost.empty()) {
+    phases = load_phases(sums);
+    constexpr double in_step = 0.003, by_noise = 1.7;  // rad; of sixteen segments or more, once in some thousand films
+    if (phases.wander > std::max(in_step, by_noise * phases.noise))
+      if (const auto found = find_lost_frames(film, sums, phases, o.progress); !found.empty())
+        return locked_in(film, o, times_with_losses(sums.time.size(), sums.time[1] - sums.time[0], found), harmonics,
+                         found);
+  }
   std::optional<FrequencyFit> refined;
   if (o.refine) refined = refine_frequency(sums, o.drift_order, pool);
   LockinMaps maps;
@@ -125,6 +155,8 @@ LockinMaps locked_in(FilmSource& film, const LockinOptions& o, std::vector<doubl
   maps.drift_order = o.drift_order;
   maps.harmonics = harmonics;
   maps.convention = o.convention;
+  tell_wander(phases, lost, maps);
+  if (!lost.empty()) maps.time = sums.time;
   const HarmonicFit fit = harmonic_fit(sums, maps.frequency, o.drift_order, false);
   refuse_too_few_cycles(fit, sums);
   judge_amplitude(sums, fit, refined, maps);

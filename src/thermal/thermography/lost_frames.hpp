@@ -1,46 +1,37 @@
 #pragma once
-#include <cstdint>
-#include <string>
+#include <cstddef>
+#include <functional>
 #include <vector>
 
-#include "model/film.hpp"
+#include "thermal/thermography/harmonic_fit.hpp"
 
 namespace arenite::thermography {
 
-/// Frames that hold no picture, as programs fill in for those that a camera lost: more than a hundredth of the pixels are no
-/// finite numbers there and are in other frames, or all levels are 0. None in a film that has no picture at all.
-class LostFrames {
- public:
-  /// The next frame.
-  void see(const float* frame, std::size_t pixels);
-  void see(const std::uint16_t* frame, std::size_t pixels);
-  /// Of all that were seen, counted from 0.
-  std::vector<std::int64_t> all() const;
-
- private:
-  std::vector<std::size_t> missing_;  ///< pixels, by frame
-  std::size_t pixels_ = 0;
+/// Frames that were lost right before one of the film.
+struct LostFrames {
+  std::size_t frame = 0, count = 0;
 };
 
-/// Those of a film, which is read once.
-std::vector<std::int64_t> lost_frames(FilmSource& film);
-
-/// "frame 40 holds no picture and was left out"; empty without frames.
-std::string lost_frames_sentence(const std::vector<std::int64_t>& frames);
-
-/// A film without some of its frames. The others keep the times that they have.
-class FilmWithout : public FilmSource {
- public:
-  /// `film` must outlive it; `time` is that of all its frames (frame_times), `lost` rises.
-  FilmWithout(FilmSource& film, const std::vector<std::int64_t>& lost, const std::vector<double>& time);
-  const FilmInfo& info() const override { return info_; }
-  void read(std::int64_t first, std::size_t count, FrameBlock& block) override;
-
- private:
-  FilmSource& film_;
-  FilmInfo info_;
-  std::vector<std::int64_t> kept_;  ///< numbers of its frames in the whole film
-  FrameBlock part_;
+/// What the phases of the load in the segments of a film show of the times of its frames.
+struct LoadPhases {
+  double wander = 0;               ///< root mean square of their distance from a straight line over time, rad
+  double noise = 0;                ///< of it by the pixels' own noise
+  std::vector<double> segment;     ///< rad, that the load has gone by there; unwrapped
+  std::vector<std::size_t> pixel;  ///< some pixels, and
+  std::vector<double> weight;      ///< by which their values add up to the load's signal, free of what all of them share
 };
+
+/// Of a film whose segments show the load each by itself; nothing of one whose segments do not.
+LoadPhases load_phases(const SegmentSums& sums);
+
+/// Where frames of an even film were lost: the losses by which the signal of the load, weighed as `phases` say, has one
+/// frequency of the band in which that of the load is sought. They are found where they, and nothing else, make it so: a
+/// load whose own frequency wanders has none. A loss of more than half a cycle is taken for the shortest that fits.
+/// Film and sums are those of the same frames; empty if none were found, or `progress` stopped it.
+std::vector<LostFrames> find_lost_frames(FilmSource& film, const SegmentSums& sums, const LoadPhases& phases,
+                                         const Progress& progress);
+
+/// Times of frames that follow each other after `interval` (s) but where some were lost.
+std::vector<double> times_with_losses(std::size_t frames, double interval, const std::vector<LostFrames>& lost);
 
 }  // namespace arenite::thermography

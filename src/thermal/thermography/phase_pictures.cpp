@@ -5,7 +5,7 @@
 
 #include "core/threads.hpp"
 #include "thermal/thermography/harmonic_fit.hpp"
-#include "thermal/thermography/lost_frames.hpp"
+#include "thermal/thermography/blank_frames.hpp"
 
 namespace arenite::thermography {
 namespace {
@@ -162,9 +162,10 @@ void spline_coefficients(float* picture, int width, int height) {
 }
 
 PhasePictures phase_pictures(FilmSource& film, const LockinMaps& maps, const LockinOptions& options, std::size_t parts) {
-  const std::vector<double> time = frame_times(film.info(), options.frame_rate);
-  if (maps.lost.empty()) return sorted_pictures(film, time, maps, options, parts);
-  FilmWithout kept(film, maps.lost, time);
+  const bool stored = maps.blank.empty() && !maps.time.empty();
+  const std::vector<double> time = stored ? maps.time : frame_times(film.info(), options.frame_rate);
+  if (maps.blank.empty()) return sorted_pictures(film, time, maps, options, parts);
+  FilmWithout kept(film, maps.blank, time);
   return sorted_pictures(kept, kept.info().time, maps, options, parts);
 }
 

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/median.hpp"
+#include "thermal/thermography/segment_phasors.hpp"
 
 namespace arenite::thermography {
 namespace {
@@ -15,42 +16,10 @@ using statistics::Matrix;
 
 constexpr double turn = 2 * std::numbers::pi;
 
-/// Numbers by which the sums of segment k give its phasor by least squares on its mean and harmonics: columns cos, sin.
-Matrix own_fit(const SegmentSums& s, std::size_t k) {
-  const Matrix g = pass_weights(s, k), normal = times_transposed(g, g);
-  return solve(normal, statistics::identity(g.rows(), g.rows())).part(1, 2);
-}
-
-/// Phasor of one pixel in every segment, over its spread, so that a wild pixel does not speak for all: cosines and then minus sines in column `at`,
-/// sines and then cosines in the next, by which the pixel's phasor at some frequency has a real and an imaginary part.
-bool phasors_of(const SegmentSums& s, const std::vector<Matrix>& fits, std::size_t p, Matrix& phasors, std::size_t at) {
-  const SegmentView view = s.view();
-  const float* plane = view.sums + view.at(p, 0, 0);
-  const std::size_t segments = s.segments();
-  double spread = 0, power = 0;
-  for (std::size_t k = 0; k < segments; ++k, plane += view.planes * chunk) {
-    double c = 0, sn = 0;
-    for (std::size_t m = 0; m <= s.functions; ++m) {
-      const auto v = static_cast<double>(plane[m * chunk]);
-      c += fits[k](m, 0) * v, sn += fits[k](m, 1) * v;
-    }
-    const auto sum = static_cast<double>(plane[0]);
-    spread += static_cast<double>(plane[(s.functions + 1) * chunk]) - sum * sum / s.frames_of(k);
-    c *= s.frames_of(k), sn *= s.frames_of(k);
-    power += c * c + sn * sn;
-    phasors(k, at) = phasors(segments + k, at + 1) = c;
-    phasors(k, at + 1) = sn;
-    phasors(segments + k, at) = -sn;
-  }
-  if (!(spread > 0) || !std::isfinite(spread) || !std::isfinite(power)) return false;
-  for (double* each = phasors.column(at); each != phasors.column(at + 2); ++each) *each /= std::sqrt(spread);
-  return true;
-}
-
 /// Form by which cosines, then sines, of a frequency at the middles of all segments give its power.
 Matrix products(const SegmentSums& s) {
   std::vector<Matrix> fits;
-  for (std::size_t k = 0; k < s.segments(); ++k) fits.push_back(own_fit(s, k));
+  for (std::size_t k = 0; k < s.segments(); ++k) fits.push_back(segment_fit(s, k));
   Matrix sum(2 * s.segments(), 2 * s.segments()), phasors(2 * s.segments(), 2 * chunk);
   for_some_chunks(s, 64, [&](std::size_t begin, std::size_t count) {
     std::size_t used = 0;
@@ -61,9 +30,6 @@ Matrix products(const SegmentSums& s) {
   });
   return sum;
 }
-
-/// Whether segments are long enough, one and a half cycles, to show the load each by itself.
-bool segments_show_load(const SegmentSums& s) { return s.frequency * (s.time.back() - s.time.front()) >= 1.5 * static_cast<double>(s.segments()); }
 
 /// Where the phasors of the segments, each by itself, are most in step: the frequency of the band to about a tenth of a
 /// cycle over the film. Looks at some thousand pixels.

@@ -5,7 +5,7 @@
 
 #include "core/problems.hpp"
 #include "thermal/thermography/harmonic_fit.hpp"
-#include "thermal/thermography/lost_frames.hpp"
+#include "thermal/thermography/blank_frames.hpp"
 #include "thermal/thermography/step_doubts.hpp"
 #include "thermal/thermography/step_sides.hpp"
 
@@ -147,10 +147,10 @@ StepMaps step_load(FilmSource& film, const StepOptions& o) {
   });
   if (stopped) return {};
   if (may_lack_frames(some))
-    if (const auto lost = lost_frames(film); !lost.empty()) {
+    if (const auto lost = blank_frames(film); !lost.empty()) {
       FilmWithout kept(film, lost, time);
       StepMaps maps = step_load(kept, o);
-      maps.lost = lost;
+      maps.blank = lost;
       return maps;
     }
   const Matrix series = changing_pixels(some);

@@ -2,180 +2,91 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <limits>
-#include <span>
+#include <cmath>
+#include <numeric>
 
-#include "core/error.hpp"
-#include "support/oscillating_film.hpp"
-#include "support/pictures.hpp"
-#include "thermal/thermography/correction.hpp"
+#include "support/disturbed_film.hpp"
 #include "thermal/thermography/lockin.hpp"
-#include "thermal/thermography/phase_pictures.hpp"
-#include "thermal/thermography/step_load.hpp"
 
-namespace arenite::thermography {
 namespace {
+using namespace arenite;
+using namespace arenite::thermography;
 
-constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
-
-LockinOptions at_3_hz() {
-  LockinOptions o;
-  o.frequency = 3;
-  return o;
+LockinMaps locked(const test::DisturbedFilm& of) {
+  Film film = of.draw();
+  LockinOptions options;
+  options.frequency = 3;
+  options.reference_phase = of.phase;
+  return lock_in(film, options);
 }
 
-Film noisy_film() {
-  test::OscillatingFilm film;
-  film.noise = 0.05;
-  return film.draw();
+/// Root mean square of the pixels' errors over those that are told.
+double errors(const test::DisturbedFilm& of, const LockinMaps& maps) {
+  double square = 0;
+  for (std::size_t p = 0; p < maps.size(); ++p)
+    square += std::pow((static_cast<double>(maps.in_phase[p]) - of.amplitude(p)) / static_cast<double>(maps.standard_error[p]), 2);
+  return std::sqrt(square / static_cast<double>(maps.size()));
 }
 
-float* frame_of(Film& film, std::size_t n) { return film.value.data() + n * film.about.pixels(); }
+std::string all_of(const std::vector<std::string>& sentences) { return std::accumulate(sentences.begin(), sentences.end(), std::string()); }
 
-/// The film as if these frames had never been taken, with the times of the others as stamps.
-Film without(const Film& film, const std::vector<std::int64_t>& lost) {
-  Film left = film;
-  left.value.clear();
-  left.level.clear();
-  for (std::int64_t n = 0; n < film.about.frames; ++n) {
-    if (std::ranges::count(lost, n) > 0) continue;
-    const auto first = n * static_cast<std::ptrdiff_t>(film.about.pixels()), end = first + static_cast<std::ptrdiff_t>(film.about.pixels());
-    if (film.about.floating) left.value.insert(left.value.end(), film.value.begin() + first, film.value.begin() + end);
-    else left.level.insert(left.level.end(), film.level.begin() + first, film.level.begin() + end);
-    left.about.time.push_back(static_cast<double>(n) / film.about.frame_rate);
-  }
-  left.about.frames = static_cast<std::int64_t>(left.about.time.size());
-  return left;
-}
-
-void expect_same(const LockinMaps& maps, const LockinMaps& right) {
-  EXPECT_EQ(maps.frequency, right.frequency);
-  EXPECT_EQ(maps.frames, right.frames);
-  EXPECT_EQ(maps.in_phase, right.in_phase);
-  EXPECT_EQ(maps.residual, right.residual);
-  EXPECT_EQ(maps.chance, right.chance);
-}
-
-TEST(LostFrames, AmplitudesAreThoseOfTheOtherFrames) {
-  const Film whole = noisy_film();
-  const std::vector<std::vector<std::int64_t>> cases = {{0}, {40}, {0, 1, 400, 799}};
-  for (const auto& lost : cases) {
-    Film holed = whole, left = without(whole, lost);
-    for (const auto n : lost) std::fill_n(frame_of(holed, static_cast<std::size_t>(n)), holed.about.pixels(), nothing);
-    const LockinMaps maps = lock_in(holed, at_3_hz());
-    expect_same(maps, lock_in(left, at_3_hz()));
-    EXPECT_EQ(maps.lost, lost);
-    EXPECT_TRUE(shows_load(maps));
-    const auto pictures = phase_pictures(holed, maps, at_3_hz()), right = phase_pictures(left, lock_in(left, at_3_hz()), at_3_hz());
-    EXPECT_EQ(pictures.spline, right.spline);
-    LockinOptions plain = at_3_hz();
-    EXPECT_NEAR(nearest_bin_transform(holed, plain).amplitude[7], maps.amplitude[7], 0.1);
+TEST(LostFrames, AreFoundByThePhaseOfTheLoadAndTold) {
+  for (const std::uint64_t seed : {1U, 2U}) {
+    test::DisturbedFilm of;
+    of.seed = seed;
+    of.lost = test::DisturbedFilm::some_of(of.frames, 0.027, seed);
+    const LockinMaps maps = locked(of);
+    EXPECT_NEAR(static_cast<double>(maps.lost_frames), static_cast<double>(of.lost.size()), 2) << seed;
+    EXPECT_NEAR(maps.frequency, of.frequency, 4 * maps.frequency_error) << seed;
+    EXPECT_LT(maps.frequency_error, 0.0005);
+    EXPECT_LT(errors(of, maps), 1.15) << seed;
+    EXPECT_NE(all_of(maps.disturbances).find("frames are missing"), std::string::npos);
+    EXPECT_EQ(maps.time.size(), maps.frames);
   }
 }
 
-TEST(LostFrames, OfLevelsAreZeros) {
-  test::OscillatingFilm film;
-  film.noise = 0.05;
-  Film holed = film.levels(100);
-  Film left = without(holed, {5, 6});
-  std::fill_n(holed.level.begin() + static_cast<std::ptrdiff_t>(5 * holed.about.pixels()), 2 * holed.about.pixels(), std::uint16_t{0});
-  const LockinMaps maps = lock_in(holed, at_3_hz());
-  expect_same(maps, lock_in(left, at_3_hz()));
-  EXPECT_EQ(maps.lost, (std::vector<std::int64_t>{5, 6}));
-}
-
-TEST(LostFrames, AFrameThatCameInPartIsLostAndADeadPixelIsNot) {
-  Film film = noisy_film();
-  const std::size_t pixels = film.about.pixels();
-  for (std::size_t n = 0; n < 800; ++n) frame_of(film, n)[3] = nothing;  // dead
-  std::fill_n(frame_of(film, 70) + 2 * pixels / 3, pixels / 3, nothing);
-  EXPECT_EQ(lost_frames(film), std::vector<std::int64_t>{70});
-  const LockinMaps maps = lock_in(film, at_3_hz());
-  EXPECT_EQ(maps.lost, std::vector<std::int64_t>{70});
-  for (std::size_t p = 0; p < pixels; ++p) EXPECT_EQ(std::isfinite(maps.amplitude[p]), p != 3) << p;
-  EXPECT_TRUE(shows_load(maps));
-}
-
-TEST(LostFrames, AFilmWithoutAnyNumberShowsNothing) {
-  Film film = noisy_film();
-  std::ranges::fill(film.value, nothing);
-  EXPECT_TRUE(lost_frames(film).empty());
-  EXPECT_NE(test::complaint([&] { lock_in(film, at_3_hz()); }).find("not a number"), std::string::npos);
-  EXPECT_NE(test::complaint([&] { nearest_bin_transform(film, at_3_hz()); }).find("not a number"), std::string::npos);
-  EXPECT_NE(test::complaint([&] { step_load(film, {}); }).find("not a number"), std::string::npos);
-  EXPECT_FALSE(shows_load(LockinMaps{}));
-}
-
-TEST(LostFrames, PixelsThatFailInTurnGiveNoCertainty) {
-  test::OscillatingFilm wide;
-  wide.width = 40, wide.height = 30, wide.noise = 0.05;
-  Film film = wide.draw();
-  const std::size_t pixels = film.about.pixels();
-  for (std::size_t n = 0; n < 800; ++n)
-    for (std::size_t k = 0; k < 2; ++k) frame_of(film, n)[(2 * n + k) % pixels] = nothing;  // every pixel fails once
-  EXPECT_TRUE(lost_frames(film).empty());
-  EXPECT_THROW(lock_in(film, at_3_hz()), InputError);
-}
-
-TEST(LostFrames, AStepIsThatOfTheOtherFrames) {
-  test::OscillatingFilm still;
-  still.amplitude = 0, still.noise = 0.05, still.frames = 300, still.rate = 100;
-  Film whole = still.draw();
-  for (std::size_t n = 150; n < 300; ++n)
-    for (std::size_t p = 0; p < whole.about.pixels(); ++p) frame_of(whole, n)[p] += 2;
-  Film holed = whole, left = without(whole, {10, 200});
-  for (const std::size_t n : {10, 200}) std::fill_n(frame_of(holed, n), holed.about.pixels(), nothing);
-  const StepMaps maps = step_load(holed, {}), right = step_load(left, {});
-  EXPECT_EQ(maps.lost, (std::vector<std::int64_t>{10, 200}));
-  EXPECT_EQ(maps.jump, right.jump);
-  EXPECT_EQ(maps.standard_error, right.standard_error);
-  EXPECT_NEAR(maps.jump[4], 2, 0.05);
-}
-
-TEST(LostFrames, StatisticsAreOfTheNumbersThatAreThere) {
-  Film film = noisy_film();
-  Film left = without(film, {3});
-  std::fill_n(frame_of(film, 3), film.about.pixels(), nothing);
-  for (std::size_t n = 0; n < 800; ++n) frame_of(film, n)[5] = nothing;
-  const FrameStatistics seen = frame_statistics(film), right = frame_statistics(left);
-  EXPECT_EQ(seen.lost, std::vector<std::int64_t>{3});
-  for (std::size_t p = 0; p < film.about.pixels(); ++p) {
-    if (p == 5) {
-      EXPECT_TRUE(std::isnan(seen.mean[p]) && std::isnan(seen.least[p]) && std::isnan(seen.noise[p]));
-      continue;
-    }
-    EXPECT_EQ(seen.mean[p], right.mean[p]);
-    EXPECT_EQ(seen.most[p], right.most[p]);
-    EXPECT_NEAR(seen.noise[p], right.noise[p], 0.01 * static_cast<double>(right.noise[p]));
+TEST(LostFrames, OneLossOfSomeFramesIsFound) {
+  for (const std::size_t count : {1U, 4U, 20U}) {
+    test::DisturbedFilm of;
+    for (std::size_t n = 0; n < count; ++n) of.lost.push_back(700 + n);
+    const LockinMaps maps = locked(of);
+    EXPECT_EQ(maps.lost_frames, count);
+    EXPECT_NEAR(maps.frequency, of.frequency, 4 * maps.frequency_error) << count;
+    EXPECT_LT(errors(of, maps), 1.15) << count;
   }
-  const auto bad = find_bad_pixels(seen);
-  EXPECT_NE(bad[5] & bad_level, 0);
-  EXPECT_EQ(std::ranges::count(bad, 0), static_cast<std::ptrdiff_t>(bad.size()) - 1);
 }
 
-TEST(LostFrames, AreNamedInASentence) {
-  EXPECT_EQ(lost_frames_sentence({}), "");
-  EXPECT_EQ(lost_frames_sentence({40}), "frame 40 holds no picture (no numbers, or zeros) and is left out");
-  EXPECT_EQ(lost_frames_sentence({1, 2, 3, 4, 5, 6, 7}), "7 frames (1, 2, 3, 4, 5 and 2 more) hold no picture (no numbers, or zeros) and are left out");
-}
-
-TEST(LostFrames, FramesAroundThemAreReadInRuns) {
-  Film film = noisy_film();
-  std::vector<double> time(800);
-  for (std::size_t n = 0; n < 800; ++n) time[n] = 0.5 * static_cast<double>(n);
-  FilmWithout kept(film, {0, 2, 3}, time);
-  EXPECT_EQ(kept.info().frames, 797);
-  EXPECT_EQ(kept.info().time[0], 0.5);
-  FrameBlock block, alone;
-  kept.read(0, 4, block);
-  std::size_t at = 0;
-  for (const std::int64_t n : {1, 4, 5, 6}) {
-    film.read(n, 1, alone);
-    EXPECT_TRUE(std::ranges::equal(alone.value, std::span(block.value).subspan(at, film.about.pixels())));
-    at += film.about.pixels();
+TEST(LostFrames, NoiseAndDriftLoseNone) {
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    test::DisturbedFilm of;
+    of.seed = seed, of.common = 0.02, of.columns = seed == 3 ? 0.02 : 0;
+    of.drift = [](double t) { return 0.3 * std::sin(0.7 * t); };
+    const LockinMaps maps = locked(of);
+    EXPECT_EQ(maps.lost_frames, 0U) << seed;
+    EXPECT_EQ(all_of(maps.disturbances).find("phase of the load"), std::string::npos) << all_of(maps.disturbances);
   }
+}
+
+TEST(LostFrames, ALoadOfWanderingFrequencyHasNone) {
+  test::DisturbedFilm of;
+  of.late = [](double t) { return 0.5 * std::sin(1.3 * t); };
+  const LockinMaps maps = locked(of);
+  EXPECT_EQ(maps.lost_frames, 0U);
+  EXPECT_NE(all_of(maps.disturbances).find("wanders by 18 deg"), std::string::npos) << all_of(maps.disturbances);
+}
+
+TEST(LostFrames, StampsAreBelieved) {
+  test::DisturbedFilm of;
+  for (std::size_t n = 0; n < 20; ++n) of.lost.push_back(700 + n);
+  Film film = of.draw();
+  for (std::size_t n = 0; n < of.frames; ++n)
+    if (n < 700 || n >= 720) film.about.time.push_back(static_cast<double>(n) / of.rate);
+  LockinOptions options;
+  options.frequency = 3;
+  const LockinMaps maps = lock_in(film, options);
+  EXPECT_EQ(maps.lost_frames, 0U);
+  EXPECT_TRUE(maps.disturbances.empty());
+  EXPECT_NEAR(maps.frequency, of.frequency, 4 * maps.frequency_error);
 }
 
 }  // namespace
-}  // namespace arenite::thermography

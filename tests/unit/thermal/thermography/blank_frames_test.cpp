@@ -1,0 +1,181 @@
+#include "thermal/thermography/blank_frames.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <span>
+
+#include "core/error.hpp"
+#include "support/oscillating_film.hpp"
+#include "support/pictures.hpp"
+#include "thermal/thermography/correction.hpp"
+#include "thermal/thermography/lockin.hpp"
+#include "thermal/thermography/phase_pictures.hpp"
+#include "thermal/thermography/step_load.hpp"
+
+namespace arenite::thermography {
+namespace {
+
+constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
+
+LockinOptions at_3_hz() {
+  LockinOptions o;
+  o.frequency = 3;
+  return o;
+}
+
+Film noisy_film() {
+  test::OscillatingFilm film;
+  film.noise = 0.05;
+  return film.draw();
+}
+
+float* frame_of(Film& film, std::size_t n) { return film.value.data() + n * film.about.pixels(); }
+
+/// The film as if these frames had never been taken, with the times of the others as stamps.
+Film without(const Film& film, const std::vector<std::int64_t>& lost) {
+  Film left = film;
+  left.value.clear();
+  left.level.clear();
+  for (std::int64_t n = 0; n < film.about.frames; ++n) {
+    if (std::ranges::count(lost, n) > 0) continue;
+    const auto first = n * static_cast<std::ptrdiff_t>(film.about.pixels()), end = first + static_cast<std::ptrdiff_t>(film.about.pixels());
+    if (film.about.floating) left.value.insert(left.value.end(), film.value.begin() + first, film.value.begin() + end);
+    else left.level.insert(left.level.end(), film.level.begin() + first, film.level.begin() + end);
+    left.about.time.push_back(static_cast<double>(n) / film.about.frame_rate);
+  }
+  left.about.frames = static_cast<std::int64_t>(left.about.time.size());
+  return left;
+}
+
+void expect_same(const LockinMaps& maps, const LockinMaps& right) {
+  EXPECT_EQ(maps.frequency, right.frequency);
+  EXPECT_EQ(maps.frames, right.frames);
+  EXPECT_EQ(maps.in_phase, right.in_phase);
+  EXPECT_EQ(maps.residual, right.residual);
+  EXPECT_EQ(maps.chance, right.chance);
+}
+
+TEST(BlankFrames, AmplitudesAreThoseOfTheOtherFrames) {
+  const Film whole = noisy_film();
+  const std::vector<std::vector<std::int64_t>> cases = {{0}, {40}, {0, 1, 400, 799}};
+  for (const auto& lost : cases) {
+    Film holed = whole, left = without(whole, lost);
+    for (const auto n : lost) std::fill_n(frame_of(holed, static_cast<std::size_t>(n)), holed.about.pixels(), nothing);
+    const LockinMaps maps = lock_in(holed, at_3_hz());
+    expect_same(maps, lock_in(left, at_3_hz()));
+    EXPECT_EQ(maps.blank, lost);
+    EXPECT_TRUE(shows_load(maps));
+    const auto pictures = phase_pictures(holed, maps, at_3_hz()), right = phase_pictures(left, lock_in(left, at_3_hz()), at_3_hz());
+    EXPECT_EQ(pictures.spline, right.spline);
+    LockinOptions plain = at_3_hz();
+    EXPECT_NEAR(nearest_bin_transform(holed, plain).amplitude[7], maps.amplitude[7], 0.1);
+  }
+}
+
+TEST(BlankFrames, OfLevelsAreZeros) {
+  test::OscillatingFilm film;
+  film.noise = 0.05;
+  Film holed = film.levels(100);
+  Film left = without(holed, {5, 6});
+  std::fill_n(holed.level.begin() + static_cast<std::ptrdiff_t>(5 * holed.about.pixels()), 2 * holed.about.pixels(), std::uint16_t{0});
+  const LockinMaps maps = lock_in(holed, at_3_hz());
+  expect_same(maps, lock_in(left, at_3_hz()));
+  EXPECT_EQ(maps.blank, (std::vector<std::int64_t>{5, 6}));
+}
+
+TEST(BlankFrames, AFrameThatCameInPartIsLostAndADeadPixelIsNot) {
+  Film film = noisy_film();
+  const std::size_t pixels = film.about.pixels();
+  for (std::size_t n = 0; n < 800; ++n) frame_of(film, n)[3] = nothing;  // dead
+  std::fill_n(frame_of(film, 70) + 2 * pixels / 3, pixels / 3, nothing);
+  EXPECT_EQ(blank_frames(film), std::vector<std::int64_t>{70});
+  const LockinMaps maps = lock_in(film, at_3_hz());
+  EXPECT_EQ(maps.blank, std::vector<std::int64_t>{70});
+  for (std::size_t p = 0; p < pixels; ++p) EXPECT_EQ(std::isfinite(maps.amplitude[p]), p != 3) << p;
+  EXPECT_TRUE(shows_load(maps));
+}
+
+TEST(BlankFrames, AFilmWithoutAnyNumberShowsNothing) {
+  Film film = noisy_film();
+  std::ranges::fill(film.value, nothing);
+  EXPECT_TRUE(blank_frames(film).empty());
+  EXPECT_NE(test::complaint([&] { lock_in(film, at_3_hz()); }).find("not a number"), std::string::npos);
+  EXPECT_NE(test::complaint([&] { nearest_bin_transform(film, at_3_hz()); }).find("not a number"), std::string::npos);
+  EXPECT_NE(test::complaint([&] { step_load(film, {}); }).find("not a number"), std::string::npos);
+  EXPECT_FALSE(shows_load(LockinMaps{}));
+}
+
+TEST(BlankFrames, PixelsThatFailInTurnGiveNoCertainty) {
+  test::OscillatingFilm wide;
+  wide.width = 40, wide.height = 30, wide.noise = 0.05;
+  Film film = wide.draw();
+  const std::size_t pixels = film.about.pixels();
+  for (std::size_t n = 0; n < 800; ++n)
+    for (std::size_t k = 0; k < 2; ++k) frame_of(film, n)[(2 * n + k) % pixels] = nothing;  // every pixel fails once
+  EXPECT_TRUE(blank_frames(film).empty());
+  EXPECT_THROW(lock_in(film, at_3_hz()), InputError);
+}
+
+TEST(BlankFrames, AStepIsThatOfTheOtherFrames) {
+  test::OscillatingFilm still;
+  still.amplitude = 0, still.noise = 0.05, still.frames = 300, still.rate = 100;
+  Film whole = still.draw();
+  for (std::size_t n = 150; n < 300; ++n)
+    for (std::size_t p = 0; p < whole.about.pixels(); ++p) frame_of(whole, n)[p] += 2;
+  Film holed = whole, left = without(whole, {10, 200});
+  for (const std::size_t n : {10, 200}) std::fill_n(frame_of(holed, n), holed.about.pixels(), nothing);
+  const StepMaps maps = step_load(holed, {}), right = step_load(left, {});
+  EXPECT_EQ(maps.blank, (std::vector<std::int64_t>{10, 200}));
+  EXPECT_EQ(maps.jump, right.jump);
+  EXPECT_EQ(maps.standard_error, right.standard_error);
+  EXPECT_NEAR(maps.jump[4], 2, 0.05);
+}
+
+TEST(BlankFrames, StatisticsAreOfTheNumbersThatAreThere) {
+  Film film = noisy_film();
+  Film left = without(film, {3});
+  std::fill_n(frame_of(film, 3), film.about.pixels(), nothing);
+  for (std::size_t n = 0; n < 800; ++n) frame_of(film, n)[5] = nothing;
+  const FrameStatistics seen = frame_statistics(film), right = frame_statistics(left);
+  EXPECT_EQ(seen.blank, std::vector<std::int64_t>{3});
+  for (std::size_t p = 0; p < film.about.pixels(); ++p) {
+    if (p == 5) {
+      EXPECT_TRUE(std::isnan(seen.mean[p]) && std::isnan(seen.least[p]) && std::isnan(seen.noise[p]));
+      continue;
+    }
+    EXPECT_EQ(seen.mean[p], right.mean[p]);
+    EXPECT_EQ(seen.most[p], right.most[p]);
+    EXPECT_NEAR(seen.noise[p], right.noise[p], 0.01 * static_cast<double>(right.noise[p]));
+  }
+  const auto bad = find_bad_pixels(seen);
+  EXPECT_NE(bad[5] & bad_level, 0);
+  EXPECT_EQ(std::ranges::count(bad, 0), static_cast<std::ptrdiff_t>(bad.size()) - 1);
+}
+
+TEST(BlankFrames, AreNamedInASentence) {
+  EXPECT_EQ(blank_frames_sentence({}), "");
+  EXPECT_EQ(blank_frames_sentence({40}), "frame 40 holds no picture (no numbers, or zeros) and is left out");
+  EXPECT_EQ(blank_frames_sentence({1, 2, 3, 4, 5, 6, 7}), "7 frames (1, 2, 3, 4, 5 and 2 more) hold no picture (no numbers, or zeros) and are left out");
+}
+
+TEST(BlankFrames, FramesAroundThemAreReadInRuns) {
+  Film film = noisy_film();
+  std::vector<double> time(800);
+  for (std::size_t n = 0; n < 800; ++n) time[n] = 0.5 * static_cast<double>(n);
+  FilmWithout kept(film, {0, 2, 3}, time);
+  EXPECT_EQ(kept.info().frames, 797);
+  EXPECT_EQ(kept.info().time[0], 0.5);
+  FrameBlock block, alone;
+  kept.read(0, 4, block);
+  std::size_t at = 0;
+  for (const std::int64_t n : {1, 4, 5, 6}) {
+    film.read(n, 1, alone);
+    EXPECT_TRUE(std::ranges::equal(alone.value, std::span(block.value).subspan(at, film.about.pixels())));
+    at += film.about.pixels();
+  }
+}
+
+}  // namespace
+}  // namespace arenite::thermography
