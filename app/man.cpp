@@ -10,7 +10,6 @@
 #include "io/film/formats.hpp"
 #include "io/image/image.hpp"
 #include "io/sample/formats.hpp"
-#include "print.hpp"
 #include "recipe/film_recipe.hpp"
 #include "recipe/recipe.hpp"
 

@@ -32,7 +32,7 @@ const std::vector<Row> rows{
      }},
     {"A of POM told +5 %", {}, [](auto& r) { r.materials[0].thermoelastic_factor *= 1.05; }},
     {"thickness told +5 %", {}, [](auto& r) { r.container.thickness *= 1.05; }},
-    {"load told +3 %", {}, [](auto& r) { r.container.load_peak_to_peak *= 1.03; }},
+    {"load told +3 %, error 3 %", {}, [](auto& r) { r.container.load_peak_to_peak *= 1.03, r.container.load_error = 0.03; }},
     {"emissivity of HDPE told +5 %", [](auto& f) { f.emissivity[1] /= 1.05; }, [](auto& r) { r.materials[1].emissivity = 0.75; }},
     {"emissivity +-3 % by grain", [](auto& f) { f.emissivity_scatter = 0.03; }, {}},
     {"left off by 0.6 px", {}, [](auto& r) { *r.container.left += 0.6; }},

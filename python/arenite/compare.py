@@ -165,6 +165,11 @@ def in_errors(row):
     return f"{row.difference / row.error:+.1f}" if row.error > 0 and not math.isnan(row.difference) else ""
 
 
+def plain(name):
+    """A name as a cell that no spreadsheet takes for a formula: behind an apostrophe if it begins like one."""
+    return "'" + name if name.startswith(("=", "@", "\t", "\r")) else name
+
+
 def save_table(found, path):
     """The rows as CSV."""
     with written_whole(path) as beside, open(beside, "w", newline="", encoding="utf-8") as file:
@@ -172,7 +177,7 @@ def save_table(found, path):
         table.writerow(["part", "name", "a", "a_error", "b", "b_error", "difference", "difference_error", "verdict"])
         for row in found:
             cells = (row.a, row.a_error, row.b, row.b_error, row.difference, row.error)
-            table.writerow([row.part, row.name, *("" if math.isnan(v) else repr(float(v)) for v in cells), row.verdict])
+            table.writerow([plain(row.part), plain(row.name), *("" if math.isnan(v) else repr(float(v)) for v in cells), row.verdict])
 
 
 def save_page(a, b, path, names=None):

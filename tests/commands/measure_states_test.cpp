@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "io/disk/store_file.hpp"
 #include "io/results/results.hpp"
 #include "support/program.hpp"
 
@@ -22,7 +23,7 @@ std::string borders(const std::string& files) {
   return line;
 }
 
-Json measured(const std::string& files) {
+Json measured_borders(const std::string& files) {
   const Outcome run = arenite(borders(files) + " --json");
   EXPECT_EQ(run.status, 0) << run.err;
   return run.status == 0 ? Json::parse(run.out) : Json();
@@ -54,24 +55,24 @@ void expect_crystal(const Json& t, double length = 1, double force = 1, double t
 }
 
 TEST(MeasureStates, ACellOfThreeVectorsIsThatOfTwoBounds) {
-  expect_crystal(measured("crystal.dump crystal-pairs.dump --thickness 1m"));
-  const Json t = measured("crystal-vectors.dump crystal-pairs.dump --thickness 1m");
+  expect_crystal(measured_borders("crystal.dump crystal-pairs.dump --thickness 1m"));
+  const Json t = measured_borders("crystal-vectors.dump crystal-pairs.dump --thickness 1m");
   expect_crystal(t);
   EXPECT_NEAR(t["solid_fraction"]["value"].get<double>(), 0.8013, 1e-4);
-  const Json touching = measured("crystal-vectors.dump --touching 1mm");
+  const Json touching = measured_borders("crystal-vectors.dump --touching 1mm");
   EXPECT_EQ(touching["contacts"], 32);
   EXPECT_EQ(touching["wall_contacts"], 0);
 }
 
 TEST(MeasureStates, UnitsThatADumpNamesAreTaken) {
-  expect_crystal(measured("crystal-cgs.dump crystal-pairs.dump --thickness 1cm"), 1e-2, 1e-5, 1e-2);
+  expect_crystal(measured_borders("crystal-cgs.dump crystal-pairs.dump --thickness 1cm"), 1e-2, 1e-5, 1e-2);
   expect_refusal("crystal-cgs.dump crystal-pairs.dump --length-unit mm", {"states units cgs", "--length-unit"});
-  expect_note(measured("crystal.dump crystal-pairs.dump"), "no unit of length, so m was assumed");
-  expect_note(measured("crystal.dump crystal-pairs.dump"), "no unit of force, so N was assumed");
+  expect_note(measured_borders("crystal.dump crystal-pairs.dump"), "no unit of length, so m was assumed");
+  expect_note(measured_borders("crystal.dump crystal-pairs.dump"), "no unit of force, so N was assumed");
 }
 
 TEST(MeasureStates, GrainsAndContactsAreOfTheSameStep) {
-  const Json t = measured("crystal-two-steps.dump crystal-step-1000.dump --thickness 1m");
+  const Json t = measured_borders("crystal-two-steps.dump crystal-step-1000.dump --thickness 1m");
   expect_crystal(t);
   expect_note(t, "2 snapshots, of which that of step 1000 was taken");
   expect_refusal("crystal.dump crystal-step-1000.dump", {"step 1000", "step 1,", "the same steps"});
@@ -80,14 +81,14 @@ TEST(MeasureStates, GrainsAndContactsAreOfTheSameStep) {
 TEST(MeasureStates, OpaqueColumnsAreUnderstoodByTheirContentOrRefused) {
   for (const char* file : {"crystal-id-force.dump", "crystal-dist.dump"})
     expect_refusal(std::string("crystal.dump ") + file + " --thickness 1m", {"it is not known which of the columns", "--columns"});
-  const Json t = measured("crystal.dump crystal-id-force.dump --thickness 1m --columns patom1,patom2,-,fx,fy,-");
+  const Json t = measured_borders("crystal.dump crystal-id-force.dump --thickness 1m --columns patom1,patom2,-,fx,fy,-");
   EXPECT_NEAR(t["stress"]["value"][1][1].get<double>(), -30.30, 0.01);
   EXPECT_NEAR(t["stress"]["value"][0][0].get<double>(), -10.10, 0.01);
 }
 
 TEST(MeasureStates, ALayerIsMeasuredInItsPlaneAndABedInSpaceIsRefused) {
   for (const char* layer : {"layer-xz.dump", "layer-xz.txt"}) {
-    const Json t = measured(std::string(layer) + " --touching 100um");
+    const Json t = measured_borders(std::string(layer) + " --touching 100um");
     EXPECT_EQ(t["grains"], 16);
     EXPECT_EQ(t["contacts"], 33) << layer;
     expect_note(t, "plane x-z");
@@ -96,7 +97,7 @@ TEST(MeasureStates, ALayerIsMeasuredInItsPlaneAndABedInSpaceIsRefused) {
 }
 
 TEST(MeasureStates, PairsThatAreListedWithAGapAndNoForceDoNotTouch) {
-  const Json t = measured("four-grains.dump four-grains-pairs.dump --thickness 1m");
+  const Json t = measured_borders("four-grains.dump four-grains-pairs.dump --thickness 1m");
   EXPECT_EQ(t["contacts"], 2);
   EXPECT_DOUBLE_EQ(t["coordination"]["all"]["value"].get<double>(), 1);
   EXPECT_EQ(t["force"]["count"], 2);

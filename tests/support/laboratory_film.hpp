@@ -240,6 +240,31 @@ inline recipe::FilmRecipe laboratory_recipe(const LaboratorySample& sample, cons
   return recipe;
 }
 
+/// An ordinary camera's picture of the grains at the smallest load, three pixels to one of the film and with the same middle: black and white grains on grey.
+inline std::string optical_picture(const LaboratorySample& sample, const LaboratoryFilm& how, const DrawnFilm& drawn, const TemporaryFolder& folder) {
+  constexpr int times = 3;
+  const Packing& p = sample.packing;
+  Film picture;
+  picture.about.width = times * drawn.film.about.width, picture.about.height = times * drawn.film.about.height;
+  picture.about.frames = 1, picture.about.bits = 16;
+  std::vector<double> grey(picture.about.pixels(), 0.5);
+  const auto low = how.start(p);
+  const auto fine = [&](double film_pixels) { return times * (film_pixels + 0.5) - 0.5; };
+  for (std::size_t i = 0; i < low.size(); ++i) {
+    const Vec2 centre{fine(drawn.left + low[i].x / how.pixel), fine(drawn.top_row + (p.domain.wall[top].position - low[i].y) / how.pixel)};
+    const double radius = times * p.grains.radius[i] / how.pixel;
+    each_pixel_near(centre, radius + 2, picture.about.width, picture.about.height, [&](int x, int y, std::size_t at) {
+      const double inside = 0.5 * std::erfc((std::hypot(x - centre.x, y - centre.y) - radius) / 0.8);
+      grey[at] += inside * ((p.grains.material[i] == 0 ? 0.1 : 0.9) - 0.5);
+    });
+  }
+  RandomStream random(how.seed, Purpose::test, 74);
+  for (const double g : grey) picture.level.push_back(static_cast<std::uint16_t>(std::lround(65535 * std::clamp(0.9 * g + 0.01 * random.normal(), 0.0, 1.0))));
+  const auto file = folder / "optical.tif";
+  io::write_film(file, picture);
+  return file.string();
+}
+
 /// What was found of a film, held against the truth.
 struct FilmAccuracy {
   std::size_t grains = 0, contacts = 0, true_contacts = 0;

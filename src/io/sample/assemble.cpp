@@ -7,11 +7,11 @@ namespace {
 GrainIndex add_grains(const RawGrains& raw, const Domain& domain, bool closed, Grains& grains, Problems& problems) {
   GrainIndex index;
   grains.resize(raw.rows.size());
-  if (raw.rows.empty()) problems.add("there are no grains; give one row per grain");
   for (std::size_t g = 0; g < raw.rows.size(); ++g) {
     const RawGrain& row = raw.rows[g];
     if (!index.emplace(row.id, static_cast<std::int32_t>(g)).second) problems.add(row.line, "grain {} appears twice; give every grain its own id", row.id);
     if (!(row.radius > 0)) problems.add(row.line, "the radius of grain {} is {:g} m; a radius must be positive", row.id, row.radius);
+    if (!is_finite(row.centre)) problems.add(row.line, "the centre of grain {} is beyond the range of numbers; correct it", row.id);
     const bool outside_x = !domain.periodic[0] && (row.centre.x < domain.wall[left].position || row.centre.x > domain.wall[right].position);
     const bool outside_y = !domain.periodic[1] && (row.centre.y < domain.wall[bottom].position || row.centre.y > domain.wall[top].position);
     if (closed && (outside_x || outside_y)) problems.add(row.line, "grain {} lies outside the box; correct its centre, --box or --origin", row.id);

@@ -126,6 +126,7 @@ class ContactRows {
                                              : wall_geometry(packing_, grains_.plane, row, gi, grains_.has_box, problems_);
     if (!geometry) return;
     const Vec2 f = components(row, grains_.plane, geometry->n);
+    if (!is_finite(f)) return problems_.add(row.line, "the force is beyond the range of numbers; correct it");
     if (f == Vec2{} && geometry->gap.value_or(0) > touching * packing_.grains.radius[gi]) {
       ++apart_;
       return;

@@ -99,9 +99,9 @@ inline int side_towards(Vec2 d) {
   return d.y < 0 ? bottom : top;
 }
 
-/// Finds the plane in which the centres lie, takes their centres there and the cell that the file states. Centres that
-/// fill space, and a cell that shifts its images out of the plane, are problems; a plane other than x-y, and one that
-/// holds the centres to a part of a radius only, is told.
+/// Finds the plane in which the centres lie, takes their centres there and the cell that the file states. No grains,
+/// centres that fill space, and a cell that shifts its images out of the plane, are problems; a plane other than x-y, and
+/// one that holds the centres to a part of a radius only, is told.
 void lay_in_plane(RawGrains& grains, Problems& problems);
 
 /// Puts the corner of a box whose place nobody gave: at the origin if all centres lie in it so, else around the grains.

@@ -32,7 +32,7 @@ Grains read_placed_grains(const std::filesystem::path& path, const Materials& ma
   const std::string text = read_text(path);
   const SampleOptions options;
   RawGrains raw = samples::csv.grains({text, 0, options, problems});
-  if (!problems.any()) lay_in_plane(raw, problems);
+  if (!problems.any() && !raw.rows.empty()) lay_in_plane(raw, problems);
   if (raw.plane.across() != 2) problems.add("the centres do not lie in the plane x-y; give x and y as those of the container");
   Grains grains;
   grains.resize(raw.rows.size());

@@ -79,7 +79,7 @@ void take_cell(RawGrains& grains, Problems& problems) {
 }  // namespace
 
 void lay_in_plane(RawGrains& grains, Problems& problems) {
-  if (grains.rows.empty()) return;
+  if (grains.rows.empty()) return problems.add("there are no grains; give one row per grain");
   grains.plane = plane_of(grains, grains.notes, problems);
   for (RawGrain& g : grains.rows) g.centre = grains.plane.of(g.place);
   if (grains.stated) take_cell(grains, problems);

@@ -23,10 +23,13 @@ const SampleFormat& format_of(std::string_view grains, const SampleOptions& opti
   return *first_format(samples::all, [&](const SampleFormat& format) { return format.is_grains(line); });  // else a table
 }
 
-/// Contacts of every format may also be a table.
+/// That of the grains, or a table, or another program's: by content, unless the user names format or columns.
 const SampleFormat& format_of_contacts(std::string_view contacts, const SampleFormat& of_grains, const SampleOptions& options) {
-  const bool own = of_grains.is_contacts(first_line(contacts)) || options.format == of_grains.name;
-  return own ? of_grains : samples::csv;
+  const std::string_view line = first_line(contacts);
+  const bool own = &of_grains != &samples::csv && of_grains.is_contacts(line);  // everything may be a table
+  if (own || options.format == of_grains.name) return of_grains;
+  if (!options.contact_columns.empty()) return samples::csv;
+  return *first_format(samples::all, [&](const SampleFormat& format) { return format.is_contacts(line); });
 }
 
 std::vector<Moment> moments_in(SampleFormat::Moments moments, std::string_view text, const std::string& columns) {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/mapped.hpp"
 #include "core/median.hpp"
 #include "core/threads.hpp"
 #include "thermal/optics/lens.hpp"
@@ -149,6 +150,15 @@ void project(LockinMaps& maps, const std::vector<std::int32_t>& owner) {
 }
 
 }  // namespace
+
+std::vector<std::uint8_t> lost_grains(const GrainMotion& motion) {
+  const double usual = median_of_finite(motion.error);
+  return mapped<std::uint8_t>(motion.error, [&](double error) { return std::isfinite(error) && error > 6 * usual; });
+}
+
+bool is_seen(const GrainMotion& motion) {
+  return std::ranges::any_of(motion.error, [](double error) { return std::isfinite(error); });
+}
 
 std::vector<std::int32_t> owners(const PictureGrains& grains, int width, int height, double beyond) {
   std::vector<std::int32_t> owner(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), -1);

@@ -223,15 +223,6 @@ GrainMotion unseen(std::size_t grains) {
 
 }  // namespace
 
-std::vector<std::uint8_t> lost_grains(const GrainMotion& motion) {
-  const double usual = median_of_finite(motion.error);
-  return mapped<std::uint8_t>(motion.error, [&](double error) { return std::isfinite(error) && error > 6 * usual; });
-}
-
-bool is_seen(const GrainMotion& motion) {
-  return std::ranges::any_of(motion.error, [](double error) { return std::isfinite(error); });
-}
-
 GrainMotion grain_motion(const PhasePictures& pictures, const PictureGrains& grains, int threads) {
   constexpr int affine_turns = 3, most_turns = 12;
   const std::size_t n = grains.size();

@@ -65,6 +65,46 @@ TEST(FilmDoubts, TheScaleOfForcesIsHeldAgainstTheLoad) {
   EXPECT_EQ(all(film_doubts(no_load, wanting(2, 2))), "");
 }
 
+TEST(FilmDoubts, ADisagreementOfManyErrorsIsSaidHoweverSmall) {
+  recipe::FilmRecipe recipe = two_materials();
+  EXPECT_NE(all(film_doubts(recipe, wanting(0.91, 0.915))).find("given as 1.10 times"), std::string::npos);
+  EXPECT_EQ(all(film_doubts(recipe, wanting(0.95, 0.955))), "");  // within three of the two per cent that factors are known to
+  recipe.forces.factor_error = 0.002;
+  EXPECT_NE(all(film_doubts(recipe, wanting(0.95, 0.955))).find("given as 1.05 times"), std::string::npos);
+  EXPECT_NE(all(film_doubts(recipe, wanting(0.95, 1.0))).find("ratio of the factors of HDPE and POM"), std::string::npos);
+  recipe.forces.factors = recipe::ForcesSection::Factors::fit;  // they are those of the film
+  EXPECT_EQ(all(film_doubts(recipe, wanting(0.95, 0.955))), "");
+}
+
+TEST(FilmDoubts, AContainerThatGrainsShowElsewhereIsNamedWithItsKey) {
+  recipe::FilmRecipe recipe = two_materials();
+  recipe.container.height = 0.1, recipe.container.travel = 1e-3;
+  FilmResult r = wanting(1, 1);
+  r.origin = {-0.01, 0.11}, r.walls.shift = {1.2e-3, -0.8e-3}, r.walls.shift_error = {1e-4, 1e-4};
+  std::string said = all(film_doubts(recipe, r));
+  // In the middle of the film: the left side was at (0 + 0.0088)/1.6e-3 = 5.50 and is at 6.25; the upper one was at (0.1092 - 0.1)/1.6e-3 = 5.75, is at 6.25.
+  EXPECT_NE(said.find("left side at column 6.25 (+- 0.06), not at 5.50 as in the middle of the film"), std::string::npos) << said;
+  recipe.container.top = 5.75;
+  said = all(film_doubts(recipe, r));
+  EXPECT_NE(said.find("upper side at row 6.25 (+- 0.06), not at 5.75 as container.top says"), std::string::npos) << said;
+  r.walls = {};
+  r.walls.smaller.x = 1e-3, r.walls.travel = 2e-3;
+  said = all(film_doubts(recipe, r));
+  EXPECT_NE(said.find("only if the container is 1 mm smaller than container.width says"), std::string::npos) << said;
+  EXPECT_NE(said.find("the lower wall travels 2 mm, not 1 mm as container.travel says"), std::string::npos) << said;
+}
+
+TEST(FilmDoubts, AHaloAndUnevenEmissivitiesAreSaid) {
+  FilmResult r = wanting(1, 1);
+  r.halo = {0.1, 0.003, 4, 0.03}, r.fit.factor_scatter = 0.03;
+  const std::string said = all(film_doubts(two_materials(), r));
+  EXPECT_NE(said.find("scatters 10 % (+- 0.3 %) of the light over about 4 pixels"), std::string::npos) << said;
+  EXPECT_NE(said.find("differ by 3 %"), std::string::npos) << said;
+  recipe::FilmRecipe given = two_materials();
+  given.forces.halo = 0.1;
+  EXPECT_EQ(all(film_doubts(given, r)).find("scatters"), std::string::npos);
+}
+
 TEST(FilmDoubts, AFitThatDoesNotAgreeIsNotMadeToAgreeInSilence) {
   FilmResult r = wanting(1, 1);
   r.fit.model_error = 0.3, r.fit.over_signal = 0.4, r.fit.over_noise = 12;

@@ -21,7 +21,7 @@ std::vector<std::string> notes_on_grains(double apart) {
   FilmInfo film;
   film.width = film.height = side;
   std::vector<std::string> notes;
-  EXPECT_EQ(find_film_grains(recipe, place_of(recipe, film), film, image.value, notes).size(), 64u);
+  EXPECT_EQ(find_film_grains(recipe, place_of(recipe, film), film, image.value, {}, notes).size(), 64u);
   return notes;
 }
 

@@ -354,6 +354,34 @@ TEST(SampleCsv, AContactPointElsewhereIsRefused) {
   expect_part(Files(two_grains, "i,j,fn,ft,x,y\n7,9,10,2,950,0\n").problems(), "the contact point (950, 0) m does not lie at the rims of grains 7 and 9");
 }
 
+TEST(SampleFormats, ContactsMayBeAnotherProgramsThanTheGrains) {
+  const std::string grains = "id,x,y,radius\n1,1,1,0.5\n2,1.9,1,0.5\n";
+  EXPECT_DOUBLE_EQ(Files(grains, lammps_pairs("c_p[1] c_p[2] c_f[1] c_f[2] c_f[3] c_f[4]", "1 2 -3 0 0 -1")).read().packing.contacts.fn.at(0), 3);
+  EXPECT_DOUBLE_EQ(Files(lammps_atoms, "i,j,fn,ft\n1,2,3,1\n").read().packing.contacts.fn.at(0), 3);
+  SampleOptions named;
+  named.contact_columns = "-,i,j,-,-,-,-,-,fn,ft,-,-,-,-,-,-";  // of numbers that look like MercuryDPM's
+  EXPECT_DOUBLE_EQ(Files(grains, "0 1 2 0 0 0 0 0 3 1 0 0 0 0 0 0\n").read(named).packing.contacts.fn.at(0), 3);
+}
+
+TEST(SampleFormats, FilesWithoutARowAreRefusedWhateverTheFormat) {
+  const std::string pairs = lammps_pairs("patom1 patom2 fx fy p1 p2", "1 2 -3 0 0 0");
+  for (const char* grains : {"id,x,y,radius\n", "ITEM: TIMESTEP\n0\nITEM: BOX BOUNDS pp pp pp\n0 1\n0 1\n0 1\nITEM: ATOMS id x y radius\n", "#format x_y_z_r\n",
+                             "0 0 0 0 1 1\n", "0 0 0 0 0 1 1 1\n"})
+    for (const std::string& contacts : {pairs, std::string("i,j,fn,ft\n1,2,3,1\n"), mercury_fstat,
+                                        std::string("# vtk DataFile Version 3.0\nPOINTS 2 double\n0 0 0 1 0 0\nVECTORS normalForce double\n1 0 0\n"
+                                                    "VECTORS shearForce double\n0 0 0\n")})
+      EXPECT_FALSE(Files(grains, contacts).problems().empty()) << grains << contacts;
+}
+
+TEST(SampleFormats, ContactsWithoutARowAreNone) {
+  EXPECT_EQ(Files(lammps_atoms, "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ENTRIES\n0\nITEM: ENTRIES c_p[1] c_p[2] c_f[1] c_f[2] c_f[3] c_f[4]\n")
+                .read()
+                .packing.contacts.size(),
+            0u);
+  EXPECT_EQ(Files(mercury_data, "# 0.5 0\n").read().packing.contacts.size(), 0u);
+  EXPECT_EQ(Files(two_grains, "i,j,fn,ft\n").read().packing.contacts.size(), 0u);
+}
+
 TEST(SampleOptionsGiven, PeriodicSidesNeedTheCell) {
   SampleOptions o;
   o.periodic[0] = true;
