@@ -87,8 +87,8 @@ std::string in_words(const validation::SeedsWanted& wanted) {
   std::string seeds;
   for (const auto& [draw, count] : wanted.next)
     seeds += fmt::format("{}{} seeds of {}", seeds.empty() ? "" : ", ", count, validation::in_words(draw));
-  return fmt::format("{}, {}: about {:.0f} further runs; next, {}", wanted.claim->id, wanted.check->what,
-                     std::ceil(wanted.runs), seeds);
+  return fmt::format("{}, {}: about {:.0f} further runs; next, {}", wanted.claim, wanted.what, std::ceil(wanted.runs),
+                     seeds);
 }
 
 }  // namespace

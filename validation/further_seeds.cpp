@@ -76,6 +76,13 @@ bool covers(const Draw& extension, const Draw& draw) {
          });
 }
 
+std::size_t seeds_now(const Draw& draw, const SeededStudy& study, const SeedPlan& plan) {
+  std::size_t now = study.own_seeds();
+  for (const Extension& extension : plan)
+    if (covers(extension.draw, draw)) now = std::max(now, extension.seeds);
+  return now;
+}
+
 }  // namespace
 
 SeedPlan read_plan(const std::filesystem::path& file) {
@@ -165,19 +172,22 @@ std::vector<SeedsWanted> seeds_wanted(const Ledger& ledger, const SeedPlan& plan
       if (check.kind == Kind::beside || check.outcome != Outcome::undecided || check.decider != Decider::none) continue;
       const double factor = seeds_factor(check);
       if (factor >= most_times_seeds) continue;
-      SeedsWanted wanted{claim, &check, {}, 0};
-      for (const Draw& draw : check.draws.empty() ? std::vector<Draw>{{claim->studies.front(), {}}} : check.draws) {
-        const SeededStudy* seeded = study(draw.study);
-        if (!seeded || seeded->runs_a_seed(draw.where) == 0) continue;
-        std::size_t now = seeded->own_seeds();
-        for (const Extension& extension : plan)
-          if (covers(extension.draw, draw)) now = std::max(now, extension.seeds);
-        const double there = static_cast<double>(now), needed = std::isfinite(factor) ? there * factor : 2 * there;
-        const double next = std::clamp(std::ceil(beyond_the_estimate * needed), there + 1, 2 * there + 1);
-        wanted.next.push_back({draw, static_cast<std::size_t>(next)});
-        wanted.runs += std::max(needed - there, 1.0) * static_cast<double>(seeded->runs_a_seed(draw.where));
+      SeedsWanted wanted{claim->id, check.what, {}, 0};
+      std::vector<Extension> have;
+      for (const Draw& draw : check.draws.empty() ? std::vector<Draw>{{claim->studies.front(), {}}} : check.draws)
+        if (const SeededStudy* seeded = study(draw.study); seeded && seeded->runs_a_seed(draw.where) > 0)
+          have.push_back({draw, seeds_now(draw, *seeded, plan)});
+      if (have.empty()) continue;
+      // Draws that go together, such as those with and without glue, are brought to the same number of seeds.
+      const auto there = static_cast<double>(std::ranges::min(have, {}, &Extension::seeds).seeds);
+      const double needed = std::isfinite(factor) ? there * factor : 2 * there;
+      const double next = std::clamp(std::ceil(beyond_the_estimate * needed), there + 1, 2 * there + 1);
+      for (const auto& [draw, now] : have) {
+        const double more = std::max(needed, there + 1) - static_cast<double>(now);
+        wanted.runs += std::max(more, 0.0) * static_cast<double>(study(draw.study)->runs_a_seed(draw.where));
+        if (static_cast<double>(now) < next) wanted.next.push_back({draw, static_cast<std::size_t>(next)});
       }
-      if (!wanted.next.empty()) all.push_back(std::move(wanted));
+      all.push_back(std::move(wanted));
     }
   }
   std::ranges::stable_sort(all, {}, &SeedsWanted::runs);

@@ -52,8 +52,7 @@ class SeededStudy {
 /// What would decide a check: how far to go next, and how many further runs it takes in all if its value stays where it
 /// is.
 struct SeedsWanted {
-  const Claim* claim;
-  const Check* check;
+  std::string claim, what;  ///< "T20", "signed a_c of A-A contacts"
   SeedPlan next;
   double runs = 0;
 };

@@ -336,7 +336,8 @@ def steady(values):
 
 
 def parts_of_ratio(test, found):
-    """Shear and normal stress of the sheared sides, or q and p: the two whose ratio is the friction of a test; `found` as curves_of gives it."""
+    """Shear and normal stress of the sheared sides, or q and p: the two whose ratio is the friction of a test; `found` as
+    curves_of gives it."""
     if "mu" not in found:
         return found["q"].values, found["p"].values
     normal = found["sigma_xx" if sides_shear(test) else "sigma_yy"].values
@@ -344,30 +345,33 @@ def parts_of_ratio(test, found):
 
 
 def about_ratio_of_means(shear, normal):
-    """A series whose mean is |<shear>/<normal>| and whose fluctuations are those that the error of this ratio comes from: a mean of ratios is another
-    number, because both stresses fluctuate together."""
+    """A series whose mean is |<shear>/<normal>| and whose fluctuations are those that the error of this ratio comes from: a
+    mean of ratios is another number, because both stresses fluctuate together."""
     ratio = np.mean(shear) / np.mean(normal)
     return np.sign(ratio) * (ratio + (shear - ratio * normal) / np.mean(normal))
 
 
 def steady_ratio(shear, normal):
-    """(ratio of the means, its standard error) of two stresses, over the part in which their ratio is steady (`arenite.steady_state`)."""
+    """(ratio of the means, its standard error) of two stresses, over the part in which their ratio is steady
+    (`arenite.steady_state`)."""
     loaded_rows = normal > 0.01 * np.max(normal)
     shear, normal = shear[loaded_rows], normal[loaded_rows]
     if len(shear) == 0:
         return np.nan, np.nan
-    about = about_ratio_of_means(*(values[steady_state(np.abs(shear) / normal)["first"]:] for values in (shear, normal)))
+    first = steady_state(np.abs(shear) / normal)["first"]
+    about = about_ratio_of_means(shear[first:], normal[first:])
     return np.mean(about), steady(about)[1]
 
 
 def rheology(results, stage=None):
-    """mu(I) and phi(I) of sheared runs: `inertial_number`, `mu` and `solid_fraction`, each the mean over the steady part of a run
-    with its error (`mu_error`, `solid_fraction_error`), in the order of I. mu is q/p unless a wall slides or a cell is sheared, and the
-    ratio of the means of the two stresses."""
+    """mu(I) and phi(I) of sheared runs: `inertial_number`, `mu` and `solid_fraction`, each the mean over the steady part of
+    a run with its error (`mu_error`, `solid_fraction_error`), in the order of I. mu is q/p unless a wall slides or a cell is
+    sheared, and the ratio of the means of the two stresses."""
     rows = []
     for result in results:
         test = find_test(result, stage)
         found = curves_of(test)
-        rows.append([steady(found["inertial_number"].values)[0], *steady_ratio(*parts_of_ratio(test, found)), *steady(found["solid_fraction"].values)])
+        friction, density = steady_ratio(*parts_of_ratio(test, found)), steady(found["solid_fraction"].values)
+        rows.append([steady(found["inertial_number"].values)[0], *friction, *density])
     table = np.array(sorted(rows), float).reshape(-1, 5).T
     return {name: Curve(values, "1") for name, values in zip(["inertial_number", "mu", "mu_error", "solid_fraction", "solid_fraction_error"], table)}

@@ -49,12 +49,16 @@ def runouts(results):
 
 
 def gravity_of(stage):
-    """Acceleration of gravity in a stage, m/s^2, as its recipe has it: at the end of its programme, if it has one; 9.81 m/s^2 unless given."""
+    """Acceleration of gravity in a stage, m/s^2, as its recipe has it: at the end of its programme, if it has one; 9.81 m/s^2
+    unless given."""
     own = curves.stage_recipe(stage)
-    size = float(str(own.get("gravity_size", "9.81 m/s^2")).split()[0])
+    def in_si(text):
+        return float(str(text).split()[0])
+
+    size = in_si(own.get("gravity_size", "9.81 m/s^2"))
     for programme in own.get("programmes", []):
         if programme["of"] == "gravity_size":
-            size = curves.programme_at(programme, curves.seconds(own["duration"]), lambda text: float(str(text).split()[0]))
+            size = curves.programme_at(programme, curves.seconds(own["duration"]), in_si)
     return size
 
 
@@ -110,14 +114,15 @@ def friction_of(result):
 
 
 def critical_states(results, stage=None):
-    """Plateaus of sheared or compressed samples against the grains' `friction`: `mu` (on the sheared plane; q/p without shear; a ratio of means) and
-    `solid_fraction`, with errors that allow for correlation; `reached` is 0 if the plateau is uncertain (`arenite.steady_state`): the means are
-    then those of the second half."""
+    """Plateaus of sheared or compressed samples against the grains' `friction`: `mu` (on the sheared plane; q/p without
+    shear; a ratio of means) and `solid_fraction`, with errors that allow for correlation; `reached` is 0 if the plateau is
+    uncertain (`arenite.steady_state`): the means are then those of the second half."""
     rows = []
     for result in results:
         test = curves.find_test(result, stage)
         found = curves.curves_of(test)
-        shear, normal = (values[np.isfinite(found["mu" if "mu" in found else "q_over_p"].values)] for values in curves.parts_of_ratio(test, found))
+        loaded = np.isfinite(found["mu" if "mu" in found else "q_over_p"].values)
+        shear, normal = (values[loaded] for values in curves.parts_of_ratio(test, found))
         solid = found["solid_fraction"].values
         plateaus = [steady_state(np.abs(shear) / normal), steady_state(solid)]
         half = len(shear) // 2

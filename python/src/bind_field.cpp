@@ -80,9 +80,11 @@ FieldResult loaded(const PhaseMap& map, const std::string& loading, const Quanti
 void bind_field(py::module_& m) {
   m.def("cement", &cemented, py::arg("packing"), py::arg("kind") = "bridges", py::kw_only(), py::arg("gap") = 0.0, py::arg("width") = 0.4,
         py::arg("full_width") = false, py::arg("thickness") = 0.0, py::arg("volume") = 0.0, py::arg("saturation") = py::none(), py::arg("crop") = 0.0,
-        "Matrix between grains: kind \"bridges\" (surface gap up to `gap`, half base `width` times the radius: P II.B), \"full\", \"coating\" (`thickness`), "
+        "Matrix between grains: kind \"bridges\" (surface gap up to `gap`, half base `width` times the radius: P "
+        "II.B), \"full\", \"coating\" (`thickness`), "
         "\"menisci\" (`volume`, "
-        "m^2 each) or \"none\". With `saturation` the free parameter is computed so that S_m has this value in the centred square of side `crop` (0: the largest "
+        "m^2 each) or \"none\". With `saturation` the free parameter is computed so that S_m has this value in the "
+        "centred square of side `crop` (0: the largest "
         "that fits), as in recipes; give `rasterise` the same. Lengths in m, or text with a unit.");
   m.def("rasterise", &rasterised, py::arg("packing"), py::arg("cement"), py::kw_only(), py::arg("nodes") = 1024, py::arg("crop") = 0.0,
         "The centred square of side `crop` (m; 0: the largest that fits) as nodes x nodes, by phase and grain. The material with the larger grains is "

@@ -174,8 +174,10 @@ py::dict free_surface(const Packing& packing, const Quantity& gravity_angle, dou
 
 void bind_grain_fields(py::module_& m) {
   m.def("discharge", &discharge, py::arg("time"), py::arg("passed"),
-        "Discharge rate from the amounts passed at given times (`passed_mass` of a history): rate (value, error) of the steady part between begin and end "
-        "(s), without its onset and end; steady: whether there is such a part; otherwise the rate has no error; stopped: whether nothing passes any more in "
+        "Discharge rate from the amounts passed at given times (`passed_mass` of a history): rate (value, error) of "
+        "the steady part between begin and end "
+        "(s), without its onset and end; steady: whether there is such a part; otherwise the rate has no error; "
+        "stopped: whether nothing passes any more in "
         "the end.");
   m.def("free_surface", &free_surface, py::arg("packing"), py::kw_only(), py::arg("gravity_angle") = 0.0, py::arg("gap") = 0.1,
         "Surface of the largest connected set of grains (surfaces nearer than `gap` mean diameters): position and height (m) of its upper rim, grains, "
@@ -183,9 +185,11 @@ void bind_grain_fields(py::module_& m) {
         "`gravity_angle`: angle of gravity from straight down, counter-clockwise, rad or text with a unit.");
   m.def("coarse_grained", &coarse_grained, py::arg("packing"), py::arg("width"), py::arg("spacing") = py::none(), py::kw_only(), py::arg("kernel") = "lucy",
         py::arg("tilt_rate") = py::none(),
-        "Coarse-grained fields of a state (Goldhirsch 2010) on a grid of points x, y (m), arrays of rows from below: density (kg/m^3), solid_fraction, "
+        "Coarse-grained fields of a state (Goldhirsch 2010) on a grid of points x, y (m), arrays of rows from below: "
+        "density (kg/m^3), solid_fraction, "
         "velocity (m/s), "
-        "velocity_gradient (1/s), contact_stress, kinetic_stress of fluctuations about the mean flow, and gradient_stress of its own differences within the width (Pa, "
+        "velocity_gradient (1/s), contact_stress, kinetic_stress of fluctuations about the mean flow, and "
+        "gradient_stress of its own differences within the width (Pa, "
         "tension positive), wall_force (N/m^3). `width`: standard deviation of the kernel, m "
         "or text with a unit; "
         "`spacing` of the points, the width unless given; `tilt_rate` of a sheared cell, m/s.");

@@ -54,8 +54,10 @@ void declare(Visitor& v, cement::CementParameters& law) {
            law.gap, "mm", range::not_negative);
   const bool is_free = law.kind == Kind::bridges || law.kind == Kind::coating || law.kind == Kind::menisci;
   v.when(is_free, "kind = \"bridges\", \"coating\" or \"menisci\"", [&](Visitor& inner) {
-    inner.number({"saturation", "S_m, the fraction of the space between grains filled by matrix: width, thickness or volume is then found so that it holds in the square that becomes the grid (`[grid] crop`)."}, law.saturation,
-                 "", range::above(0, 1));
+    inner.number({"saturation",
+                  "S_m, the fraction of the space between grains filled by matrix: width, thickness or volume is then "
+                  "found so that it holds in the square that becomes the grid (`[grid] crop`)."},
+                 law.saturation, "", range::above(0, 1));
   });
   const bool given = !law.saturation;
   v.when(law.kind == Kind::bridges, "kind = \"bridges\"", [&](Visitor& inner) {

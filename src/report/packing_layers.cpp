@@ -92,7 +92,8 @@ Numbers domain_of(const Domain& domain, NumberBlock& block) {
   return out;
 }
 
-/// Takes over what is known of a state that was measured: what it lacks, and the errors, which know how the state fluctuates in time.
+/// Takes over what is known of a state that was measured: what it lacks, and the errors, which know how the state
+/// fluctuates in time.
 void take_over(Numbers& out, const Numbers& known) {
   for (const auto& [name, number] : known.items())
     if (!out.contains(name) || number.contains("error")) out[name] = number;

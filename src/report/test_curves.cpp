@@ -35,7 +35,8 @@ std::vector<double> slid(const dem::Stage& stage, int side, const std::vector<do
   return way;
 }
 
-/// Strain by two sides that slide: the difference of their ways over their distance, row by row. Empty where neither slides.
+/// Strain by two sides that slide: the difference of their ways over their distance, row by row. Empty where neither
+/// slides.
 std::vector<double> strain_between(const dem::Stage& stage, int one, int other, const std::vector<double>& time, const std::vector<double>& distance) {
   const auto near = slid(stage, one, time), far = slid(stage, other, time);
   std::vector<double> strain(time.size(), 0.0);
@@ -107,8 +108,9 @@ bool strain_by_shear(TestCurves& curves, const StageResult& stage, const fields:
   return true;
 }
 
-/// Mean of the values from the first on, its error by blocks; where the series is too short to tell how long independent ones are, the largest that six,
-/// four and three blocks give, with the freedom of three: blocks that still depend on each other show less.
+/// Mean of the values from the first on, its error by blocks; where the series is too short to tell how long
+/// independent ones are, the largest that six, four and three blocks give, with the freedom of three: blocks that still
+/// depend on each other show less.
 statistics::Measured over(const std::vector<double>& values, std::size_t first, bool& sure) {
   const auto plateau = std::span(values).subspan(first);
   statistics::Measured mean = fields::block_average(plateau).mean;
@@ -172,7 +174,9 @@ Numbers numbers_of(const TestCurves& curves, const CriticalState& state) {
   return {{"strain", curves.strain_name},
           {"from", statistics::described(state.from, "", "Strain beyond which the ratio and the volume only fluctuate")},
           {"to", statistics::described(state.to, "", "Last strain of the test")},
-          {"sure", statistics::described(state.sure, "", "\"no\": too few fluctuations to tell the errors well, so that they and the intervals are wide; shear further or repeat with other seeds")},
+          {"sure", statistics::described(state.sure, "",
+                                         "\"no\": too few fluctuations to tell the errors well, so that they and the "
+                                         "intervals are wide; shear further or repeat with other seeds")},
           {curves.ratio_name(), with_interval(state.ratio, curves.sheared ? "Mean shear over mean normal stress on the sides in the critical state"
                                                                           : "Mean q over mean p in the critical state, from the forces on the sides")},
           {"solid_fraction", with_interval(state.solid_fraction, "Solid fraction of the whole box, mean over the critical state")}};

@@ -29,8 +29,9 @@ std::optional<TestCurves> test_curves(const StageResult& stage);
 /// The critical state: the part of a test in which its ratio and the volume only fluctuate while the strain goes on.
 struct CriticalState {
   double from = 0, to = 0;  ///< strain
-  statistics::Measured ratio, solid_fraction;  ///< the ratio of the means of shear and normal stress, not the mean of their ratio
-  bool sure = true;                            ///< both errors are of blocks that are independent; else one or both are the largest of few long blocks
+  statistics::Measured ratio,
+      solid_fraction;  ///< the ratio of the means of shear and normal stress, not the mean of their ratio
+  bool sure = true;    ///< both errors are of blocks that are independent; else one or both are the largest of few long blocks
 };
 
 /// Where the transients of both have ended (fields::find_steady_state). Nothing where the test was cyclic, where its strain all but stops, or where

@@ -17,8 +17,7 @@ double lead_over_half_gaussian(const std::vector<double>& y, double beta) {
   double variance = 0, sum = 0;
   const double n = static_cast<double>(y.size());
   for (const double v : y) variance += v * v / n;
-  for (const double v : y)
-    sum += (std::log(beta) - beta * v) - (0.5 * std::log(2 / (std::numbers::pi * variance)) - v * v / (2 * variance));
+  for (const double v : y) sum += (std::log(beta) - beta * v) - (0.5 * std::log(2 / (std::numbers::pi * variance)) - v * v / (2 * variance));
   return sum;
 }
 
@@ -104,9 +103,7 @@ double weak_exponent(const std::vector<double>& sorted) {
   return count < 2 ? unknown : 1 - count / sum;
 }
 
-double chance_of_lead(const Estimate& lead) {
-  return lead.error > 0 ? 0.5 * std::erfc(lead.value / lead.error / std::numbers::sqrt2) : unknown;
-}
+double chance_of_lead(const Estimate& lead) { return lead.error > 0 ? 0.5 * std::erfc(lead.value / lead.error / std::numbers::sqrt2) : unknown; }
 
 double cut_exponential_rate(double mean, double length) {
   // The mean over the length falls from 1 to 0 as a = s length rises.

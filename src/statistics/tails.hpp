@@ -17,15 +17,18 @@ struct TailFit {
   double p_value = unknown;   ///< that the exponential's lead is chance (Vuong's test, one-sided)
 };
 
-/// That of x beyond 1, P = P_0 exp(s (1 - x)): maximum likelihood, straight line through ln of the cumulative, and the likelihood ratio against a
-/// half-Gaussian. `sorted` rises; shares refer to all of its values. Without errors: contacts of one grain and points of one cumulative depend on each
-/// other, so only blocks or other samples tell them (jackknife.hpp).
+/// That of x beyond 1, P = P_0 exp(s (1 - x)): maximum likelihood, straight line through ln of the cumulative, and the
+/// likelihood ratio against a half-Gaussian. `sorted` rises; shares refer to all of its values. Without errors:
+/// contacts of one grain and points of one cumulative depend on each other, so only blocks or other samples tell them
+/// (jackknife.hpp).
 TailFit exponential_tail(const std::vector<double>& sorted);
 
-/// Exponent alpha of the power law k x^-alpha of the weak values, 0 < x < 1, by maximum likelihood; unknown for fewer than two.
+/// Exponent alpha of the power law k x^-alpha of the weak values, 0 < x < 1, by maximum likelihood; unknown for fewer
+/// than two.
 double weak_exponent(const std::vector<double>& sorted);
 
-/// How often chance would give a lead as large or larger, by its error (Q. Vuong, Econometrica 57, 307, 1989), one-sided; unknown without an error.
+/// How often chance would give a lead as large or larger, by its error (Q. Vuong, Econometrica 57, 307, 1989),
+/// one-sided; unknown without an error.
 double chance_of_lead(const Estimate& lead);
 
 /// From `low`, beyond which the pdf stays below 0.1 of its peak, to `high`, where it first falls below 0.001 of it (P IV.B; edges of pdf_bins, running

@@ -95,7 +95,8 @@ Numbers forces_of(const FilmResult& r) {
       return std::vector<double>{mean, above / static_cast<double>(some.size())};
     };
     const auto both = statistics::jackknife(between, view.contact_block, mean_and_share);
-    // Of the sample's contacts by blocks, and of how many there are: one more or less of those that carry next to nothing.
+    // Of the sample's contacts by blocks, and of how many there are: one more or less of those that carry next to
+    // nothing.
     const double counted = both[0].value * r.fit.present_error / static_cast<double>(between.size());
     put(j, "mean_N", Estimate{both[0].value, std::hypot(both[0].error, counted)}, "N", "Mean normal force between grains, peak to peak");
     put(j, "fraction_above_mean", both[1], "", "Fraction of contacts above the mean force");

@@ -69,7 +69,8 @@ struct RunOutcome {
 [[nodiscard]] RunOutcome run(const recipe::Recipe& recipe, const RunOptions& options);
 
 /// How the texture of a stage's states is measured; stage 0 is the packing. Signs refer to the axis along which the stage's
-/// sides load, where they load along one only; of a stage that ends in motion the history tells how its stress fluctuates.
+/// sides load, where they load along one only; of a stage that ends in motion the history tells how its stress
+/// fluctuates.
 texture::Options texture_options(const recipe::Recipe& recipe, std::size_t stage, const StageResult& made);
 /// The same of a stored stage, by the recipe that made it; as of a packing where another version wrote that.
 texture::Options texture_options(const StageResult& made);

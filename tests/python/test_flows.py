@@ -62,7 +62,8 @@ def test_a_silo_tells_what_its_walls_carry():
     weight = 1.62 * 1000 * 0.1 * 24 * np.pi * 0.005**2  # on the moon
     recipe = '[[stages]]\nname = "sink"\ngravity = true\ngravity_size = "1.62 m/s^2"\n'
     history = {"bottom_force": 0.6 * weight + 1e-3 * np.cos(np.arange(200.0) * 2.1), "left_force": np.full(200, 0.5 * weight), "right_force": np.full(200, 0.5 * weight)}
-    stage = types.SimpleNamespace(name="sink", provenance={"recipe": recipe}, history=history, snapshots=[types.SimpleNamespace(packing=packing)])
+    snapshots = [types.SimpleNamespace(packing=packing)]
+    stage = types.SimpleNamespace(name="sink", provenance={"recipe": recipe}, history=history, snapshots=snapshots)
     with pytest.warns(RuntimeWarning):  # no contact tells the ratio of stresses
         found = flows.silos([types.SimpleNamespace(stages=[stage])])
     assert found["height"].values == pytest.approx([0.06], rel=1e-6)
@@ -72,7 +73,8 @@ def test_a_silo_tells_what_its_walls_carry():
 
 def test_gravity_is_that_of_the_recipe():
     def stage(*lines):
-        return types.SimpleNamespace(name="fall", provenance={"recipe": "\n".join(["[[stages]]", 'name = "fall"', "gravity = true", *lines])})
+        recipe = "\n".join(["[[stages]]", 'name = "fall"', "gravity = true", *lines])
+        return types.SimpleNamespace(name="fall", provenance={"recipe": recipe})
 
     assert flows.gravity_of(stage()) == 9.81 and flows.gravity_of(stage('gravity_size = "1.62 m/s^2"')) == 1.62
     growing = 'programmes = [{ of = "gravity_size", table = [["0 s", "2 m/s^2"], ["1 s", "6 m/s^2"]] }]'
@@ -87,8 +89,10 @@ def test_a_plateau_is_told_with_its_error_whether_it_is_sure_or_not(monkeypatch)
     result = types.SimpleNamespace(stages=[types.SimpleNamespace(provenance={"recipe": recipe})])
     for change, reached in ((0, 1), (0.2, 0)):
         normal = 100 * (1 + noise[1])  # fluctuates as the shear stress does not
-        found = {"mu": curves.Curve((-0.26 - noise[0]) * 100 / normal, "1"), "tau": curves.Curve((-0.26 - noise[0]) * 100, "Pa"),
-                 "sigma_yy": curves.Curve(normal, "Pa"), "solid_fraction": curves.Curve(0.81 + noise[1] + change * drift, "1")}
+        shear = 100 * (-0.26 - noise[0])
+        found = {"mu": curves.Curve(shear / normal, "1"), "tau": curves.Curve(shear, "Pa"),
+                 "sigma_yy": curves.Curve(normal, "Pa"),
+                 "solid_fraction": curves.Curve(0.81 + noise[1] + change * drift, "1")}
         monkeypatch.setattr(curves, "find_test", lambda result, stage=None: None)
         monkeypatch.setattr(curves, "curves_of", lambda test, found=found: found)
         monkeypatch.setattr(curves, "sides_shear", lambda test: False)

@@ -113,11 +113,12 @@ std::vector<Vec2> velocity_at_grains(const Packing& packing, const CoarseGrainin
   const geometry::PointGrid near(grains.position, kernel.reach());
   const geometry::Rectangle around = geometry::bounds(grains.position);
   for (std::size_t g = 0; g < grains.size(); ++g) {
-    const double mass = texture::mass_of(packing, g);
-    for_each_image(packing.domain, geometry::square_about(grains.position[g], kernel.reach()), around, [&](const ImageShift& image) {
-      const Vec2 centre = grains.position[g] + image.shift, velocity = grains.velocity[g] + image_velocity(packing.domain, choice, image);
+    const geometry::Rectangle extent = geometry::square_about(grains.position[g], kernel.reach());
+    for_each_image(packing.domain, extent, around, [&](const ImageShift& image) {
+      const Vec2 centre = grains.position[g] + image.shift;
+      const Vec2 velocity = grains.velocity[g] + image_velocity(packing.domain, choice, image);
       near.within(centre, kernel.reach(), [&](std::int32_t other, double) {
-        const double weight = mass * kernel.value(grains.position[other] - centre);
+        const double weight = texture::mass_of(packing, g) * kernel.value(grains.position[other] - centre);
         density[other] += weight;
         momentum[other] += weight * velocity;
       });

@@ -72,7 +72,7 @@ struct CoarseFields {
   std::vector<Tensor2> velocity_gradient;  ///< dV_a/dx_b, 1/s; NaN where V is
   std::vector<Tensor2> contact_stress;     ///< Pa, tension positive; first index that of the force
   std::vector<Tensor2> kinetic_stress;     ///< of fluctuations about the mean flow, Pa, tension positive, so not positive on its diagonal
-  std::vector<Tensor2> gradient_stress;    ///< of the mean flow's own differences within the width, Pa: about -rho (rate x width)^2 under shear
+  std::vector<Tensor2> gradient_stress;    ///< of the mean flow's own differences within the width, Pa
   std::vector<Vec2> wall_force;            ///< of walls and boundaries on the grains, over volume, N/m^3
 };
 
@@ -81,10 +81,12 @@ struct CoarseFields {
 ///   contact stress(r) = sum over contacts f (x) l / L times the mean of phi(r - .) along the line from r_i to r_i + l,
 ///   kinetic stress(r) = -sum m_i (v_i - V(r_i)) (x) (v_i - V(r_i)) phi(r - r_i)/L,
 ///   gradient stress(r) = the same with V(r) in place of V(r_i), less the kinetic stress,
-/// f the force on grain i and l its branch vector, to the centre of j or to the contact point on a wall. About V(r) alone a flow without any
-/// fluctuation would have a kinetic stress, which grows with the width (R. Artoni and P. Richard, Phys. Rev. E 91, 032202, 2015). They obey the balances
-/// of mass and momentum exactly: drho/dt + div p = 0 and dp_a/dt = d/dx_b (stress_ab - rho V_a V_b) + wall force (T. Weinhart et al., Granular Matter
-/// 14, 289, 2012) + rho g, stress the sum of all three. Integrals over a periodic cell are mass, momentum and the Love-Weber sum; near walls what the kernel smears lies
+/// f the force on grain i and l its branch vector, to the centre of j or to the contact point on a wall. About V(r)
+/// alone a flow without any fluctuation would have a kinetic stress, which grows with the width (R. Artoni and P.
+/// Richard, Phys. Rev. E 91, 032202, 2015). They obey the balances of mass and momentum exactly: drho/dt + div p = 0
+/// and dp_a/dt = d/dx_b (stress_ab - rho V_a V_b) + wall force (T. Weinhart et al., Granular Matter 14, 289, 2012) +
+/// rho g, stress the sum of all three. Integrals over a periodic cell are mass, momentum and the Love-Weber sum; near
+/// walls what the kernel smears lies
 /// beyond them too. Images of a periodic cell that deforms move with it: at the rates of its edges and of its tilt. Throws InputError
 /// without a box, a positive thickness, grid and width.
 CoarseFields coarse_grain(const Packing& packing, const Grid& grid, const CoarseGraining& choice);

@@ -14,7 +14,8 @@ struct Discharge {
   bool stopped = false;  ///< nothing passes any more in the end, for longer than a tenth of the time of flow: empty or clogged
 };
 
-/// From amounts passed at times, s, that never shrink but by rounding (1e-9 of the largest): steady part without the beginning, where it sets in, and the end, where it runs dry, each cut
+/// From amounts passed at times, s, that never shrink but by rounding (1e-9 of the largest): steady part without the
+/// beginning, where it sets in, and the end, where it runs dry, each cut
 /// where the error of the rest is least (steady_state.hpp). Unknown where nothing passes. Throws InputError for lists of unlike lengths, numbers that
 /// are not finite, and times that do not grow.
 Discharge find_discharge(const std::vector<double>& time, const std::vector<double>& passed);

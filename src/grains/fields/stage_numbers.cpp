@@ -9,8 +9,10 @@
 namespace arenite::fields {
 namespace {
 
-constexpr std::size_t fewest_states = 4, most_states = 12;  // by which the scatter of a number in time is known, and that are measured for it
-constexpr double restless = 0.1;                            // scatter of the pressure in time beyond which one moment tells little of the others
+constexpr std::size_t fewest_states = 4,
+                      most_states = 12;  // by which the scatter of a number in time is known, and that are measured for it
+constexpr double restless = 0.1;         // scatter of the pressure in time beyond which one moment tells little of the others
+constexpr double beyond_blocks = 1.5;    // scatter in time over an error by blocks that tells more than that both are rough
 
 /// A sum of two columns with these weights; zeros where there is none.
 std::vector<double> weighed(const History& history, double x, const std::string& one, double y, const std::string& other, std::size_t rows) {
@@ -34,7 +36,8 @@ double deviation(const std::vector<double>& values) {
   return mean.error * std::sqrt(mean.freedom + 1);
 }
 
-/// Standard deviation of values that may drift, by the differences of neighbours (J. von Neumann, Ann. Math. Stat. 12, 367, 1941).
+/// Standard deviation of values that may drift, by the differences of neighbours (J. von Neumann, Ann. Math. Stat. 12,
+/// 367, 1941).
 double deviation_of_neighbours(const std::vector<double>& values) {
   double squares = 0;
   for (std::size_t k = 1; k < values.size(); ++k) squares += (values[k] - values[k - 1]) * (values[k] - values[k - 1]);
@@ -58,7 +61,7 @@ Nodes below(const Nodes& nodes, std::string_view name) {
   return found;
 }
 
-/// The larger of an error and the scatter of the value over states; lists item by item.
+/// An error, or the scatter of the value over states where that is clearly larger; lists item by item.
 Numbers widened(const Numbers& value, const Numbers& error, const Nodes& of_states) {
   if (value.is_list()) {
     Numbers out = Numbers::list();
@@ -75,7 +78,7 @@ Numbers widened(const Numbers& value, const Numbers& error, const Nodes& of_stat
     if (node->is_number()) values.push_back(node->get<double>());
   if (!value.is_number() || values.size() < fewest_states) return error;
   const double scatter = deviation_of_neighbours(values);
-  return error.is_number() && error.get<double>() > scatter ? error : Numbers(scatter);
+  return error.is_number() && scatter <= beyond_blocks * error.get<double>() ? error : Numbers(scatter);
 }
 
 /// Another error of a number, and of the number beside it that repeats it ("beta_error" beside "beta").
@@ -121,7 +124,9 @@ Numbers texture_numbers(const StageEnd& end) {
     widen(own, states);
   } else if (end.options->in_time->pressure > restless) {
     forget_errors(own);
-    own["notes"].push_back("The sample fluctuates as a whole, so that errors are unknown from its last state; store more states (snapshots = 8 or more).");
+    own["notes"].push_back(
+        "The sample fluctuates as a whole, so that errors are unknown from its last state; store more states "
+        "(snapshots = 8 or more).");
   }
   return own;
 }

@@ -12,21 +12,22 @@ namespace arenite::fields {
 /// The end of a stage, which its statistics are of.
 struct StageEnd {
   const StageResult& result;
-  const dem::Stage& stage;          ///< as it was asked for; nothing drives that of a packing
-  const Packing* before;            ///< the state of a loaded sample that it began with; null where none was loaded before
-  const texture::Texture& texture;  ///< of its last state
+  const dem::Stage& stage;                    ///< as it was asked for; nothing drives that of a packing
+  const Packing* before;                      ///< the state of a loaded sample that it began with; null where none was loaded before
+  const texture::Texture& texture;            ///< of its last state
   const texture::Options* options = nullptr;  ///< how its states are measured; null: none but the last
 };
 using StageStatistic = Numbers(const StageEnd& end);
 
-/// The sides of a sample row by row of a history: where they are, and the mean stresses on opposite ones times the thickness, N/m. Normal stresses are
-/// positive where they press.
+/// The sides of a sample row by row of a history: where they are, and the mean stresses on opposite ones times the
+/// thickness, N/m. Normal stresses are positive where they press.
 struct SideStresses {
   std::vector<double> time, width, height;  ///< s, m
   std::vector<double> xx, yy;               ///< on left and right, on bottom and top
-  std::vector<double> along_x, along_y;     ///< shear on bottom and top, on left and right: positive where the top, or the right, is held back
-  std::vector<double> pressure() const;     ///< mean of the two normal ones
-  std::vector<double> deviator() const;     ///< half the difference of the principal ones
+  std::vector<double> along_x,
+      along_y;                           ///< shear on bottom and top, on left and right: positive where the top, or the right, is held back
+  std::vector<double> pressure() const;  ///< mean of the two normal ones
+  std::vector<double> deviator() const;  ///< half the difference of the principal ones
 };
 
 /// Nothing without the sides' places or with fewer than three rows; a force that the history lacks counts as 0.
@@ -35,13 +36,15 @@ std::optional<SideStresses> side_stresses(const History& history);
 /// Whether a stage ends while its sample is strained or flows, not in equilibrium: its states are moments in time.
 bool ends_in_motion(const dem::Stage& stage);
 
-/// How far the stress of one moment lies from the mean over time, by the second half of a history. Nothing where nothing presses on the sides. It is how
-/// far another sample's lies from it, too, as long as both flow for long enough to forget how they were made.
+/// How far the stress of one moment lies from the mean over time, by the second half of a history. Nothing where
+/// nothing presses on the sides. It is how far another sample's lies from it, too, as long as both flow for long enough
+/// to forget how they were made.
 std::optional<texture::TimeScatter> stress_in_time(const History& history, double thickness);
 
-/// All numbers of a stage with states. Of one that ends in motion between sides that press, errors are those by blocks of its last state or the scatter of
-/// its states in time, whichever is larger: blocks cannot see a sample fluctuate as a whole. With too few states they are unknown where its pressure
-/// fluctuates by more than a tenth. A new statistic is one file and one word in the list of stage_numbers.cpp.
+/// All numbers of a stage with states. Of one that ends in motion between sides that press, errors are those by blocks
+/// of its last state or, where it is clearly larger, the scatter of its states in time: blocks cannot see a sample
+/// fluctuate as a whole. With too few states they are unknown where its pressure fluctuates by more than a tenth. A new
+/// statistic is one file and one word in the list of stage_numbers.cpp.
 StageStatistic stage_numbers;
 
 /// Numbers of what flows under its weight, each with its error: "discharge" of a stage that counts what passes; "surface" of one that weighs and on

@@ -82,7 +82,9 @@ SteadyState block_average(std::span<const double> samples) {
 }
 
 std::vector<double> about_ratio_of_means(std::span<const double> a, std::span<const double> b, std::size_t first) {
-  const auto mean = [&](std::span<const double> v) { return std::accumulate(v.begin() + static_cast<std::ptrdiff_t>(first), v.end(), 0.0) / static_cast<double>(v.size() - first); };
+  const auto mean = [&](std::span<const double> v) {
+    return std::accumulate(v.begin() + static_cast<std::ptrdiff_t>(first), v.end(), 0.0) / static_cast<double>(v.size() - first);
+  };
   const double below = mean(b), ratio = mean(a) / below, sign = ratio < 0 ? -1 : 1;
   std::vector<double> about;
   for (std::size_t k = first; k < a.size(); ++k) about.push_back(sign * (ratio + (a[k] - ratio * b[k]) / below));

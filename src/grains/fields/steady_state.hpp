@@ -26,8 +26,9 @@ struct SteadyState {
 /// than six blocks would be left.
 SteadyState block_average(std::span<const double> samples);
 
-/// Samples, from the first on, whose mean is the ratio of the means of a and b, |<a>/<b>|, and whose fluctuations are those that its error comes from: R + (a -
-/// R b)/<b>. A mean of ratios would be another number where b fluctuates, by the part of a that goes with it.
+/// Samples, from the first on, whose mean is the ratio of the means of a and b, |<a>/<b>|, and whose fluctuations are
+/// those that its error comes from: R + (a - R b)/<b>. A mean of ratios would be another number where b fluctuates, by
+/// the part of a that goes with it.
 std::vector<double> about_ratio_of_means(std::span<const double> a, std::span<const double> b, std::size_t first = 0);
 
 /// Mean of so many equal blocks at the end of a series, its error by their scatter: neighbours in time are not independent.

@@ -60,14 +60,15 @@ statistics::Curve survival_function(const std::vector<double>& sorted) {
 /// The numbers of a set in the order of `put_numbers`.
 enum Number { mean_value, above_own, above_all, beta, beta_line, lead, alpha, k, relation, numbers_in_all };
 
-/// Of items in the order of their values. The mean is their own, so that its scatter is in the errors of all that is counted from it.
+/// Of items in the order of their values. The mean is their own, so that its scatter is in the errors of all that is
+/// counted from it; so is that of all where that is not known.
 std::vector<double> numbers_of(const Items& sorted, const std::vector<double>& value, double mean_of_all, double scale) {
   std::vector<double> n(numbers_in_all, unknown);
   if (sorted.empty()) return n;
   const double mean = mean_of(sorted, value);
   n[mean_value] = mean * scale;
   n[above_own] = share_beyond(sorted, value, mean);
-  n[above_all] = share_beyond(sorted, value, mean_of_all);
+  n[above_all] = share_beyond(sorted, value, std::isnan(mean_of_all) ? mean : mean_of_all);
   const auto x = rising(sorted, value, mean);
   if (!(x.front() <= x.back())) return n;  // the mean is nought, or of the other sign than that of all
   const statistics::TailFit tail = statistics::exponential_tail(x);
@@ -100,13 +101,6 @@ void put_laws(Numbers& to, const std::vector<Estimate>& n, const statistics::Tai
   put(to, "beta2_over_product", n[relation], "", "beta^2/((1 - alpha)(2 - alpha)); 1 where T eq. 1.5 holds");
 }
 
-/// Of all contacts, the share that is strong and in the set.
-Estimate strong_share_of_all(const View& view, const Items& set) {
-  std::vector<double> counts(view.pairs().size(), 0.0);
-  for (const std::size_t c : set) counts[c] = view.strong(c);
-  return mean(view.contacts, view.contact_block, [&](std::size_t c) { return counts[c]; });
-}
-
 }  // namespace
 
 Numbers distribution(const Items& items, const std::vector<int>& block_of, const std::vector<double>& value, double mean_of_all, const DistributionNames& names,
@@ -114,7 +108,8 @@ Numbers distribution(const Items& items, const std::vector<int>& block_of, const
   const double own_mean = mean_of(items, value), sign = own_mean < 0 ? -1 : 1, count = static_cast<double>(items.size());
   Items sorted = items;
   std::ranges::stable_sort(sorted, [&](std::size_t i, std::size_t j) { return sign * value[i] < sign * value[j]; });
-  auto n = jackknife(sorted, block_of, [&](const Items& set) { return numbers_of(set, value, mean_of_all, scale); });
+  const double against = std::abs(mean_of_all - own_mean) <= 1e-12 * std::abs(own_mean) ? unknown : mean_of_all;
+  auto n = jackknife(sorted, block_of, [&](const Items& set) { return numbers_of(set, value, against, scale); });
   n[lead] = {n[lead].value * count, n[lead].error * count};
   n[mean_value].error = std::hypot(n[mean_value].error, level * n[mean_value].value);
   Numbers j{{"count", described(items.size(), "", "Values of the set")}};
@@ -145,13 +140,8 @@ void forces(const View& view, Texture& texture) {
   double mean_pull = 0;
   Numbers compressive = Numbers::tree(), tensile = Numbers::tree();
   for (const auto& [name, items] : sets) {
-    if (const Items pushing = kept(items, [&](std::size_t c) { return push[c] > 0; }); !pushing.empty()) {
-      Numbers& set = place_of(name, compressive, "by_type");
-      set.update(distribution(pushing, view.contact_block, push, view.mean_force, names, 1, view.level()));
-      if (name != "all")
-        put(set, "strong_share_of_all", strong_share_of_all(view, items), "",
-            "Fraction of all contacts that are of the set and above the mean of all");
-    }
+    if (const Items pushing = kept(items, [&](std::size_t c) { return push[c] > 0; }); !pushing.empty())
+      place_of(name, compressive, "by_type").update(distribution(pushing, view.contact_block, push, view.mean_force, names, 1, view.level()));
     const Items pulling = kept(items, [&](std::size_t c) { return pull[c] > 0; });
     if (pulling.empty()) continue;
     if (name == "all")

@@ -27,7 +27,8 @@ void add_contact(const Contacts& contacts, std::size_t c, double* sums) {
   for (int k = 0; k < terms; ++k) sums[k] += values[k];
 }
 
-/// Components along cos 2 theta, sin 2 theta and so on, of which amplitudes and directions are made when their errors are known.
+/// Components along cos 2 theta, sin 2 theta and so on, of which amplitudes and directions are made when their errors
+/// are known.
 enum Result { phi_xx, phi_xy, phi_yy, a_c_signed, x2, y2, x4, y4, x6, y6, force_x, force_y, friction_x, friction_y, results };
 
 /// Anisotropies of force by least squares over directions, so that they do not inherit the anisotropy of the counts.

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-
 namespace arenite::texture {
 namespace {
 
@@ -48,7 +47,8 @@ Tensor2 inner_stress(const View& view, const std::vector<Tensor2>& moments) {
   return sum;
 }
 
-/// At rest forces balance, so that every cut through a sample bears the same: blocks cannot tell how the stress of another sample would differ.
+/// At rest forces balance, so that every cut through a sample bears the same: blocks cannot tell how the stress of
+/// another sample would differ.
 statistics::TensorEstimate with_scatter_in_time(const View& view, const Tensor2& stress) {
   return {stress, view.options.in_time ? view.options.in_time->stress : Tensor2{unknown, unknown, unknown, unknown}};
 }
@@ -99,7 +99,8 @@ void put_whole_stress(Numbers& to, Numbers& details, const View& view) {
   put(to, "stress", with_scatter_in_time(view, s), "Pa",
       view.options.in_time ? "Mean stress of the sample, tension positive; its error is the scatter in time"
                            : "Mean stress of the sample, tension positive; its error is unknown from one sample");
-  put(details, "in_window", statistics::TensorEstimate{inner_stress(view, moments)}, "Pa", "Stress of the grains in the window, tension positive; its error is unknown from one sample");
+  put(details, "in_window", statistics::TensorEstimate{inner_stress(view, moments)}, "Pa",
+      "Stress of the grains in the window, tension positive; its error is unknown from one sample");
   put(details, "sum_over_grains", sum, "Pa", "Stress as the sum over grains");
   if (walled)
     put(details, "from_walls_and_weight", 1 / volume * wall_moment(view.packing, view.options.gravity), "Pa",

@@ -17,7 +17,8 @@ using statistics::unknown;
 /// What can make contacts pull.
 enum class Pull { measured, adhesion, dashpots };
 
-/// How far a sample in motion goes astray from its mean over time, as a whole: blocks in space cannot see it. Standard deviations of one moment.
+/// How far a sample in motion goes astray from its mean over time, as a whole: blocks in space cannot see it. Standard
+/// deviations of one moment.
 struct TimeScatter {
   Tensor2 stress{unknown, unknown, unknown, unknown};  ///< Pa
   double pressure = unknown;                           ///< over its mean

@@ -37,11 +37,12 @@ double compression_axis(const Packing& packing) {
   return axis < 0 ? axis + std::numbers::pi : axis;
 }
 
-/// Standard deviation of the length of (a, 0) and normal noise of deviation 1 in both parts (S. O. Rice, Bell Syst. Tech. J. 24, 46, 1945).
+/// Standard deviation of the length of (a, 0) and normal noise of deviation 1 in both parts (S. O. Rice, Bell Syst.
+/// Tech. J. 24, 46, 1945).
 double rice_deviation(double a) {
   if (a > 5) return 1;
-  const double half = a * a / 4, mean = std::sqrt(std::numbers::pi / 2) * std::exp(-half) *
-                                        ((1 + 2 * half) * std::cyl_bessel_i(0, half) + 2 * half * std::cyl_bessel_i(1, half));
+  const double half = a * a / 4,
+               mean = std::sqrt(std::numbers::pi / 2) * std::exp(-half) * ((1 + 2 * half) * std::cyl_bessel_i(0, half) + 2 * half * std::cyl_bessel_i(1, half));
   return std::sqrt(std::max(0.0, 2 + a * a - mean * mean));
 }
 
@@ -170,21 +171,18 @@ Items View::grains_of(int m) const {
 }
 
 Oscillation oscillation(const Estimate& x, const Estimate& y, int m) {
-  constexpr double degrees = 180 / std::numbers::pi;
+  constexpr double degrees = 180 / std::numbers::pi, random = std::numbers::pi / std::numbers::sqrt3;
   const double amplitude = std::hypot(x.value, y.value), angle = std::atan2(y.value, x.value) / m * degrees;
   const double noise2 = 0.5 * (x.error * x.error + y.error * y.error), noise = std::sqrt(noise2);
   Oscillation found{{amplitude}, {angle < 0 ? angle + 360.0 / m : angle}};
-  if (!std::isfinite(noise)) return found;
-  // Order reaches beyond a block of a dozen grains: directions scatter as if the noise were larger than blocks show.
-  constexpr double shared = 1.5, random = 2 * std::numbers::pi / 3.4641016151377544;  // uniform over a turn
-  const auto without_noise = [&](double factor) { return std::sqrt(std::max(0.0, amplitude * amplitude - 2 * factor * factor * noise2)); };
-  const double truth = without_noise(1), sure = without_noise(shared);
-  // Errors of the two parts along the found direction and across it.
-  const double along = amplitude > 0 ? std::hypot(x.value * x.error, y.value * y.error) / amplitude : noise;
-  const double across = amplitude > 0 ? std::hypot(y.value * x.error, x.value * y.error) / amplitude : noise;
-  found.amplitude.error = truth > 0 ? along * rice_deviation(truth / noise) : noise * rice_deviation(0);
-  found.direction_deg.error = (sure > 0 ? std::min(shared * across / sure, random) : random) / m * degrees;
   if (noise == 0) found.amplitude.error = found.direction_deg.error = 0;
+  if (!(noise > 0)) return found;
+  const double truth = std::sqrt(std::max(0.0, amplitude * amplitude - 2 * noise2));
+  const double along = std::hypot(x.value * x.error, y.value * y.error) / amplitude;
+  found.amplitude.error = truth > 0 ? along * rice_deviation(truth / noise) : noise * rice_deviation(0);
+  // Order of four and six folds reaches beyond a block of a dozen grains, so that blocks show too little noise.
+  const double shared = m > 2 ? 1.25 * noise : noise, sure = std::sqrt(std::max(0.0, amplitude * amplitude - 2 * shared * shared));
+  found.direction_deg.error = (sure > 0 ? std::min(shared / sure, random) : random) / m * degrees;
   return found;
 }
 

@@ -68,7 +68,8 @@ struct View {
   double mean_force = 0;                        ///< of considered contacts that push, N; 0 if none does
   double load_axis = 0;                         ///< rad
 
-  /// Scatter of the pressure of a sample in motion over its mean in time, which all mean forces and stresses share; 0 at rest.
+  /// Scatter of the pressure of a sample in motion over its mean in time, which all mean forces and stresses share; 0
+  /// at rest.
   double level() const { return options.in_time ? options.in_time->pressure : 0; }
   const Contacts& pairs() const { return packing.contacts; }
   Vec2 contact_point(std::size_t c) const;  ///< in the periodic cell
@@ -109,9 +110,10 @@ struct Oscillation {
   Estimate amplitude, direction_deg;  ///< the direction in [0, 360/m)
 };
 
-/// By its parts along cos m theta and sin m theta. Noise of the same size in both, sigma, makes an amplitude out of nothing: a true one a, found as A, is
-/// about sqrt(A^2 - 2 sigma^2), the scatter of A is that of Rice's distribution (0.655 sigma where there is nothing, sigma where a is large), and a
-/// direction is known to sigma/(m a), with 1.5 sigma for what neighbouring blocks share, but never worse than a random one, (360/m)/sqrt(12).
+/// By its parts along cos m theta and sin m theta. Noise of the same size in both, sigma, makes an amplitude out of
+/// nothing: a true one a, found as A, is about sqrt(A^2 - 2 sigma^2), the scatter of A is that of Rice's distribution
+/// (0.655 sigma where there is nothing, sigma where a is large), and a direction is known to sigma/(m a), with 1.25
+/// sigma for m > 2, but never worse than a random one, (360/m)/sqrt(12).
 Oscillation oscillation(const Estimate& x, const Estimate& y, int m);
 
 /// What a kind of values calls its mean and the share above it.
@@ -120,8 +122,8 @@ struct DistributionNames {
 };
 
 /// Numbers of one set of positive values (forces, stresses) over their own mean, x = F/<F>. `mean_of_all` is the mean of the set that this one is part
-/// of. `scale` turns the mean into its unit, NaN where that cannot be known; `level` is View::level. All errors come from leaving out blocks, whatever the law: values of
-/// neighbours depend on each other.
+/// of. `scale` turns the mean into its unit, NaN where that cannot be known; `level` is View::level. All errors come
+/// from leaving out blocks, whatever the law: values of neighbours depend on each other.
 Numbers distribution(const Items& items, const std::vector<int>& block_of, const std::vector<double>& value, double mean_of_all, const DistributionNames& names,
                      double scale = 1, double level = 0);
 

@@ -175,7 +175,8 @@ TEST(TestCurves, ACriticalStateOfFewFluctuationsHasAWideIntervalAndSaysSo) {
 }
 
 TEST(TestCurves, ARatioIsThatOfTheMeansAndNotTheMeanOfRatios) {
-  // The pressure fluctuates by a fifth, the shear force against it: the mean of ratios is larger by the fifth's square and by what goes together.
+  // The pressure fluctuates by a fifth, the shear force against it: the mean of ratios is larger by the fifth's square
+  // and by what goes together.
   Loading test = steady_shear(0.3);
   RandomStream random(6, Purpose::test);
   double shear = 0, normal = 0, ratios = 0;
@@ -202,10 +203,13 @@ StageResult slid_to_and_fro() {
     test.of("bottom_shear_force")[k] = 30, test.of("top_shear_force")[k] = -30;
   }
   test.stage.provenance.recipe =
-      "[container]\nwidth = \"100 mm\"\nthickness = \"10 mm\"\n[packing]\nsolid_fraction = 0.7\n[materials.A]\ndensity = \"2500 kg/m^3\"\nstiffness = \"1 kN/mm\"\n"
-      "[[populations]]\nmaterial = \"A\"\ncount = 1\ndiameter = \"10 mm\"\n[contact]\nfriction = 0.3\n[[stages]]\nname = \"shear\"\nduration = \"4 s\"\n"
+      "[container]\nwidth = \"100 mm\"\nthickness = \"10 mm\"\n[packing]\nsolid_fraction = 0.7\n[materials.A]\ndensity "
+      "= \"2500 kg/m^3\"\nstiffness = \"1 kN/mm\"\n"
+      "[[populations]]\nmaterial = \"A\"\ncount = 1\ndiameter = \"10 mm\"\n[contact]\nfriction = 0.3\n[[stages]]\nname "
+      "= \"shear\"\nduration = \"4 s\"\n"
       "top = { pressure = \"1 kPa\" }\nslide = { top = \"10 mm/s\" }\n"
-      "programmes = [{ of = \"slide.top\", repeat = true, table = [[\"0 s\", \"10 mm/s\"], [\"1 s\", \"20 mm/s\"], [\"2 s\", \"-20 mm/s\"]] }]\n";
+      "programmes = [{ of = \"slide.top\", repeat = true, table = [[\"0 s\", \"10 mm/s\"], [\"1 s\", \"20 mm/s\"], "
+      "[\"2 s\", \"-20 mm/s\"]] }]\n";
   return test.stage;
 }
 
@@ -213,7 +217,8 @@ TEST(TestCurves, OfAProgrammedSlideAreOfTheWayThatItWent) {
   const auto curves = test_curves(slid_to_and_fro());
   ASSERT_TRUE(curves);
   EXPECT_EQ(curves->strain_name, "shear strain");
-  // 15 mm in the first second, then 5 mm forth and 5 mm back in half a second each; over 100 mm of height, since the first row at 0.01 s.
+  // 15 mm in the first second, then 5 mm forth and 5 mm back in half a second each; over 100 mm of height, since the
+  // first row at 0.01 s.
   EXPECT_NEAR(curves->strain[99], 0.15, 2e-3);
   EXPECT_NEAR(curves->strain[149], 0.20, 2e-3);
   EXPECT_NEAR(curves->strain[199], 0.15, 2e-3);

@@ -97,14 +97,21 @@ TEST(FurtherSeeds, ComeNextWhereFewestDecide) {
   const Check hopeless = positive("hopeless", "", {0.001, 1, 40}), certain = positive("certain", "", {5, 1, 40});
   const auto wanted = seeds_wanted(ledger_of({far, hopeless, certain, near, beside(far)}), {}, find);
   ASSERT_EQ(wanted.size(), 2u);
-  EXPECT_EQ(wanted[0].check->what, "near");
+  EXPECT_EQ(wanted[0].what, "near");
   EXPECT_EQ(wanted[0].next[0].draw.where, glued);
   EXPECT_EQ(wanted[0].next[0].seeds, 4u) << "1.2 times two seeds, and a quarter more, and whole";
-  EXPECT_EQ(wanted[1].check->what, "far");
+  EXPECT_EQ(wanted[1].what, "far");
   EXPECT_EQ(wanted[1].next[0].seeds, 5u) << "at most twice as many and one";
   // After these the next ones are counted from there.
   const auto later = seeds_wanted(ledger_of({far}), {{{"thesis-ch6", {}}, 9}}, find);
   EXPECT_GT(later[0].next[0].seeds, 9u);
+  // Draws that go together are brought to the same number: the glued ones have four already.
+  const Check paired = drawn({{"thesis-ch6", glued}, {"thesis-ch6", {{"contact.surface_energy", "0.5"}}}},
+                             positive("paired", "", {1, 0.55, 40}));
+  const auto level = seeds_wanted(ledger_of({paired}), {{{"thesis-ch6", glued}, 4}}, find);
+  ASSERT_EQ(level[0].next.size(), 1u);
+  EXPECT_EQ(level[0].next[0].draw.where.front().second, "0.5");
+  EXPECT_EQ(level[0].next[0].seeds, 4u);
   // What choices or the grid decide, no seed is drawn for.
   Check by_grid = far;
   by_grid.decider = Decider::grid;

@@ -34,8 +34,12 @@ TEST(TextureOptions, SignsReferToTheAxisAlongWhichTheSidesLoad) {
 }
 
 TEST(TextureOptions, WeighByTheGravityOfTheStageAtItsEnd) {
-  const std::string turned = "[[stages]]\nname = \"load\"\ngravity = true\ngravity_size = \"4 m/s^2\"\ngravity_angle = \"30 deg\"\nduration = \"2 s\"\n";
-  const auto gravity = [](const std::string& stage) { return texture_options(recipe::parse_recipe(test::small_packing_recipe + stage, "r.toml"), 1, {}).gravity; };
+  const std::string turned =
+      "[[stages]]\nname = \"load\"\ngravity = true\ngravity_size = \"4 m/s^2\"\ngravity_angle = \"30 deg\"\nduration = "
+      "\"2 s\"\n";
+  const auto gravity = [](const std::string& stage) {
+    return texture_options(recipe::parse_recipe(test::small_packing_recipe + stage, "r.toml"), 1, {}).gravity;
+  };
   EXPECT_NEAR(gravity(turned).x, 2, 1e-12);
   EXPECT_NEAR(gravity(turned).y, -4 * std::cos(std::numbers::pi / 6), 1e-12);
   const std::string grows = "programmes = [{ of = \"gravity_size\", table = [[\"0 s\", \"4 m/s^2\"], [\"2 s\", \"8 m/s^2\"]] }]\n";
@@ -45,7 +49,8 @@ TEST(TextureOptions, WeighByTheGravityOfTheStageAtItsEnd) {
 TEST(TextureOptions, TellHowTheStressOfAStageInMotionFluctuates) {
   StageResult made;
   made.snapshots.emplace_back().packing.domain.thickness = 0.1;
-  for (const char* name : {"time", "left_position", "right_position", "bottom_position", "top_position", "left_force", "right_force", "bottom_force", "top_force"})
+  for (const char* name :
+       {"time", "left_position", "right_position", "bottom_position", "top_position", "left_force", "right_force", "bottom_force", "top_force"})
     made.history.columns.push_back({name, "", {}});
   for (int k = 0; k < 400; ++k) {
     const double pressure = 100 + (k < 200 ? 50 : 0) + 3 * std::sin(k);

@@ -203,8 +203,9 @@ TEST(CoarseGrained, HasTheGradientOfItsVelocity) {
 }
 
 TEST(CoarseGrained, KineticStressIsThatOfTheFluctuationAboutTheLocalVelocity) {
-  // Two grains of equal mass at the same distance from the point: V is their mean, from which each differs by (1, 2) m/s; at a grain the other counts
-  // with the share of its kernel, so each fluctuates by 2 phi(2)/(phi(0) + phi(2)) of that.
+  // Two grains of equal mass at the same distance from the point: V is their mean, from which each differs by (1, 2)
+  // m/s; at a grain the other counts with the share of its kernel, so each fluctuates by 2 phi(2)/(phi(0) + phi(2)) of
+  // that.
   Packing p = test::empty_box(10, 8, 0.06);
   test::add_grain(p, {4, 4}, 0.5);
   test::add_grain(p, {6, 4}, 0.5);
@@ -223,7 +224,8 @@ TEST(CoarseGrained, KineticStressIsThatOfTheFluctuationAboutTheLocalVelocity) {
 }
 
 TEST(CoarseGrained, KineticStressOfAShearWithoutFluctuationIsNoneWhateverTheWidth) {
-  // A lattice under simple shear v_x = 0.3 y in a Lees-Edwards cell: V at a grain is its own velocity; about V(r) alone there would be rho (0.3 w)^2.
+  // A lattice under simple shear v_x = 0.3 y in a Lees-Edwards cell: V at a grain is its own velocity; about V(r) alone
+  // there would be rho (0.3 w)^2.
   Packing p = test::square_lattice(12);
   for (std::size_t g = 0; g < p.grains.size(); ++g) p.grains.velocity[g].x = 0.3 * p.grains.position[g].y;
   for (const double width : {0.9, 1.5, 2.5}) {

@@ -67,7 +67,8 @@ TEST(Discharge, HasNoErrorWhereItNeverIsSteadyAndNoRateWhereNothingPasses) {
   EXPECT_TRUE(std::isnan(find_discharge({}, {}).rate.value));
 }
 
-/// `sum` of the masses of grains that have passed, each row added up anew, so that it jitters in its last bit; the last grain passes at 0.9 s of 3.
+/// `sum` of the masses of grains that have passed, each row added up anew, so that it jitters in its last bit; the last
+/// grain passes at 0.9 s of 3.
 Record emptied(bool jitters) {
   Record r;
   double whole = 0;

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "unit/grains/texture/packings.hpp"
+
 namespace arenite::fields {
 namespace {
 
@@ -20,6 +24,52 @@ TEST(StageNumbers, AreThoseOfEveryStatistic) {
   EXPECT_EQ(numbers["grains"].get<int>(), 2);
   EXPECT_EQ(numbers["surface"]["grains"].get<int>(), 2);
   EXPECT_EQ(numbers["cohesion"]["pairs"].get<int>(), 1);
+}
+
+/// A stage of so many states that swings as a whole: in every second one a third of the contacts bear much more.
+StageResult swinging(std::size_t states) {
+  StageResult result;
+  for (std::size_t k = 0; k < states; ++k) {
+    Packing& packing = result.snapshots.emplace_back().packing = test::random_network(3, 400);
+    for (std::size_t c = 0; c < packing.contacts.size(); ++c)
+      if (k % 2 == 1 && c % 3 == 0) packing.contacts.fn[c] *= 20;
+  }
+  return result;
+}
+
+Numbers in_motion(std::size_t states, double pressure) {
+  const StageResult result = swinging(states);
+  texture::Options options;
+  options.in_time = texture::TimeScatter{{1, 1, 1, 1}, pressure};
+  const auto texture = texture::measure(result.snapshots.back().packing, options);
+  return stage_numbers({result, {}, nullptr, texture, &options});
+}
+
+TEST(StageNumbers, OfASampleInMotionHaveTheScatterOfItsStates) {
+  const auto rest = texture::numbers(texture::measure(swinging(12).snapshots.back().packing));
+  const Numbers moving = in_motion(12, 0.3), before = in_motion(11, 0.3);
+  const auto share_of = [](const Numbers& numbers, const char* part) { return numbers["force"]["strong_share"][part].get<double>(); };
+  // Neighbouring states differ by their swing, whose deviation is that over the square root of two.
+  const double swing = std::abs(share_of(moving, "value") - share_of(before, "value"));
+  EXPECT_GT(swing, 4 * share_of(rest, "error"));
+  EXPECT_NEAR(share_of(moving, "error"), swing / std::sqrt(2), 1e-9);
+  EXPECT_EQ(moving["coordination"]["all"]["error"].get<double>(), rest["coordination"]["all"]["error"].get<double>());  // all touch as before
+}
+
+TEST(StageNumbers, OfASampleInMotionHaveUnknownErrorsWhereStatesAreFewAndThePressureSwings) {
+  const Numbers restless = in_motion(2, 0.3);
+  EXPECT_FALSE(restless["coordination"]["all"]["error"].is_known());
+  EXPECT_NE(restless["notes"].back().get<std::string>().find("store more states"), std::string::npos);
+  const Numbers steady = in_motion(2, 0.02);
+  EXPECT_TRUE(steady["coordination"]["all"]["error"].is_known());
+}
+
+TEST(StageNumbers, EndInMotionWhereSomethingIsDrivenOrTimed) {
+  dem::Stage stage;
+  stage.side[top] = {dem::SideDrive::Kind::pressure, 1e3};
+  EXPECT_FALSE(ends_in_motion(stage));
+  stage.shear_rate = 1;
+  EXPECT_TRUE(ends_in_motion(stage));
 }
 
 }  // namespace

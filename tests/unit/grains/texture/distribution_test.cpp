@@ -114,7 +114,8 @@ TEST(Distribution, RelationOfExponentsHoldsForAPairThatObeysIt) {
   EXPECT_NEAR(value_of(d, "k"), k, 4 * error_of(d, "k"));
 }
 
-/// Draws of the exponential, each `copies` times, as the contacts of one chain carry one force; copies lie in one block.
+/// Draws of the exponential, each `copies` times, as the contacts of one chain carry one force; copies lie in one
+/// block.
 struct Chains {
   std::vector<double> force;
   std::vector<int> block;

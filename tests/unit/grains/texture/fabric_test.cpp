@@ -3,7 +3,8 @@
 
 #include <numbers>
 
-#include "grains/texture/texture.hpp"
+#include "core/random.hpp"
+#include "grains/texture/view.hpp"
 #include "support/numbers_of.hpp"
 #include "unit/grains/texture/packings.hpp"
 
@@ -175,6 +176,28 @@ RC_GTEST_PROP(Fabric, TurnsWithTheSampleAndMirrorsWithIt, ()) {
   RC_ASSERT(std::abs(fabric(a, "a_c_signed") - fabric(b, "a_c_signed")) < 1e-10);  // the load axis turns with the stress
   for (std::size_t g = 0; g < p.grains.size(); ++g)
     RC_ASSERT(std::abs(a.per_grain.sigma_hyd[g] - b.per_grain.sigma_hyd[g]) < 1e-10 * (1 + std::abs(a.per_grain.sigma_hyd[g])));
+}
+
+TEST(Oscillation, HasTheErrorsThatOtherSamplesScatterBy) {
+  for (const double truth : {0.0, 1.0, 4.0}) {
+    RandomStream random(3, Purpose::test);
+    constexpr int samples = 4000;
+    double sum = 0, squares = 0, told = 0, off = 0, off_told = 0;
+    for (int k = 0; k < samples; ++k) {
+      const Oscillation o = oscillation({truth + random.normal(), 1}, {random.normal(), 1}, 2);
+      const double turned = std::remainder(o.direction_deg.value, 180);
+      sum += o.amplitude.value, squares += o.amplitude.value * o.amplitude.value;
+      told += o.amplitude.error * o.amplitude.error;
+      off += turned * turned, off_told += o.direction_deg.error * o.direction_deg.error;
+    }
+    EXPECT_NEAR(std::sqrt((squares - sum * sum / samples) / told), 1, 0.2) << truth;
+    EXPECT_GT(std::sqrt(off / off_told), 0.7) << truth;
+    EXPECT_LT(std::sqrt(off / off_told), 1.3) << truth;
+  }
+  const Oscillation exact = oscillation({0.3, 0}, {0.4, 0}, 2);
+  EXPECT_EQ(exact.amplitude.error, 0);
+  EXPECT_EQ(exact.direction_deg.error, 0);
+  EXPECT_TRUE(std::isnan(oscillation({1}, {0}, 4).direction_deg.error));
 }
 
 }  // namespace
