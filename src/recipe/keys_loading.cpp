@@ -234,8 +234,9 @@ void declare(Visitor& v, Stage& stage, const Recipe& recipe) {
   v.require(!stage.gravity || stage.mass_scaling == dem::MassScaling::none, {"mass_scaling", "gravity"},
             "gravity acts on the true masses; leave gravity or mass_scaling out");
   v.number({"inertial_number",
-            "Inertial number that limits the speed of a side under force or pressure, over sqrt(force times width over mass): larger compacts faster and "
-            "overshoots more; 1 suits a compaction at P/k of 1e-3 or less."},
+            "Speed to which a side under force or pressure is damped where nothing else drives the sample, over "
+            "sqrt(force times width over mass): larger compacts faster and overshoots more; 1 suits a compaction at "
+            "P/k of 1e-3 or less. Where something drives the sample at least 1 is used."},
            stage.inertial_number, "", range::positive);
   v.flag({"glue", "Adhesion acts from this stage on."}, stage.glue);
   v.require(!stage.glue || recipe.contact.adheres(), {"glue"}, "no adhesion is defined; set contact.adhesion and contact.surface_energy");

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "grains/fields/coarse_grained.hpp"
+#include "report/stage_doubts.hpp"
 #include "report/test_curves.hpp"
 #include "workflow/run_film.hpp"
 
@@ -54,6 +55,8 @@ Numbers stage_of(const StageResult& stage, NumberBlock& block) {
   Numbers out{{"name", stage.name},
               {"converged", stage.converged},
               {"outcome", stage.outcome},
+              {"loads", loads_in_words(stage)},
+              {"doubts", doubts_about(stage)},
               {"history", history_of(stage.history, block)},
               {"provenance", provenance_of(stage.provenance)}};
   if (const auto curves = test_curves(stage)) out["test"] = test_of(*curves, block);

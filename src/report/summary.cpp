@@ -9,6 +9,7 @@
 #include "io/disk/store_file.hpp"
 #include "io/results/results.hpp"
 #include "report/page_document.hpp"
+#include "report/stage_doubts.hpp"
 #include "report/test_curves.hpp"
 #include "workflow/run.hpp"
 
@@ -139,6 +140,13 @@ std::string state_text(const StageResult& last) {
   return text;
 }
 
+/// Loads that were not reached, and energies that do not balance, each a line; empty where all is well.
+std::string doubts_of(const StageResult& stage) {
+  std::string text;
+  for (const std::string& doubt : doubts_about(stage)) text += fmt::format("  {:<32} WARNING: {}\n", "", doubt);
+  return text;
+}
+
 /// The numbers that one asks for first, of grains, of what flows and of nodes, as rows of a table.
 std::string headlines(const Numbers& numbers) {
   return rows_of(numbers,
@@ -201,6 +209,8 @@ std::string Summary::how_stages_ended() const {
   std::string text = made_by(last().provenance) + "\nStages\n";
   for (const Stage& stage : stages_) {
     text += fmt::format("  {:<32} {}{}\n", stage.result.name, stage.result.converged ? "" : "NOT IN EQUILIBRIUM: ", stage.result.outcome);
+    for (const std::string& load : loads_in_words(stage.result)) text += fmt::format("  {:<32} {}\n", "", load);
+    text += doubts_of(stage.result);
     text += fmt::format("  {:<32} {} {} in {}\n", "", stage.states, stage.states == 1 ? "state" : "states", stage.file);
   }
   for (const Field& field : fields_)

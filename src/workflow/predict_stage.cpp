@@ -44,11 +44,14 @@ double weight(const dem::Stage& stage, const Bulk& bulk) {
   return stage.gravity ? 0.5 * bulk.solid_fraction * bulk.density * stage.gravity_size * bulk.height : 0;
 }
 
-/// 1/s; what closes the sample.
+/// 1/s; difference of the principal strain rates where sides close the sample, which yields where sides press across.
 double closing_rate(const dem::Stage& stage, const Bulk& bulk) {
   double rate = 0;
-  for (int side = 0; side < sides; ++side)
-    if (stage.side[side].kind == Kind::velocity) rate = std::max(rate, std::abs(largest_drive(stage, side)) / (side < 2 ? bulk.width : bulk.height));
+  for (int side = 0; side < sides; ++side) {
+    if (stage.side[side].kind != Kind::velocity) continue;
+    const double own = std::abs(largest_drive(stage, side)) / (side < 2 ? bulk.width : bulk.height);
+    rate = std::max(rate, pressure_along(stage, bulk, 1 - side / 2) > 0 ? 2 * own : own);
+  }
   return rate;
 }
 

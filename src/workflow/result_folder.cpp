@@ -3,15 +3,13 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <numbers>
 #include <set>
 #include <utility>
 
 #include "core/mapped.hpp"
 #include "core/problems.hpp"
 #include "core/text.hpp"
-#include "grains/dem/programme.hpp"
-#include "grains/fields/stage_numbers.hpp"
+#include "grains/fields/loading_axis.hpp"
 #include "io/disk/store_file.hpp"
 #include "io/export/export.hpp"
 #include "io/results/results.hpp"
@@ -81,14 +79,6 @@ std::string ResultFolder::what_was_put_aside() const {
 
 namespace {
 
-/// Along which a stage loads, rad; nothing where it loads along both axes or none.
-std::optional<double> loading_axis(const dem::Stage& stage) {
-  const auto works = [&](std::size_t side) { return stage.side[side].kind != dem::SideDrive::Kind::fixed; };
-  const bool across = works(left) || works(right), along = works(bottom) || works(top);
-  if (across == along) return std::nullopt;
-  return along ? std::numbers::pi / 2 : 0;
-}
-
 /// The files of a result that are of this kind, "result" or "field".
 std::vector<fs::path> files_of(const fs::path& result, std::string_view kind) {
   auto files = io::stage_files(result);
@@ -137,11 +127,8 @@ texture::Options texture_options(const recipe::Recipe& recipe, std::size_t stage
   if (recipe.contact.adheres()) options.pull = texture::Pull::adhesion;
   else if (recipe.contact.attractive_dashpot) options.pull = texture::Pull::dashpots;
   if (stage == 0) return options;
-  const dem::Stage& asked = recipe.stages[stage - 1];
-  options.gravity = dem::gravity_at(asked, asked.duration.value_or(0));
-  options.load_axis = loading_axis(asked);
-  if (!fields::ends_in_motion(asked) || made.snapshots.empty()) return options;
-  options.in_time = fields::stress_in_time(made.history, made.snapshots.back().packing.domain.thickness).value_or(texture::TimeScatter{});
+  if (recipe.stages[stage - 1].gravity) options.gravity = {0, -dem::standard_gravity};
+  options.load_axis = fields::loading_axis(recipe.stages[stage - 1]);
   return options;
 }
 

@@ -23,6 +23,7 @@ namespace {
 constexpr std::int64_t packing_version = 1;
 constexpr std::int64_t loading_version = 4;
 constexpr std::int64_t clipped_dashpot_version = 1;  // of loadings whose dashpots cannot pull, alone
+constexpr std::int64_t driven_loading_version = 1;   // of loadings that shear, or press while something drives, alone
 constexpr std::int64_t cement_version = 1;
 constexpr std::int64_t load_version = 2;
 constexpr std::int64_t closing_version = 1;  // of loads to failure whose cracks close, alone
@@ -101,6 +102,16 @@ std::string packing_key(const recipe::Recipe& recipe, const std::string& part) {
   return hash.hex();
 }
 
+/// Its walls are those of a driven sample (dem/walls.hpp), or its anisotropies have the signs of shear.
+bool presses_while_driven_or_shears(const dem::Stage& stage) {
+  using Kind = dem::SideDrive::Kind;
+  const auto is_of = [&](auto... kinds) { return std::ranges::any_of(stage.side, [&](const dem::SideDrive& side) { return ((side.kind == kinds) || ...); }); };
+  const auto moves = [](const dem::BoundaryMotion& b) { return b.velocity != Vec2{} || b.spin != 0; };
+  const bool shears = stage.shear_rate != 0 || stage.slide != BySide<double>{};
+  const bool driven = is_of(Kind::velocity) || stage.strain_cycles || !stage.programmes.empty() || std::ranges::any_of(stage.boundaries, moves);
+  return shears || (driven && is_of(Kind::force, Kind::pressure));
+}
+
 /// Of all that stage `s` (0-based) depends on: the packing, laws, integration, the stages up to it. What changes no bit (title, number of threads, kernel,
 /// later stages) is not in it.
 std::string stage_key(const recipe::Recipe& recipe, std::size_t s, const std::string& packing_hash) {
@@ -109,6 +120,7 @@ std::string stage_key(const recipe::Recipe& recipe, std::size_t s, const std::st
   HashBuilder hash;
   hash.add("loading version", loading_version).add("packing", packing_hash).add("recipe", changed_keys(part));
   if (!recipe.contact.attractive_dashpot) hash.add("clipped dashpot version", clipped_dashpot_version);
+  if (std::ranges::any_of(part.stages, presses_while_driven_or_shears)) hash.add("driven loading version", driven_loading_version);
   return hash.hex();
 }
 
@@ -181,7 +193,7 @@ recipe::Recipe part_of(const recipe::Recipe& recipe, std::size_t s) {
 
 std::string key_versions() {
   return fmt::format("changed keys {} {} {} {} {} {}", packing_version, loading_version, cement_version, load_version, clipped_dashpot_version,
-                     closing_version);
+                     driven_loading_version);
 }
 
 std::string film_key(const fs::path& film, FilmSource& source, const recipe::FilmRecipe& recipe) {

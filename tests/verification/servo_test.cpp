@@ -91,6 +91,56 @@ TEST(Servo, HoldsItsForceWhileTheOppositeWallPushesTheSampleAlong) {
   EXPECT_NEAR(engine.domain().wall[bottom].velocity, -0.2, 2e-4);
 }
 
+/// What brakes a wall must not hang on the force of now: it would then be braked more on its way out than in.
+TEST(Servo, ItsForceIsTheOneAskedForOnAverageWhileTheOppositeWallGoesToAndFro) {
+  Engine engine(crystal(), frictionless(0.1), with_step(crystal_step()));
+  engine.set_drives(bottom_pressed(5000));
+  ASSERT_TRUE(settle(engine));
+  double sum = 0;
+  std::int64_t looks = 0;
+  for (int half = 0; half < 60; ++half) {
+    engine.set_drives({dem::WallDrive{}, dem::WallDrive{}, pressed(5000), moved(half % 2 == 0 ? -0.5 : 0.5)});
+    for (int look = 0; look < 100; ++look) {
+      engine.advance(10);
+      if (half < 10) continue;
+      sum += engine.domain().wall[bottom].force;
+      ++looks;
+    }
+  }
+  EXPECT_NEAR(sum / static_cast<double>(looks), 5000, 25);
+}
+
+/// The walls of a driven sample are light; at rest again they are those of before.
+TEST(Servo, GoesOnWithTheSameBitsHoweverTheStepsAreCountedAndAfterARestore) {
+  const auto begun = [] {
+    Engine engine(crystal(), frictionless(0.1), with_step(crystal_step()));
+    engine.set_drives(bottom_pressed(5000));
+    engine.advance(2000);
+    engine.set_drives({dem::WallDrive{}, dem::WallDrive{}, pressed(5000), moved(-0.2)});
+    return engine;
+  };
+  Engine whole = begun(), parts = begun(), restored = begun();
+  whole.advance(500);
+  for (int part = 0; part < 50; ++part) parts.advance(10);
+  restored.restore(parts.save());
+  EXPECT_EQ(whole.state_hash(), parts.state_hash());
+  for (Engine* engine : {&whole, &parts, &restored}) {
+    engine->set_drives(bottom_pressed(5000));
+    engine->advance(500);
+  }
+  EXPECT_EQ(whole.state_hash(), parts.state_hash());
+  EXPECT_EQ(whole.state_hash(), restored.state_hash());
+}
+
+/// The longest step that the bounds allow is long enough for the lightest walls.
+TEST(Servo, IsStableAtTheLongestStepOnWallsOfADrivenSample) {
+  const double longest = Engine(crystal(), frictionless(0.1), with_step(crystal_step())).bounds().largest();
+  Engine engine(crystal(), frictionless(0.1), with_step(0.99 * longest));
+  engine.set_drives({dem::WallDrive{}, dem::WallDrive{}, pressed(5000), moved(-0.05)});
+  engine.advance(40000);
+  EXPECT_NEAR(engine.domain().wall[bottom].force, 5000, 50);
+}
+
 TEST(Servo, AWallDrivenByVelocityMovesByItExactly) {
   Engine engine(crystal(), frictionless(0.1), with_step(crystal_step()));
   engine.set_drives({moved(-0.2), moved(0.3), moved(-0.4), moved(0.5)});

@@ -153,6 +153,7 @@ template <int D> void sum_edge_forces(SampleIn<D>& s, const ThreadPool& pool) {
 
 template <int D> void advance(SampleIn<D>& s, const ThreadPool& pool, std::int64_t steps) {
   if (steps <= 0) return;
+  if constexpr (D == 2) follow_driving(s);
   if (const auto start = std::get<OwnSteps<D>>(integrator_of(s).own).start) start(s);
   const bool tracked = s.integration.track_energy;
   bool edges = tracked;

@@ -33,13 +33,6 @@ int useful_threads(int asked, std::size_t disks) {
   return static_cast<int>(std::clamp<std::size_t>(disks / fewest_disks, 1, static_cast<std::size_t>(asked)));
 }
 
-double servo_energy(const Sample& s) {
-  double sum = 0;
-  for (int side = 0; side < sides; ++side)
-    if (s.wall[side].drive.kind == WallDrive::Kind::force) sum += 0.5 * s.wall[side].mass * s.wall[side].rate * s.wall[side].rate;
-  return sum;
-}
-
 }  // namespace
 
 Engine::Engine(const Packing& start, const ContactParameters& contact, const IntegrationParameters& integration)

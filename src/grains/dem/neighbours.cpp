@@ -28,6 +28,29 @@ template <int D> void check_places(const SampleIn<D>& s) {
   }
 }
 
+/// Joined from the start, however deep they lie in each other.
+template <int D> bool is_joined(const SampleIn<D>& s, std::size_t slot, std::int32_t a, std::int32_t b) {
+  if (s.list.strength[slot] > 0) return true;
+  if constexpr (D == 2) return std::ranges::any_of(s.bonds, [&](const Bond& bond) { return pair_key(bond.i, bond.j) == pair_key(a, b); });
+  return false;
+}
+
+/// A contact turns about where the centre of one grain enters the other: what has gone so deep goes through. The list
+/// is the one that is about to be replaced, and is renewed several times while grains pass each other.
+template <int D> void check_pairs(const SampleIn<D>& s) {
+  for (std::size_t p = 0; p < s.list.pairs; ++p) {
+    const auto &a = s.record[s.list.i[p]], &b = s.record[s.list.j[p]];
+    const Vec<D> way = a.place - b.place;
+    const double larger = std::max(a.radius, b.radius);
+    if (!(dot(way, way) < larger * larger) || is_part(s, s.list.i[p]) || is_part(s, s.list.owner[p])) continue;
+    const std::int32_t i = a.grain, j = s.record[s.list.owner[p]].grain;
+    if (is_joined(s, p, i, j)) continue;
+    throw CannotGoOn("grains " + std::to_string(s.start.grains.id[i]) + " and " + std::to_string(s.start.grains.id[j]) +
+                     " overlap by more than the radius of the smaller one, and pass through each other, at step " + std::to_string(s.step) +
+                     "; stiffer contacts, a smaller time step or a gentler load are needed");
+  }
+}
+
 template <int D> void wrap(SampleIn<D>& s) {
   if (s.domain.periodic[0]) s.domain.tilt -= std::round(s.domain.tilt / s.domain.extent(0)) * s.domain.extent(0);
   for (std::size_t k = 0; k < s.count; ++k)
@@ -104,6 +127,7 @@ void renew_held(Sample& s) {
 
 template <int D> void rebuild_list(SampleIn<D>& s, const ThreadPool& pool) {
   check_places(s);
+  if (s.step > 0) check_pairs(s);
   if constexpr (D == 2) check_crossings(s);
   wrap(s);
   if constexpr (D == 2) {

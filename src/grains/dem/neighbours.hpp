@@ -12,7 +12,8 @@ namespace arenite::dem {
 inline constexpr std::size_t disks_of_block = 64;
 
 /// Sorts the disks by cell, wraps them into a periodic cell, makes the ghosts and lists every pair (and wall) closer than the skin. What touching
-/// pairs remember is kept. Throws CannotGoOn, naming grain and step, if a grain has left the walls, gone through a boundary, or a coordinate is not finite.
+/// pairs remember is kept. Throws CannotGoOn, naming grain and step, if a grain has left the walls, gone through a
+/// boundary or into another grain beyond that one's centre, or a coordinate is not finite.
 template <int D> void rebuild_list(SampleIn<D>& sample, const ThreadPool& pool = ThreadPool());
 
 /// Lists the pairs at the records' present order and places without sorting; what rebuild_list does at its end, and what a restored sample needs.

@@ -1,22 +1,62 @@
 #include "grains/dem/walls.hpp"
 
+#include <algorithm>
 #include <numbers>
 
 #include "grains/dem/movers.hpp"
+#include "grains/dem/setup.hpp"
 
 namespace arenite::dem {
+
+namespace {
+
+/// Of the walls of a sample that comes to rest, as a share of the sample's.
+double resting_share(const Sample& s) { return std::max(0.05, std::min(1.0, 2.0 / std::sqrt(static_cast<double>(std::max<std::size_t>(grain_count(s), 1))))); }
+
+/// Of those of one that is driven: always less.
+double driven_share(const Sample& s, int side) {
+  const double grains = static_cast<double>(std::max<std::size_t>(grain_count(s), 1));
+  const double flatness = s.domain.length(side) / s.domain.extent(axis_of(side));
+  const double layer = std::sqrt(flatness / grains), two_grains = 2.0 / grains * std::max(1.0, flatness);
+  return std::min(s.domain.is_periodic(side) ? two_grains : layer, 0.5 * resting_share(s));
+}
+
+void give_servo_masses(Sample& s) {
+  const bool driven = is_driven(s);
+  for (int side = 0; side < sides; ++side) {
+    WallBody& body = s.wall[side];
+    body.mass = body.sample_mass * (driven ? driven_share(s, side) : resting_share(s));
+    if (!driven) body.drift = 0;
+  }
+}
+
+}  // namespace
 
 void tune_servo(Sample& s) {
   double mass = 0, stiffness = 0;
   each_mover(s, [&](std::size_t k) { mass += mover_at(s, k).mass; });
   for (std::size_t k = 0; k < s.count; ++k) stiffness += s.coefficients.pair_stiffness(s.record[k], s.record[k]) / static_cast<double>(s.count);
-  const double layers = std::sqrt(static_cast<double>(std::max<std::size_t>(grain_count(s), 1)));
   const double aspect = s.domain.width() / s.domain.height();
   for (int side = 0; side < sides; ++side) {
-    s.wall[side].mass = mass * std::max(0.05, std::min(1.0, 2.0 / layers));
     s.wall[side].sample_mass = mass;
     s.wall[side].impedance = std::sqrt(mass * stiffness * (axis_of(side) == 0 ? 1.0 / aspect : aspect));
   }
+  give_servo_masses(s);
+}
+
+double servo_energy(const Sample& s) {
+  double sum = 0;
+  for (const WallBody& body : s.wall)
+    if (body.drive.kind == WallDrive::Kind::force) sum += 0.5 * body.mass * body.rate * body.rate;
+  return sum;
+}
+
+void follow_driving(Sample& s) {
+  const auto pressed = [](const WallBody& body) { return body.drive.kind == WallDrive::Kind::force; };
+  const bool was_driven = s.wall[left].mass < s.wall[left].sample_mass * resting_share(s);
+  if (was_driven == is_driven(s) || std::ranges::none_of(s.wall, pressed)) return;
+  synchronise(s);
+  book_change(s, &Energies::dissipated_drag, servo_energy, [&] { give_servo_masses(s); });
 }
 
 double critical_drag(const Sample& s) {
@@ -26,10 +66,8 @@ double critical_drag(const Sample& s) {
 
 void apply_drives(Sample& s, const WallDrives& drives) {
   for (int side = 0; side < sides; ++side) s.wall[side].drive = drives[side];
-  const bool steady = is_steady(s);
   for (int side = 0; side < sides; ++side) {
     WallBody& body = s.wall[side];
-    if (!steady) body.drift = 0;
     if (drives[side].kind == WallDrive::Kind::force) continue;
     body.rate = drives[side].kind == WallDrive::Kind::velocity ? drives[side].value : 0.0;
     body.acceleration = 0;

@@ -132,7 +132,7 @@ Numbers texture_numbers(const StageEnd& end) {
 }
 
 /// Every statistic that there is, in the order of their numbers.
-constexpr StageStatistic* statistics[] = {texture_numbers, flow_numbers, cohesion_numbers};
+constexpr StageStatistic* statistics[] = {texture_numbers, load_numbers, energy_numbers, flow_numbers, cohesion_numbers};
 
 }  // namespace
 

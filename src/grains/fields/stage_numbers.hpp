@@ -47,6 +47,15 @@ std::optional<texture::TimeScatter> stress_in_time(const History& history, doubl
 /// statistic is one file and one word in the list of stage_numbers.cpp.
 StageStatistic stage_numbers;
 
+/// "loads" of a stage whose sides press: by side what was asked for and what was reached beside it, with its error
+/// and spread, and whether that is within 5 %. The load of a side, and of a cell's edge, is that of contact forces:
+/// what grains carry across a cell by their motion, about I^2 of the pressure in a flow, is not in it, and is not
+/// what a servo holds.
+StageStatistic load_numbers;
+
+/// "energy_balance" of a stage whose energies were tracked: by how much it is open since the first row of the history.
+StageStatistic energy_numbers;
+
 /// Numbers of what flows under its weight, each with its error: "discharge" of a stage that counts what passes; "surface" of one that weighs and on
 /// which no side presses: angle of repose, ends, and the run-out since the state before; "floor" of one that lasts a time between walls: pressure at
 /// the bottom. Empty where it is none of these.

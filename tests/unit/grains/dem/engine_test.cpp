@@ -136,5 +136,31 @@ TEST(Engine, AGrainThatIsShotThroughAWallEndsInAnError) {
   EXPECT_THROW(Engine(p, {}, {}), InputError);
 }
 
+/// A stiff and a soft disk of 5 mm that meet: 1 N/mm takes up the energy of their relative motion within 5 mm below
+/// some 8 m/s, and cannot hold them apart at 56 m/s.
+TEST(Engine, GrainsThatPassThroughEachOtherEndInAnErrorThatNamesThem) {
+  const auto meet = [](double speed) {
+    Packing p = empty_container(0.1, 1);
+    p.materials = {{"stiff", 1000, 1e6, 0}, {"soft", 1000, 1e3, 0}};
+    p.domain.thickness = 0.01;
+    add_grain(p, 0.05, 0.494, 0.005, 0);
+    add_grain(p, 0.05, 0.506, 0.005, 1);
+    p.grains.id = {7, 9};
+    p.grains.velocity[0].y = speed;
+    Engine engine(p, {}, {});
+    engine.advance(static_cast<std::int64_t>(0.03 / speed / engine.time_step()));
+    return engine.packing().grains;
+  };
+  const Grains bounced = meet(6);
+  EXPECT_LT(bounced.position[0].y, bounced.position[1].y);
+  try {
+    meet(56);
+    FAIL() << "passed through";
+  } catch (const CannotGoOn& error) {
+    const std::string what = error.what();
+    EXPECT_TRUE(what.starts_with("grains 7 and 9 ") || what.starts_with("grains 9 and 7 ")) << what;
+  }
+}
+
 }  // namespace
 }  // namespace arenite::dem

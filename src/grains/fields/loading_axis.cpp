@@ -1,0 +1,64 @@
+#include "grains/fields/loading_axis.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace arenite::fields {
+namespace {
+
+using Kind = dem::SideDrive::Kind;
+
+/// What a programme first does of this; `value` where none drives it.
+double at_first(const dem::Stage& stage, int of, double value) {
+  for (const dem::Programme& programme : stage.programmes)
+    if (programme.of == of)
+      for (const Vec2& row : programme.table)
+        if (row.y != 0) return row.y;
+  return value;
+}
+
+/// The way that cycles of strain first take, if it is this that cycles.
+double cycled(const dem::Stage& stage, int of) { return stage.strain_cycles && stage.strain_cycles->of == of ? stage.strain_cycles->max : 0; }
+
+/// Above 0 where du_x/dy + du_y/dx is.
+double sheared(const dem::Stage& stage) {
+  const auto slide = [&](int side) { return at_first(stage, dem::Programme::slide + side, stage.slide[side]); };
+  const double cell = at_first(stage, dem::Programme::shear_rate, stage.shear_rate);
+  const double slid = slide(top) - slide(bottom) + slide(right) - slide(left);
+  for (const double way : {cell, cycled(stage, dem::StrainCycles::shear), slid})
+    if (way != 0) return way;
+  return 0;
+}
+
+/// Above 0 where the two sides across an axis, as a whole, move in.
+double closing(const dem::Stage& stage, int axis) {
+  double speed = 0;
+  for (int side = 2 * axis; side < 2 * axis + 2; ++side) {
+    speed += cycled(stage, side);
+    if (stage.side[side].kind == Kind::velocity) speed += at_first(stage, dem::Programme::drives * side, stage.side[side].value);
+  }
+  return speed;
+}
+
+bool presses(const dem::Stage& stage, int axis) {
+  const auto by_load = [&](int side) { return stage.side[side].kind == Kind::force || stage.side[side].kind == Kind::pressure; };
+  return by_load(2 * axis) || by_load(2 * axis + 1);
+}
+
+double angle_of(int axis) { return axis == 0 ? 0 : std::numbers::pi / 2; }
+
+}  // namespace
+
+std::optional<double> loading_axis(const dem::Stage& stage) {
+  const double shear = sheared(stage), x = closing(stage, 0), y = closing(stage, 1);
+  if (shear != 0) return x == 0 && y == 0 ? std::optional((shear > 0 ? 3 : 1) * std::numbers::pi / 4) : std::nullopt;
+  if (x != 0 || y != 0) {
+    if ((x > 0 && y > 0) || (x < 0 && y < 0)) return std::nullopt;
+    return angle_of(x > 0 || y < 0 ? 0 : 1);
+  }
+  if (presses(stage, 0) == presses(stage, 1)) return std::nullopt;
+  return angle_of(presses(stage, 0) ? 0 : 1);
+}
+
+}  // namespace arenite::fields
