@@ -25,7 +25,7 @@ void write_export(const ExportArguments& a) {
   refuse_no_result(a.result);
   const auto folder = a.out.empty() ? default_folder(a) : std::filesystem::path(a.out);
   const auto files = workflow::export_result(a.result, *io::export_named(a.format), folder, a.last);
-  fmt::print("{} {} in {}; the last is {}\n", files.size(), files.size() == 1 ? "file" : "files", folder.string(), files.back().filename().string());
+  print("{} {} in {}; the last is {}\n", files.size(), files.size() == 1 ? "file" : "files", folder.string(), files.back().filename().string());
 }
 
 }  // namespace

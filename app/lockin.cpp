@@ -82,6 +82,12 @@ Numbers numbers(const LockinMaps& m, const LockinArguments& a, const FilmInfo& f
   j["shows_load"] = described(thermography::shows_load(m), "", "Whether pixels oscillate in one phase, and more than noise does");
   j["chance_of_noise"] = described(m.chance, "", "Probability that noise alone has as much amplitude in one phase");
   j["share_in_one_phase"] = described(m.one_phase, "", "Share of the amplitude above the noise that has one phase, or its opposite");
+  j["lost_frames"] =
+      described(m.lost_frames, "", "Frames missing without a time stamp that shows it, found by the phase of the load");
+  j["common_error"] =
+      described(m.common_error, unit == "K" ? "K" : "", "Standard error of in_phase that all pixels share");
+  j["column_error"] =
+      described(m.column_error, unit == "K" ? "K" : "", "Standard error of in_phase that the pixels of a column share");
   if (m.other_frequency > 0)
     j["other_frequency_Hz"] = described(m.other_frequency, "Hz", "Frequency at which the film oscillates where that of the load shows nothing");
   j["diffusion_length_m"] = described(heat.length, "m", "Length over which heat diffuses within a cycle");
@@ -127,6 +133,7 @@ int execute(LockinArguments& a) {
   if (!thermography::shows_load(maps)) print(stderr, "{}: {}\n", a.film, workflow::no_load_sentence(maps, maps.frequency, "--frequency"));
   else if (maps.other_frequency > 0)
     print(stderr, "{}: the amplitude is larger at {:.4g} Hz than at {:.6g} Hz, a multiple of it\n", a.film, maps.other_frequency, maps.frequency);
+  for (const std::string& sentence : maps.disturbances) print(stderr, "{}: {}\n", a.film, sentence);
   const thermography::Adiabatic heat = adiabatic(a, maps.frequency);
   if (heat.pixel > 0 && !heat.holds()) print(stderr, "{}\n", heat.sentence());
   const Numbers found = numbers(maps, a, film->info(), heat);

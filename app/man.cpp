@@ -10,6 +10,7 @@
 #include "io/film/formats.hpp"
 #include "io/image/image.hpp"
 #include "io/sample/formats.hpp"
+#include "print.hpp"
 #include "recipe/film_recipe.hpp"
 #include "recipe/recipe.hpp"
 

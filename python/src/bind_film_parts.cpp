@@ -21,7 +21,7 @@ void bind_lockin_maps(py::module_& m) {
       .def_readonly("reference_phase", &LockinMaps::reference_phase, "rad.")
       .def_readonly("frames", &LockinMaps::frames, "Number of frames used.")
       .def_property_readonly(
-          "blank_frames", [](const LockinMaps& m) { return m.blank; }, "Frames that hold no picture (no numbers, or zeros) and were left out.")
+          "blank_frames", [](const LockinMaps& l) { return l.blank; }, "Frames that hold no picture (no numbers, or zeros) and were left out.")
       .def_property_readonly(
           "peak_to_peak", [](const LockinMaps& l) { return l.convention == AmplitudeConvention::peak_to_peak; }, "Amplitudes are peak to peak.");
   const auto map = [&c](const char* name, std::vector<float> LockinMaps::*member, const char* doc) {

@@ -8,7 +8,7 @@
 
 #include "arrays.hpp"
 #include "calls.hpp"
-#include "io/sample/sample.hpp"
+#include "io/sample/formats.hpp"
 #include "model/shapes.hpp"
 #include "module.hpp"
 

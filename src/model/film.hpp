@@ -126,6 +126,11 @@ struct LockinMaps {
   double one_phase = std::numeric_limits<double>::quiet_NaN();
   double other_frequency = 0;          ///< Hz, at which the film oscillates where the load's frequency shows nothing; 0: none
   int drift_order = 0, harmonics = 1;  ///< that were fitted
+  double own_share = 1;  ///< of the variance of a pixel's noise at the load's frequency, that no other pixel shares
+  double common_error = 0,
+         column_error = 0;  ///< standard errors of in_phase that all pixels share, and those of a column
+  std::vector<double> shared_cosine,
+      shared_sine;                     ///< of what was taken off every pixel of a column; empty: nothing was
   std::size_t lost_frames = 0;         ///< that no time stamp shows, but the phase of the load does
   std::vector<double> time;  ///< of all frames where some were lost so, s after the first; else as the film says
   std::vector<std::string> disturbances;  ///< what the film shows beside the load and its drift, each a sentence

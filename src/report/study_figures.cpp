@@ -11,19 +11,19 @@
 namespace arenite::report {
 namespace {
 
-using Table = campaign::CollectedTable;
-using Row = Table::Row;
+using StudyTable = campaign::CollectedTable;
+using Row = StudyTable::Row;
 
 double number_of(const std::string& text) { return io::to_number(text).value_or(statistics::unknown); }
 
-std::size_t key_of(const Table& table, const std::string& key, const Figure& figure) {
+std::size_t key_of(const StudyTable& table, const std::string& key, const Figure& figure) {
   const std::size_t k = index_of(table.keys, key);
   if (k == table.keys.size()) throw refusal("figure {}: `{}` is not swept by the study", figure.id, key);
   return k;
 }
 
 /// Whether a figure's `where` wants this run.
-bool is_wanted(const Table& table, const Row& row, const Figure& figure) {
+bool is_wanted(const StudyTable& table, const Row& row, const Figure& figure) {
   return std::ranges::all_of(figure.where, [&](const auto& where) {
     const std::string& here = row.values[key_of(table, where.first, figure)];
     return std::ranges::any_of(where.second, [&](const std::string& value) { return value == here || number_of(value) == number_of(here); });
@@ -37,7 +37,7 @@ struct Group {
 };
 
 /// By the values of `by`, numbers by size; one group where the figure has none.
-std::vector<Group> groups_of(const Table& table, const Figure& figure) {
+std::vector<Group> groups_of(const StudyTable& table, const Figure& figure) {
   std::vector<Group> groups;
   if (figure.by.empty()) groups.emplace_back();
   const std::size_t k = figure.by.empty() ? 0 : key_of(table, figure.by, figure);
@@ -75,7 +75,7 @@ SampleMean mean_of(const Figure& figure, const std::vector<Numbers>& found, cons
 }
 
 /// Curves of lists and densities, with what is fitted to them; errors become deviations where the figure asks for these.
-std::vector<FigureCurve> list_curves(const Figure& figure, const Table& table, const NumbersOf& numbers) {
+std::vector<FigureCurve> list_curves(const Figure& figure, const StudyTable& table, const NumbersOf& numbers) {
   std::vector<FigureCurve> curves;
   std::size_t place = 0;
   for (const Group& group : groups_of(table, figure)) {
@@ -98,7 +98,7 @@ std::vector<FigureCurve> list_curves(const Figure& figure, const Table& table, c
 }
 
 /// A number of a mean row, or one of its keys, or a number written out; "1/NAME" and "27.35/NAME" are a number over it.
-statistics::Estimate value_of(const Table& table, const Row& row, const std::string& name) {
+statistics::Estimate value_of(const StudyTable& table, const Row& row, const std::string& name) {
   const std::size_t slash = name.find('/');
   if (const double over = number_of(name.substr(0, slash)); slash != std::string::npos && std::isfinite(over)) {
     const auto [value, error] = value_of(table, row, name.substr(slash + 1));
@@ -113,7 +113,7 @@ statistics::Estimate value_of(const Table& table, const Row& row, const std::str
 /// Means over runs that differ in their seed alone, which know of how many runs each is.
 class MeanRows {
  public:
-  explicit MeanRows(const Table& runs) : runs_(runs) {
+  explicit MeanRows(const StudyTable& runs) : runs_(runs) {
     std::vector<std::string> names;
     std::vector<std::size_t> keys;
     for (std::size_t k = 0; k < runs.keys.size(); ++k)
@@ -124,7 +124,7 @@ class MeanRows {
     }
   }
 
-  Table table;
+  StudyTable table;
 
   /// Points of `figure.x` and y by rising x, with their errors or deviations and the number of runs.
   void set_points(FigureCurve& curve, const std::vector<const Row*>& rows, const Figure& figure, const std::string& y) const {
@@ -152,12 +152,12 @@ class MeanRows {
     return static_cast<std::size_t>(std::ranges::count_if(at->second, [&](const Row* row) { return std::isfinite(value_of(runs_, *row, y).value); }));
   }
 
-  const Table& runs_;
+  const StudyTable& runs_;
   std::map<std::vector<std::string>, std::vector<const Row*>> of_values_;
 };
 
 /// Curves of points, each the mean of runs that differ in their seed alone.
-std::vector<FigureCurve> point_curves(const Figure& figure, const Table& table) {
+std::vector<FigureCurve> point_curves(const Figure& figure, const StudyTable& table) {
   std::vector<FigureCurve> curves;
   const MeanRows means(table);
   std::size_t place = 0;
@@ -173,7 +173,7 @@ std::vector<FigureCurve> point_curves(const Figure& figure, const Table& table) 
 }
 
 /// What stands beside: other runs or numbers, and what the source gives.
-void add_beside(std::vector<FigureCurve>& curves, const Figure& figure, const Table& table) {
+void add_beside(std::vector<FigureCurve>& curves, const Figure& figure, const StudyTable& table) {
   for (const BesideCurve& beside : figure.beside) {
     Figure alone;
     alone.id = figure.id, alone.x = beside.x, alone.y = {beside.y}, alone.where = beside.where, alone.spread = figure.spread, alone.names = {beside.name};
@@ -189,18 +189,18 @@ void add_beside(std::vector<FigureCurve>& curves, const Figure& figure, const Ta
   }
 }
 
-bool is_shown(const Table& table, const Row& row, const Figure& figure) { return row.status == "done" && is_wanted(table, row, figure); }
+bool is_shown(const StudyTable& table, const Row& row, const Figure& figure) { return row.status == "done" && is_wanted(table, row, figure); }
 
 }  // namespace
 
-std::vector<FigureCurve> curves_of(const Figure& figure, const Table& table, const NumbersOf& numbers) {
+std::vector<FigureCurve> curves_of(const Figure& figure, const StudyTable& table, const NumbersOf& numbers) {
   if (figure.curves.empty() && figure.y.empty()) return {};
   auto curves = figure.curves.empty() ? point_curves(figure, table) : list_curves(figure, table, numbers);
   add_beside(curves, figure, table);
   return curves;
 }
 
-std::vector<std::string> filmed_runs(const std::vector<Figure>& figures, const Table& table) {
+std::vector<std::string> filmed_runs(const std::vector<Figure>& figures, const StudyTable& table) {
   std::vector<std::string> runs;
   for (const Figure& figure : figures)
     for (const Row& row : table.rows)
@@ -209,7 +209,7 @@ std::vector<std::string> filmed_runs(const std::vector<Figure>& figures, const T
   return runs;
 }
 
-std::string run_of(const Figure& figure, const Table& table) {
+std::string run_of(const Figure& figure, const StudyTable& table) {
   const auto at = std::find_if(table.rows.begin(), table.rows.end(), [&](const Row& row) { return is_shown(table, row, figure); });
   return at == table.rows.end() ? "" : at->run;
 }

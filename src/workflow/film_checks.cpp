@@ -188,7 +188,7 @@ double phase_off(const LockinMaps& maps, double given_cycles) {
   return wrapped(thermography::reference_phase(cosine, sine) / (2 * std::numbers::pi) - given_cycles);
 }
 
-void refuse_impossible(const recipe::FilmRecipe& recipe, const LockinMaps& maps) {
+void refuse_impossible(const LockinMaps& maps) {
   const double level = median_of_finite(maps.mean);
   if (level > hottest)
     throw refusal(
@@ -201,6 +201,9 @@ void refuse_impossible(const recipe::FilmRecipe& recipe, const LockinMaps& maps)
         "half of its pixels have amplitudes above {:.3g} K, impossible for elastic grains: camera levels are taken for kelvin, or "
         "the calibration is wrong; check [temperature]",
         amplitude);
+}
+
+void refuse_wrong_phase(const recipe::FilmRecipe& recipe, const LockinMaps& maps) {
   if (!recipe.lockin.phase) return;
   const double given = *recipe.lockin.phase / (2 * std::numbers::pi), off = phase_off(maps, given);  // in cycles
   if (std::abs(off) > phase_refused)

@@ -8,10 +8,9 @@
 #include <numbers>
 
 #include "core/mapped.hpp"
-#include "thermal/imaging/fitted_walls.hpp"
+#include "thermal/thermography/blank_frames.hpp"
 #include "thermal/thermography/grain_motion.hpp"
 #include "thermal/thermography/halo.hpp"
-#include "thermal/thermography/blank_frames.hpp"
 #include "thermal/thermography/phase_pictures.hpp"
 
 namespace arenite::workflow {
@@ -33,6 +32,7 @@ class Measurement {
     r.film.quantity = FilmQuantity::kelvin;
     thermography::CorrectedFilm film(source_, made.correction);
     if (!lock_in(film, r) || !find(film, r)) return false;
+    refuse_wrong_phase(recipe_, r.maps);
     for (LockinMaps* maps : {&r.maps, &wider_, &scattered_}) thermography::see_surfaces(*maps, loaded_, made.surfaces);
     return measure(r);
   }
@@ -60,7 +60,7 @@ class Measurement {
     if (r.maps.size() == 0) return false;
     if (!r.maps.blank.empty()) options_.notice(thermography::blank_frames_sentence(r.maps.blank));
     refuse_without_load(r.maps, recipe_.lockin.frequency);
-    refuse_impossible(recipe_, r.maps);
+    refuse_impossible(r.maps);
     return true;
   }
 
@@ -75,10 +75,22 @@ class Measurement {
   }
 
   bool find(FilmSource& film, FilmResult& r) {
-    auto pictures = thermography::phase_pictures(film, r.maps, lockin_options("pictures", 2));
+    const auto pictures = thermography::phase_pictures(film, r.maps, lockin_options("pictures", 2));
     if (pictures.size() == 0) return false;
-    const double largest = r.maps.reference_phase;
-    const std::size_t smallest = nearest_picture(pictures, largest + std::numbers::pi);
+    const LockinMaps still = r.maps;
+    find(pictures, r);
+    // Of the two opposite phases only pixels inside of grains that are followed show which is that of the largest load.
+    if (recipe_.lockin.phase || std::cos(r.maps.reference_phase - still.reference_phase) >= 0) return true;
+    r.maps = still;
+    r.maps.reference_phase = std::remainder(still.reference_phase + std::numbers::pi, 2 * std::numbers::pi);
+    find(pictures, r);
+    return true;
+  }
+
+  /// Grains in the picture at the smallest load, and where these are followed. The pictures are its own, for a halo is
+  /// taken from them.
+  void find(thermography::PhasePictures pictures, FilmResult& r) {
+    const std::size_t smallest = nearest_picture(pictures, r.maps.reference_phase + std::numbers::pi);
     r.picture = thermography::picture_of(pictures, smallest);
     // The spline's coefficients are the picture with most of the pixels' blur undone: more rims are seen in it.
     const std::vector<float> sharp(pictures.picture(smallest), pictures.picture(smallest) + pictures.pixels());
@@ -92,7 +104,6 @@ class Measurement {
       scattered_ = r.maps;
       thermography::remove_halo({r.halo.share, r.halo.width, r.halo.error}, r.maps);
     }
-    return true;
   }
 
   /// As given, or as the grains show it.
@@ -154,41 +165,6 @@ class Measurement {
                     1e3 * recipe_.container.travel));
   }
 
-  /// Walls are where the rims of grains show them. The container as a whole goes to its place in the film, and what is left to single sides.
-  void settle(FilmResult& r) {
-    constexpr double rim_error = 0.08, reach = 3, least = 0.15, errors = 4;  // pixels, and standard errors from which on a shift is believed
-    const auto fitted = [&](const PictureGrains& grains, double share) {
-      auto walls = imaging::fit_walls(in_metres(grains, place_), container_at(recipe_, share), rim_error * place_.pixel, reach * place_.pixel);
-      for (auto& wall : walls)
-        if (std::abs(wall.shift) < std::max(least * place_.pixel, errors * wall.error)) wall.shift = 0;
-      return walls;
-    };
-    const double share = recipe_.lockin.motion ? 1 : 0;
-    auto before = fitted(r.grains, 0);
-    const auto place = [&](int low, double& shift, double& error) {
-      const auto &a = before[static_cast<std::size_t>(low)], &b = before[static_cast<std::size_t>(low) + 1];
-      const double both = static_cast<double>(a.known()) + static_cast<double>(b.known());
-      if (both == 0) return;
-      shift = ((a.known() ? a.shift : 0) - (b.known() ? b.shift : 0)) / both;
-      error = std::hypot(a.known() ? a.error : 0, b.known() ? b.error : 0) / both;
-      if (std::abs(shift) < std::max(least * place_.pixel, errors * error)) shift = 0;
-    };
-    place(left, r.walls.shift.x, r.walls.shift_error.x), place(bottom, r.walls.shift.y, r.walls.shift_error.y);
-    place_.origin -= r.walls.shift;
-    r.origin = place_.origin;
-    before = fitted(r.grains, 0);
-    const auto after = fitted(loaded_, share);
-    const auto smaller = [&](int low) {
-      const double by = before[static_cast<std::size_t>(low)].shift + before[static_cast<std::size_t>(low) + 1].shift;
-      return std::abs(by) > 2 * least * place_.pixel ? by : 0;
-    };
-    r.walls.smaller = {smaller(left), smaller(bottom)};
-    for (std::size_t side = 0; side < after.size(); ++side) r.walls.inward[side] = after[side].known() ? after[side].shift : 0;
-    if (share > 0 && r.walls.inward[bottom] != 0) r.walls.travel = recipe_.container.travel + r.walls.inward[bottom] - before[bottom].shift;
-    start_ = imaging::with_fitted_walls(container_at(recipe_, 0), before);
-    r.packing.domain = imaging::with_fitted_walls(container_at(recipe_, share), after);
-  }
-
   bool measure(FilmResult& r) {
     options_.progress({3, 5, "grains", 0, 0, 0, false, false});
     const thermography::GrainMeanOptions means{recipe_.forces.central_share, mapped(recipe_.materials, &recipe::FilmMaterial::thermoelastic_factor)};
@@ -206,12 +182,13 @@ class Measurement {
     if (scattered_.size() > 0) add_halo_error(r, thermography::grain_means(scattered_, uncertain, means));
     forget_lost(r);
     r.packing.materials = materials_of(recipe_);
-    settle(r);
+    start_ = settle_walls(recipe_, loaded_, place_, r);
     r.packing.grains = in_metres(loaded_, place_);
     infer_film_forces(recipe_, start_, r);
     add_fit_error(r, loaded_, recipe_.forces.central_share);
     add_factor_error(recipe_, r);
     r.doubts = film_doubts(recipe_, r);
+    r.doubts.insert(r.doubts.begin(), r.maps.disturbances.begin(), r.maps.disturbances.end());
     for (const auto& doubt : r.doubts) options_.notice(doubt);
     options_.progress({3, 5, "grains", 1, 0, 0, false, false});
     return !options_.asked_to_stop();

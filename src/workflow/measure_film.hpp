@@ -40,6 +40,11 @@ FilmCorrection make_correction(const recipe::FilmRecipe& recipe, FilmSource& fil
 std::optional<thermography::LoadSignal> load_signal_of(const std::filesystem::path& path, const FilmInfo& film, double given,
                                                        const std::function<void(const std::string&)>& notice);
 
+/// Puts the walls of `result` where the rims of grains show them: the container as a whole goes to its place in the film
+/// (`place`), and what is left to single sides. `loaded` are the grains at the largest load. The container at the smallest
+/// load.
+Domain settle_walls(const recipe::FilmRecipe& recipe, const PictureGrains& loaded, FilmPlace& place, FilmResult& result);
+
 /// Proposes contacts between the grains of `result.packing` and infers their forces from its maps, or from the means of
 /// grains, as the recipe's [forces] says. Contacts are proposed where grains touch at the largest or at the smallest load
 /// (`result.grains`, in the container `start`): one that opens on the way loses its force.
@@ -123,9 +128,12 @@ void refuse_without_load(const LockinMaps& maps, double given_frequency);
 /// that heat does not blur is in phase with the load everywhere; of the two ends the film takes that at which pixels warm.
 double phase_off(const LockinMaps& maps, double given_cycles);
 
-/// Throws InputError for maps that cannot be those of a load as the recipe gives it: values that are no temperatures, amplitudes
-/// of kelvins, a phase that is off by an eighth of a cycle or more.
-void refuse_impossible(const recipe::FilmRecipe& recipe, const LockinMaps& maps);
+/// Throws InputError for maps that cannot be those of a load: values that are no temperatures, amplitudes of kelvins.
+void refuse_impossible(const LockinMaps& maps);
+
+/// Throws InputError where the recipe gives a phase that is off by an eighth of a cycle or more. Judged where grains
+/// have been followed: before that, rims that move past pixels speak louder than the load.
+void refuse_wrong_phase(const recipe::FilmRecipe& recipe, const LockinMaps& maps);
 
 /// What the forces and the film say against what was given beside them, one sentence each with the likely causes: phase,
 /// factors of the materials one against another, the scale of temperatures and forces against the load, and what the fit

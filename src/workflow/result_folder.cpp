@@ -9,7 +9,9 @@
 #include "core/mapped.hpp"
 #include "core/problems.hpp"
 #include "core/text.hpp"
+#include "grains/dem/programme.hpp"
 #include "grains/fields/loading_axis.hpp"
+#include "grains/fields/stage_numbers.hpp"
 #include "io/disk/store_file.hpp"
 #include "io/export/export.hpp"
 #include "io/results/results.hpp"
@@ -127,8 +129,12 @@ texture::Options texture_options(const recipe::Recipe& recipe, std::size_t stage
   if (recipe.contact.adheres()) options.pull = texture::Pull::adhesion;
   else if (recipe.contact.attractive_dashpot) options.pull = texture::Pull::dashpots;
   if (stage == 0) return options;
-  if (recipe.stages[stage - 1].gravity) options.gravity = {0, -dem::standard_gravity};
-  options.load_axis = fields::loading_axis(recipe.stages[stage - 1]);
+  const dem::Stage& asked = recipe.stages[stage - 1];
+  options.gravity = dem::gravity_at(asked, asked.duration.value_or(0));
+  options.load_axis = fields::loading_axis(asked);
+  if (!fields::ends_in_motion(asked) || made.snapshots.empty()) return options;
+  const double thickness = made.snapshots.back().packing.domain.thickness;
+  options.in_time = fields::stress_in_time(made.history, thickness).value_or(texture::TimeScatter{});
   return options;
 }
 

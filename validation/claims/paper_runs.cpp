@@ -25,7 +25,7 @@ Value mean_over(const std::vector<Sample>& samples) {
   return numbers.empty() ? Value() : statistics::mean_of(numbers);
 }
 
-std::vector<Sample> difference(const std::vector<Sample>& a, const std::vector<Sample>& b) {
+std::vector<Sample> change_by_seed(const std::vector<Sample>& a, const std::vector<Sample>& b) {
   std::vector<Sample> result;
   for (const Sample& one : a)
     for (const Sample& other : b)
@@ -104,7 +104,7 @@ PairMeans difference(const PairMeans& a, const PairMeans& b) {
   for (const PairMean& m : a)
     for (const PairMean& other : b) {
       if (m.gamma != other.gamma || m.theta != other.theta) continue;
-      auto samples = difference(m.samples, other.samples);
+      auto samples = change_by_seed(m.samples, other.samples);
       if (!samples.empty()) result.push_back(pair_of_samples(m.gamma, m.theta, m.width, std::move(samples)));
     }
   return with_pooled_variance(std::move(result));

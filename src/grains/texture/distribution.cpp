@@ -126,6 +126,13 @@ Numbers distribution(const Items& items, const std::vector<int>& block_of, const
   return j;
 }
 
+/// Of all contacts, the share that is strong and in the set.
+Estimate strong_share_of_all(const View& view, const Items& set) {
+  std::vector<double> counts(view.pairs().size(), 0.0);
+  for (const std::size_t c : set) counts[c] = view.strong(c);
+  return mean(view.contacts, view.contact_block, [&](std::size_t c) { return counts[c]; });
+}
+
 /// Normal forces between grains, pushing and pulling ones apart (T Fig. 1.6, 1.9).
 void forces(const View& view, Texture& texture) {
   constexpr DistributionNames names{"mean_N", "N", "strong_share", "Mean normal force of the set", "Fraction of contacts above the set's own mean"};
@@ -140,8 +147,13 @@ void forces(const View& view, Texture& texture) {
   double mean_pull = 0;
   Numbers compressive = Numbers::tree(), tensile = Numbers::tree();
   for (const auto& [name, items] : sets) {
-    if (const Items pushing = kept(items, [&](std::size_t c) { return push[c] > 0; }); !pushing.empty())
-      place_of(name, compressive, "by_type").update(distribution(pushing, view.contact_block, push, view.mean_force, names, 1, view.level()));
+    if (const Items pushing = kept(items, [&](std::size_t c) { return push[c] > 0; }); !pushing.empty()) {
+      Numbers& set = place_of(name, compressive, "by_type");
+      set.update(distribution(pushing, view.contact_block, push, view.mean_force, names, 1, view.level()));
+      if (name != "all")
+        put(set, "strong_share_of_all", strong_share_of_all(view, items), "",
+            "Fraction of all contacts that are of the set and above the mean of all");
+    }
     const Items pulling = kept(items, [&](std::size_t c) { return pull[c] > 0; });
     if (pulling.empty()) continue;
     if (name == "all")

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
 
 namespace arenite::texture {
 namespace {
@@ -96,11 +97,10 @@ void put_whole_stress(Numbers& to, Numbers& details, const View& view) {
   for (const Tensor2& m : moments) sum += 1 / volume * m;
   const bool walled = !domain.is_cell() && std::ranges::any_of(view.pairs().j, is_wall);
   const double axis = 0.5 * std::atan2(-(s.xy + s.yx), -(s.xx - s.yy)) * 180 / std::numbers::pi;
-  put(to, "stress", with_scatter_in_time(view, s), "Pa",
-      view.options.in_time ? "Mean stress of the sample, tension positive; its error is the scatter in time"
-                           : "Mean stress of the sample, tension positive; its error is unknown from one sample");
+  const std::string known = view.options.in_time ? "the scatter in time" : "unknown from one sample";
+  put(to, "stress", with_scatter_in_time(view, s), "Pa", ("Mean stress of the sample, tension positive; its error is " + known).c_str());
   put(details, "in_window", statistics::TensorEstimate{inner_stress(view, moments)}, "Pa",
-      "Stress of the grains in the window, tension positive; its error is unknown from one sample");
+      ("Stress of the grains in the window, tension positive; its error is " + known).c_str());
   put(details, "sum_over_grains", sum, "Pa", "Stress as the sum over grains");
   if (walled)
     put(details, "from_walls_and_weight", 1 / volume * wall_moment(view.packing, view.options.gravity), "Pa",

@@ -178,7 +178,8 @@ std::vector<std::int32_t> owners(const PictureGrains& grains, int width, int hei
 LockinMaps follow_grains(const PhasePictures& pictures, const LockinMaps& maps, const PictureGrains& grains, const GrainMotion& motion,
                          const PictureGrains& shown, std::optional<double> given_phase, int threads, double blur) {
   LockinMaps result = maps;
-  const double spread = std::sqrt(2 * maps.noise_ratio / static_cast<double>(maps.frames));
+  const double own = maps.shared_cosine.empty() ? 1 : maps.own_share;
+  const double spread = std::sqrt(2 * maps.noise_ratio * own / static_cast<double>(maps.frames));
   const ThreadPool pool(threads);
   const GrainScene scene(pictures, grains, motion, pool);
   const PhasePictures rest = without_scene(pictures, scene, blur, pool);
@@ -193,6 +194,11 @@ LockinMaps follow_grains(const PhasePictures& pictures, const LockinMaps& maps, 
       if (out > r || owner[p] != static_cast<std::int32_t>(i)) return;
       Followed f = fit.follow(rest, Vec2{column, row} + grains.centre[i] - centre);
       f.harmonics[0] += scene.level(i);
+      if (!maps.shared_cosine.empty()) {
+        const double factor = 2 / to_peak_to_peak(maps.convention);
+        const std::size_t at = p % static_cast<std::size_t>(maps.width);
+        f.harmonics[1] -= maps.shared_cosine[at] / factor, f.harmonics[2] -= maps.shared_sine[at] / factor;
+      }
       put(result, p, f.harmonics, std::sqrt(f.variance), spread);
       if (out <= 0.7 * r) cosine[p] = f.harmonics[1], sine[p] = f.harmonics[2];
     });

@@ -54,7 +54,7 @@ PeakToPeak grain_means(const LockinMaps& maps, const PictureGrains& grains, cons
   for (std::size_t i = 0; i < grains.size(); ++i) {
     const double radius = grains.radius[i] * std::sqrt(options.share), factor = options.factor[static_cast<std::size_t>(grains.material[i])];
     const DiskMean mean = disk_mean(maps, maps.in_phase, grains.centre[i], radius);
-    double error = mean.error;
+    double error = std::hypot(mean.error, maps.common_error);
     if (const double shift = grains.position_error.empty() ? 0 : grains.position_error[i]; shift > 0 && mean.area > 0)
       error = std::hypot(error, shift * slope(maps, grains.centre[i], radius));
     found.temperature.push_back(to_full * mean.mean);

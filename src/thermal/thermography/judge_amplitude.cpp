@@ -1,4 +1,5 @@
 #include "thermal/thermography/refine_frequency.hpp"
+#include "thermal/thermography/shared_noise.hpp"
 
 #include <fmt/core.h>
 
@@ -130,6 +131,7 @@ double noise_around(const SegmentSums& s, const HarmonicFit& fit, double tried, 
   const double length = film_length(s.time);
   const HarmonicFit wide = harmonic_fit(s, fit.frequency, static_cast<int>(fit.drift) - 1, false, 0.5 / length, frequencies_beside(s, fit, length));
   const Seen seen = look(s, fit, wide);
+  measure_shared_noise(s, wide, maps);
   const double pixels = static_cast<double>(seen.pixels), sides = static_cast<double>(wide.beside.size()), in_phase = std::abs(seen.load.square);
   if (seen.pixels == 0) return 1;  // of pixels without noise, or that are no numbers, nothing is known
   double noise = 1, together = 1, chance = 0;

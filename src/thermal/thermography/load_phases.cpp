@@ -15,16 +15,16 @@ namespace {
 using Complex = std::complex<double>;
 using statistics::Matrix;
 
-/// Phasors of some thousand pixels in all segments, each over its pixel's spread.
-struct Phasors {
+/// SegmentPhasors of some thousand pixels in all segments, each over its pixel's spread.
+struct SegmentPhasors {
   std::vector<std::size_t> pixel;
   std::vector<std::vector<Complex>> value;  ///< by pixel and segment
 };
 
-Phasors phasors_in_segments(const SegmentSums& s) {
+SegmentPhasors phasors_in_segments(const SegmentSums& s) {
   std::vector<Matrix> fits;
   for (std::size_t k = 0; k < s.segments(); ++k) fits.push_back(segment_fit(s, k));
-  Phasors all;
+  SegmentPhasors all;
   Matrix one(2 * s.segments(), 2);
   for_some_chunks(s, 64, [&](std::size_t begin, std::size_t count) {
     for (std::size_t p = begin; p < begin + count; ++p) {
@@ -38,7 +38,7 @@ Phasors phasors_in_segments(const SegmentSums& s) {
 }
 
 /// What the pixels of every segment have in common beside a pattern that is the same in all: the first principal component.
-std::vector<Complex> common_phasors(const Phasors& all, std::size_t segments) {
+std::vector<Complex> common_phasors(const SegmentPhasors& all, std::size_t segments) {
   std::vector<Complex> common(segments, 1), next(segments);
   for (int turn = 0; turn < 50; ++turn) {
     std::fill(next.begin(), next.end(), 0);
@@ -85,7 +85,7 @@ std::vector<double> contrast(std::vector<double> pattern, const std::vector<doub
 LoadPhases load_phases(const SegmentSums& s) {
   LoadPhases phases;
   if (!segments_show_load(s) || s.segments() < 8) return phases;
-  const Phasors all = phasors_in_segments(s);
+  const SegmentPhasors all = phasors_in_segments(s);
   const std::vector<Complex> common = common_phasors(all, s.segments());
   if (common.empty()) return phases;
   std::vector<double> cosine, sine, pattern, sharp;

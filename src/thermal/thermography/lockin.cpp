@@ -3,19 +3,16 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
-#include "core/mapped.hpp"
+#include "core/median.hpp"
 #include "core/problems.hpp"
-#include "statistics/correlation.hpp"
-#include "statistics/least_squares.hpp"
 #include "thermal/thermography/blank_frames.hpp"
 #include "thermal/thermography/harmonic_fit.hpp"
 #include "thermal/thermography/lost_frames.hpp"
 #include "thermal/thermography/refine_frequency.hpp"
+#include "thermal/thermography/shared_noise.hpp"
 
 namespace arenite::thermography {
 namespace {
@@ -162,36 +159,12 @@ LockinMaps locked_in(FilmSource& film, const LockinOptions& o, std::vector<doubl
   judge_amplitude(sums, fit, refined, maps);
   std::vector<double> phasor[2];
   fill(sums, fit, pool, maps, phasor);
-  maps.reference_phase = o.reference_phase ? *o.reference_phase : reference_phase(phasor[0], phasor[1]);
+  const auto phase = [&] { return o.reference_phase ? *o.reference_phase : reference_phase(phasor[0], phasor[1]); };
+  maps.reference_phase = phase();
+  take_off_shared_noise(maps, phasor[0], phasor[1]);
+  maps.reference_phase = phase();
   project(maps, phasor[0], phasor[1]);
   return maps;
-}
-
-constexpr double least_share = 0.5;
-
-struct Fit {
-  double left = 0;  ///< squares that the fit leaves
-  double cosine = 0, sine = 0;
-};
-
-/// `time` is held against its middle, so that the columns are nearly orthogonal; phases are then of that moment.
-Fit fit_at(double frequency, const std::vector<double>& time, const std::vector<double>& signal) {
-  statistics::SmallNormal<4> normal;
-  std::vector<std::array<double, 4>> rows;
-  for (std::size_t n = 0; n < time.size(); ++n) {
-    const double angle = 2 * std::numbers::pi * frequency * time[n];
-    rows.push_back({1, time[n], std::cos(angle), std::sin(angle)});
-    normal.add(rows.back(), signal[n], 1);
-  }
-  const auto x = normal.solution();
-  double left = 0;
-  for (std::size_t n = 0; n < time.size(); ++n) left += std::pow(std::inner_product(x.begin(), x.end(), rows[n].begin(), -signal[n]), 2);
-  return {left, x[2], x[3]};
-}
-
-double left_by_line(const std::vector<double>& time, const std::vector<double>& signal) {
-  const auto m = statistics::second_moments(time, signal);
-  return m.yy - m.xy * m.xy / m.xx;
 }
 
 }  // namespace
@@ -209,13 +182,19 @@ void put(LockinMaps& maps, std::size_t p, const Harmonics& fitted, double noise,
 }
 
 double reference_phase(const std::vector<double>& cosine, const std::vector<double>& sine) {
+  std::vector<double> sizes;
+  for (std::size_t p = 0; p < cosine.size(); ++p)
+    if (const double size = std::hypot(cosine[p], sine[p]); size > 0 && std::isfinite(size)) sizes.push_back(size);
+  const double most = 3 * median(std::move(sizes));
   double real = 0, imaginary = 0, c = 0, s = 0;
   for (std::size_t p = 0; p < cosine.size(); ++p) {
-    if (!std::isfinite(cosine[p]) || !std::isfinite(sine[p])) continue;
-    real += cosine[p] * cosine[p] - sine[p] * sine[p];
-    imaginary += 2 * cosine[p] * sine[p];
-    c += cosine[p];
-    s += sine[p];
+    const double size = std::hypot(cosine[p], sine[p]), part = size > most ? most / size : 1;
+    if (!std::isfinite(size)) continue;
+    const double x = part * cosine[p], y = part * sine[p];
+    real += x * x - y * y;
+    imaginary += 2 * x * y;
+    c += x;
+    s += y;
   }
   const double phase = 0.5 * std::atan2(imaginary, real);
   if (c * std::cos(phase) + s * std::sin(phase) >= 0) return phase;
@@ -255,26 +234,6 @@ LockinMaps nearest_bin_transform(FilmSource& film, const LockinOptions& options)
   const double length = static_cast<double>(time.size()) * (time.back() - time.front()) / static_cast<double>(time.size() - 1);
   o.frequency = std::max(1.0, std::round(o.frequency * length)) / length;
   return locked_in(film, o, std::move(time), harmonics);
-}
-
-std::optional<LoadSignal> fit_load_signal(const std::vector<double>& time, const std::vector<double>& signal, double given) {
-  if (time.size() != signal.size() || time.size() < 8 || !(given > 0)) return std::nullopt;
-  const auto n = static_cast<double>(time.size());
-  const double middle = std::accumulate(time.begin(), time.end(), 0.0) / n, length = time.back() - time.front();
-  const auto t = mapped(time, [&](double each) { return each - middle; });
-  const double nyquist = 0.5 * (n - 1) / length, first = std::max(given / 2, 2 / length), last = std::min(2 * given, 0.95 * nyquist);
-  double step = 1 / (8 * length), best = 0, least = left_by_line(t, signal);
-  const double all = least;
-  for (double f = first; f <= last; f += step)
-    if (const double left = fit_at(f, t, signal).left; left < least) least = left, best = f;
-  if (best == 0 || !(least < (1 - least_share) * all)) return std::nullopt;
-  for (; step > 1e-9 * best; step /= 2)
-    for (const double f : {best - step, best + step})
-      if (const double left = fit_at(f, t, signal).left; left < least) least = left, best = f;
-  const Fit fit = fit_at(best, t, signal);
-  const double amplitude = std::hypot(fit.cosine, fit.sine), noise = std::sqrt(fit.left / (n - 4));
-  const double phase = std::atan2(fit.sine, fit.cosine) + 2 * std::numbers::pi * best * middle;
-  return LoadSignal{best, std::sqrt(6.0 / n) * noise / (std::numbers::pi * length * amplitude), std::remainder(phase, 2 * std::numbers::pi)};
 }
 
 }  // namespace arenite::thermography

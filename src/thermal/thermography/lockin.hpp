@@ -45,9 +45,11 @@ LockinMaps nearest_bin_transform(FilmSource& film, const LockinOptions& options)
 /// Whether pixels oscillate at the maps' frequency as a load makes them: in one phase, and more than noise does once in a hundred films.
 bool shows_load(const LockinMaps& maps);
 
-/// The phase in which the amplitude of all pixels together is largest: it maximises the sum of squares of what is in phase with it. The
-/// film alone does not distinguish it from its opposite; of the two the one is taken with which pixels warm on the mean when
-/// the load rises, as packed grains do, whose mean stress is compression.
+/// The phase in which the amplitude of all pixels together is largest: it maximises the sum of squares of what is in
+/// phase with it. No pixel counts for more than three times the median one, for rims that move past pixels change them
+/// by far more than a load warms them. The film alone does not distinguish it from its opposite; of the two the one is
+/// taken with which pixels warm on the mean when the load rises, as packed grains do, whose mean stress is
+/// compression.
 double reference_phase(const std::vector<double>& cosine, const std::vector<double>& sine);
 
 /// Length over which heat diffuses within a cycle, sqrt(D/(pi f)), m; the signal is adiabatic where this is far below a

@@ -17,7 +17,7 @@
 namespace arenite::thermography {
 namespace {
 
-constexpr double turn = 2 * std::numbers::pi;
+constexpr double full_turn = 2 * std::numbers::pi;
 
 /// The load's signal frame by frame; empty if stopped.
 std::vector<double> signal_of(FilmSource& film, const LoadPhases& phases, const Progress& progress) {
@@ -48,7 +48,7 @@ struct Wave {
   std::array<double, 4> part{};
 
   double at(double slot) const {
-    const double a = turn * turns * slot;
+    const double a = full_turn * turns * slot;
     return part[0] * std::cos(a) + part[1] * std::sin(a) + part[2] * std::cos(2 * a) + part[3] * std::sin(2 * a);
   }
   double amplitude() const { return std::hypot(part[0], part[1]); }
@@ -72,14 +72,14 @@ Wave fitted(Wave wave, const std::vector<double>& signal, const std::vector<std:
   for (int round = 0; round < 4; ++round) {
     statistics::SmallNormal<6> normal;
     for (std::size_t n = 0; n < signal.size(); ++n) {
-      const double x = static_cast<double>(slot[n]), a = turn * wave.turns * x, late = (x - middle) / middle;
+      const double x = static_cast<double>(slot[n]), a = full_turn * wave.turns * x, late = (x - middle) / middle;
       const double c = std::cos(a), s = std::sin(a);
       normal.add({c, s, std::cos(2 * a), std::sin(2 * a), late * c, late * s}, signal[n], 1);
     }
     const auto found = normal.solution();
     std::copy_n(found.begin(), 4, wave.part.begin());
     const double power = found[0] * found[0] + found[1] * found[1];
-    if (round < 3) wave.turns += (found[1] * found[4] - found[0] * found[5]) / power / middle / turn;
+    if (round < 3) wave.turns += (found[1] * found[4] - found[0] * found[5]) / power / middle / full_turn;
   }
   return wave;
 }
@@ -135,12 +135,14 @@ class Losses {
 std::vector<double> phases_of(const std::vector<double>& signal, double turns, double cycles) {
   const std::size_t frames = signal.size(), half = static_cast<std::size_t>(std::lround(0.5 * cycles / turns));
   std::vector<std::complex<double>> sum(frames + 1);
-  for (std::size_t n = 0; n < frames; ++n) sum[n + 1] = sum[n] + signal[n] * std::polar(1.0, -turn * turns * static_cast<double>(n));
+  for (std::size_t n = 0; n < frames; ++n)
+    sum[n + 1] = sum[n] + signal[n] * std::polar(1.0, -full_turn * turns * static_cast<double>(n));
   std::vector<double> phase(frames);
   for (std::size_t n = 0; n < frames; ++n) {
     const std::size_t at = std::clamp(n, half, frames - 1 - half);
-    const double slow = std::arg(sum[at + half + 1] - sum[at - half]), before = n > 0 ? phase[n - 1] - turn * turns * static_cast<double>(n - 1) : slow;
-    phase[n] = slow + turn * std::round((before - slow) / turn) + turn * turns * static_cast<double>(n);
+    const double slow = std::arg(sum[at + half + 1] - sum[at - half]),
+                 before = n > 0 ? phase[n - 1] - full_turn * turns * static_cast<double>(n - 1) : slow;
+    phase[n] = slow + full_turn * std::round((before - slow) / full_turn) + full_turn * turns * static_cast<double>(n);
   }
   return phase;
 }
@@ -154,10 +156,12 @@ Wave wave_in_whole_frames(const std::vector<double>& phase, double low, double h
   double most = -1;
   for (double turns = low; turns <= high; turns += step) {
     std::complex<double> sum = 0;
-    for (std::size_t n = 0; n < phase.size(); n += 2) sum += std::polar(1.0, phase[n] / turns - turn * static_cast<double>(n));
+    for (std::size_t n = 0; n < phase.size(); n += 2)
+      sum += std::polar(1.0, phase[n] / turns - full_turn * static_cast<double>(n));
     if (std::abs(sum) <= most) continue;
     most = std::abs(sum);
-    const double part = std::arg(sum) / turn, ahead = part + std::round(phase[0] / (turn * turns) - part), start = turn * turns * ahead;
+    const double part = std::arg(sum) / full_turn, ahead = part + std::round(phase[0] / (full_turn * turns) - part),
+                 start = full_turn * turns * ahead;
     best = {turns, {amplitude * std::cos(start), -amplitude * std::sin(start), 0, 0}};
   }
   return best;
@@ -166,7 +170,7 @@ Wave wave_in_whole_frames(const std::vector<double>& phase, double low, double h
 /// Whether, round the losses, frames in whole slots are more like the wave than frames whose phase glides from one to the
 /// next, as that of a load of wandering frequency does.
 bool go_by_whole_frames(const Wave& wave, const std::vector<double>& signal, const std::vector<std::size_t>& slot) {
-  const double slow = turn * wave.turns;
+  const double slow = full_turn * wave.turns;
   const std::vector<double> phase = phases_of(signal, wave.turns, 1);
   std::vector<double> ahead;
   for (std::size_t n = 0; n < slot.size(); ++n) ahead.push_back(phase[n] / slow - static_cast<double>(slot[n]));

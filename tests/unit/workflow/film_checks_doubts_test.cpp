@@ -126,20 +126,20 @@ TEST(FilmDoubts, PhaseIsHeldAgainstTheFilmsOwn) {
   EXPECT_NEAR(phase_off(oscillating(0.45 * turn), -0.5), -0.05, 1e-6);
   recipe::FilmRecipe recipe = two_materials();
   recipe.lockin.phase = 0.25 * turn;
-  EXPECT_THROW(refuse_impossible(recipe, oscillating(0.5 * turn)), InputError);
-  EXPECT_THROW(refuse_impossible(recipe, oscillating(0.75 * turn)), InputError);
-  EXPECT_NO_THROW(refuse_impossible(recipe, oscillating(0.3 * turn)));
+  EXPECT_THROW(refuse_wrong_phase(recipe, oscillating(0.5 * turn)), InputError);
+  EXPECT_THROW(refuse_wrong_phase(recipe, oscillating(0.75 * turn)), InputError);
+  EXPECT_NO_THROW(refuse_wrong_phase(recipe, oscillating(0.3 * turn)));
   recipe.lockin.phase.reset();
-  EXPECT_NO_THROW(refuse_impossible(recipe, oscillating(0.5 * turn)));
+  EXPECT_NO_THROW(refuse_wrong_phase(recipe, oscillating(0.5 * turn)));
 }
 
 TEST(FilmDoubts, LevelsAreNoKelvin) {
   LockinMaps levels = oscillating(0);
   levels.mean.assign(16, 7800);
-  EXPECT_THROW(refuse_impossible(two_materials(), levels), InputError);
+  EXPECT_THROW(refuse_impossible(levels), InputError);
   levels = oscillating(0);
   levels.amplitude.assign(16, 30);
-  EXPECT_THROW(refuse_impossible(two_materials(), levels), InputError);
+  EXPECT_THROW(refuse_impossible(levels), InputError);
 }
 
 }  // namespace

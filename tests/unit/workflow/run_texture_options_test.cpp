@@ -61,5 +61,42 @@ TEST(TextureOptions, SignsReferToTheDiagonalThatShearCompresses) {
   EXPECT_EQ(fields::loading_axis(cycled), std::numbers::pi / 2);
 }
 
+TEST(TextureOptions, WeighByTheGravityOfTheStageAtItsEnd) {
+  const std::string turned =
+      "[[stages]]\nname = \"load\"\ngravity = true\ngravity_size = \"4 m/s^2\"\ngravity_angle = \"30 deg\"\nduration = "
+      "\"2 s\"\n";
+  const auto gravity = [](const std::string& stage) {
+    return texture_options(recipe::parse_recipe(test::small_packing_recipe + stage, "r.toml"), 1, {}).gravity;
+  };
+  EXPECT_NEAR(gravity(turned).x, 2, 1e-12);
+  EXPECT_NEAR(gravity(turned).y, -4 * std::cos(std::numbers::pi / 6), 1e-12);
+  const std::string grows = "programmes = [{ of = \"gravity_size\", table = [[\"0 s\", \"4 m/s^2\"], [\"2 s\", \"8 m/s^2\"]] }]\n";
+  EXPECT_NEAR(gravity(turned + grows).x, 4, 1e-12);
+}
+
+TEST(TextureOptions, TellHowTheStressOfAStageInMotionFluctuates) {
+  StageResult made;
+  made.snapshots.emplace_back().packing.domain.thickness = 0.1;
+  for (const char* name :
+       {"time", "left_position", "right_position", "bottom_position", "top_position", "left_force", "right_force", "bottom_force", "top_force"})
+    made.history.columns.push_back({name, "", {}});
+  for (int k = 0; k < 400; ++k) {
+    const double pressure = 100 + (k < 200 ? 50 : 0) + 3 * std::sin(k);
+    for (auto& [name, unit, values] : made.history.columns)
+      values.push_back(name == "time" ? k : name == "right_position" || name == "top_position" ? 2 : name.ends_with("force") ? 0.2 * pressure : 0);
+  }
+  const auto in_time = [&](const std::string& stage) {
+    return texture_options(recipe::parse_recipe(test::small_packing_recipe + "[[stages]]\nname = \"load\"\n" + stage, "r.toml"), 1, made).in_time;
+  };
+  EXPECT_FALSE(in_time("top = { pressure = \"1 kPa\" }\n"));
+  const auto sheared = in_time("top = { velocity = \"1 mm/s\" }\nduration = \"1 s\"\n");
+  ASSERT_TRUE(sheared);
+  EXPECT_NEAR(sheared->pressure, 0.03 / std::sqrt(2), 2e-4);
+  EXPECT_NEAR(sheared->stress.xx, 3 / std::sqrt(2), 2e-2);
+  EXPECT_EQ(sheared->stress.xy, 0);
+  made.history.columns.clear();
+  EXPECT_TRUE(std::isnan(in_time("top = { velocity = \"1 mm/s\" }\nduration = \"1 s\"\n")->pressure));
+}
+
 }  // namespace
 }  // namespace arenite::workflow
