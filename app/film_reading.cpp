@@ -6,6 +6,7 @@
 
 #include "core/median.hpp"
 #include "io/film/formats.hpp"
+#include "print.hpp"
 #include "workflow/result_folder.hpp"
 
 namespace arenite::app {
@@ -20,7 +21,7 @@ void FilmReading::add_to(Options& command) {
   command.add("--frame-rate", frame_rate, "Frame rate, overriding the film's own, e.g. \"148 Hz\"").type("FREQUENCY");
   command.add("--scale", scale, "Temperature per level, e.g. \"0.01 K\": temperature = scale x level + offset").type("TEMPERATURE");
   command.add("--offset", offset, "Temperature of level 0, e.g. \"273.15 K\"").type("TEMPERATURE");
-  command.add("--dataset", dataset, "Dataset to read from an HDF5 file that holds several").type("NAME");
+  command.add("--dataset", dataset, "Dataset to read from an HDF5 file that holds several, or channel of a TIFF hyperstack (\"channel 2\")").type("NAME");
 }
 
 io::FilmChoice FilmReading::choice() const {
@@ -43,6 +44,10 @@ std::vector<std::string> FilmReading::overrides() const {
   add("offset", offset);
   add("dataset", dataset);
   return set;
+}
+
+void tell_remarks(const std::string& file, const FilmInfo& film) {
+  for (const std::string& remark : film.remarks) print(stderr, "{}: {}\n", file, remark);
 }
 
 std::string unit_of(const FilmInfo& film) { return film.quantity == FilmQuantity::kelvin ? "K" : "level"; }

@@ -23,6 +23,9 @@ struct FilmReading {
   std::vector<std::string> overrides() const;
 };
 
+/// Prints what should be known of a film that was opened.
+void tell_remarks(const std::string& file, const FilmInfo& film);
+
 /// "K" or "level".
 std::string unit_of(const FilmInfo& film);
 

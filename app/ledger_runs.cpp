@@ -20,8 +20,7 @@ namespace fs = std::filesystem;
 using LedgerClock = std::chrono::steady_clock;
 
 /// Runs what is missing of a study, until the deadline if there is one.
-LedgerEnd complete(const campaign::Study& study, const campaign::StudyFolder& folder, const VerifyArguments& a,
-                   Deadline deadline) {
+LedgerEnd complete(const campaign::Study& study, const campaign::StudyFolder& folder, const VerifyArguments& a, Deadline deadline) {
   campaign::StudyOptions options;
   options.jobs = a.jobs;
   options.keep_fields = a.keep == "all";
@@ -31,15 +30,13 @@ LedgerEnd complete(const campaign::Study& study, const campaign::StudyFolder& fo
 }
 
 /// The films that the study's figures show; false if it was asked to stop.
-bool make_ledger_films(const campaign::Study& study, const campaign::StudyFolder& folder,
-                       const campaign::CollectedTable& table) {
+bool make_ledger_films(const campaign::Study& study, const campaign::StudyFolder& folder, const campaign::CollectedTable& table) {
   const auto filmed = report::filmed_runs(read_study_figures(study), table);
   workflow::RunOptions options;
   options.notice = [](const std::string& sentence) { print(stderr, "{}\n", sentence); };
   options.asked_to_stop = stop_requested;
-  return std::ranges::all_of(study.runs, [&](const campaign::StudyRun& run) {
-    return std::ranges::count(filmed, run.name) == 0 || campaign::make_film(study, folder, run, options);
-  });
+  return std::ranges::all_of(
+      study.runs, [&](const campaign::StudyRun& run) { return std::ranges::count(filmed, run.name) == 0 || campaign::make_film(study, folder, run, options); });
 }
 
 /// Whose claims are judged.
@@ -85,10 +82,8 @@ std::vector<validation::SeedsWanted> wanted_of(const validation::Ledger& ledger,
 /// "T20, signed a_c of A-A contacts: about 80 further runs, to 19 seeds of thesis-ch5".
 std::string in_words(const validation::SeedsWanted& wanted) {
   std::string seeds;
-  for (const auto& [draw, count] : wanted.next)
-    seeds += fmt::format("{}{} seeds of {}", seeds.empty() ? "" : ", ", count, validation::in_words(draw));
-  return fmt::format("{}, {}: about {:.0f} further runs; next, {}", wanted.claim, wanted.what, std::ceil(wanted.runs),
-                     seeds);
+  for (const auto& [draw, count] : wanted.next) seeds += fmt::format("{}{} seeds of {}", seeds.empty() ? "" : ", ", count, validation::in_words(draw));
+  return fmt::format("{}, {}: about {:.0f} further runs; next, {}", wanted.claim, wanted.what, std::ceil(wanted.runs), seeds);
 }
 
 }  // namespace
@@ -123,8 +118,7 @@ const validation::SeededStudy* LedgerStudies::find(const std::string& name) {
 
 LedgerEnd run_ledger(LedgerStudies& studies, const VerifyArguments& a, Deadline deadline) {
   for (const std::string& source : a.sources)
-    if (const LedgerEnd end = run_studies(letter_of(source), studies, a, deadline); end != LedgerEnd::complete)
-      return end;
+    if (const LedgerEnd end = run_studies(letter_of(source), studies, a, deadline); end != LedgerEnd::complete) return end;
   return LedgerEnd::complete;
 }
 
@@ -164,8 +158,7 @@ void tell_what_is_left(const validation::Ledger& ledger, LedgerStudies& studies)
     const std::size_t left = study ? study->planned().runs.size() - study->whole().runs.size() : 0;
     if (left > 0) print(stderr, "left of the further seeds of {}: {} runs\n", name, left);
   }
-  for (const auto& wanted : wanted_of(ledger, studies))
-    print(stderr, "left to further seeds: {}\n", in_words(wanted));
+  for (const auto& wanted : wanted_of(ledger, studies)) print(stderr, "left to further seeds: {}\n", in_words(wanted));
 }
 
 }  // namespace arenite::app

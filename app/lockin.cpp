@@ -82,12 +82,9 @@ Numbers numbers(const LockinMaps& m, const LockinArguments& a, const FilmInfo& f
   j["shows_load"] = described(thermography::shows_load(m), "", "Whether pixels oscillate in one phase, and more than noise does");
   j["chance_of_noise"] = described(m.chance, "", "Probability that noise alone has as much amplitude in one phase");
   j["share_in_one_phase"] = described(m.one_phase, "", "Share of the amplitude above the noise that has one phase, or its opposite");
-  j["lost_frames"] =
-      described(m.lost_frames, "", "Frames missing without a time stamp that shows it, found by the phase of the load");
-  j["common_error"] =
-      described(m.common_error, unit == "K" ? "K" : "", "Standard error of in_phase that all pixels share");
-  j["column_error"] =
-      described(m.column_error, unit == "K" ? "K" : "", "Standard error of in_phase that the pixels of a column share");
+  j["lost_frames"] = described(m.lost_frames, "", "Frames missing without a time stamp that shows it, found by the phase of the load");
+  j["common_error"] = described(m.common_error, unit == "K" ? "K" : "", "Standard error of in_phase that all pixels share");
+  j["column_error"] = described(m.column_error, unit == "K" ? "K" : "", "Standard error of in_phase that the pixels of a column share");
   if (m.other_frequency > 0)
     j["other_frequency_Hz"] = described(m.other_frequency, "Hz", "Frequency at which the film oscillates where that of the load shows nothing");
   j["diffusion_length_m"] = described(heat.length, "m", "Length over which heat diffuses within a cycle");
@@ -113,6 +110,7 @@ int execute(LockinArguments& a) {
   if (!a.reference_phase.empty()) o.reference_phase = read_phase(a.reference_phase);
   adiabatic(a, 1);  // slips are reported before a long film is read
   const auto film = io::open_film(a.film, a.reading.choice());
+  tell_remarks(a.film, film->info());
   watch_for_signals();
   LockinMaps maps;
   try {

@@ -36,20 +36,16 @@ Numbers numbers(const thermography::StepMaps& m, const StepArguments& a, const F
   const auto relaxation = [](double time, const char* sentence) { return described(time > 0 ? Numbers(time) : Numbers(), "s", sentence); };
   return {{"time_s", described(m.time, "s", "Middle of the step after the first frame")},
           {"time", a.time.empty() ? "found on the film" : "given"},
-          {"rise_s",
-           described(m.rise, "s", "Time for which the film shows the load on its way; frames in between are left out")},
+          {"rise_s", described(m.rise, "s", "Time for which the film shows the load on its way; frames in between are left out")},
           {"frames_before", described(m.before, "", "Frames used before the step")},
           {"frames_after", described(m.after, "", "Frames used after it")},
           {"blank_frames", described(m.blank, "", "Frames that hold no picture and are left out")},
           {"width", described(m.width, "", "Pixels along x")},
           {"height", described(m.height, "", "Pixels along y")},
-          {"drift_order",
-           described(m.drift_order, "", "Order of the polynomial that describes the drift of a pixel on each side")},
+          {"drift_order", described(m.drift_order, "", "Order of the polynomial that describes the drift of a pixel on each side")},
           {"unit", unit_of(film)},
-          {"relaxation_before_s",
-           relaxation(m.relaxation_before, "Time of the exponential by which pixels relax before the step")},
-          {"relaxation_after_s",
-           relaxation(m.relaxation_after, "Time of the exponential by which pixels relax after the step")},
+          {"relaxation_before_s", relaxation(m.relaxation_before, "Time of the exponential by which pixels relax before the step")},
+          {"relaxation_after_s", relaxation(m.relaxation_after, "Time of the exponential by which pixels relax after the step")},
           {"median", medians(maps_of(m), film)}};
 }
 
@@ -60,6 +56,7 @@ int execute(StepArguments& a) {
   o.rise = seconds("--rise", a.rise);
   if (!a.window.empty()) o.window = seconds("--window", a.window);
   const auto film = io::open_film(a.film, a.reading.choice());
+  tell_remarks(a.film, film->info());
   watch_for_signals();
   thermography::StepMaps maps;
   try {

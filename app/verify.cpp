@@ -53,11 +53,9 @@ std::string heading(const VerifyArguments& a) {
       "a sentence or a rule of the source, the source's own tables, or data that it did not keep. Law S has a "
       "tangential spring; law R is the thesis's regularised friction, which has no static friction. "
       "{}\n\n",
-      a.small ? "**From the small studies: this is not the ledger.**\n\n" : "", version, date,
-      std::thread::hardware_concurrency(), processor_name(),
-      a.csv.empty()
-          ? "`--csv FILE` writes all checks and all choices."
-          : fmt::format("All checks, and all choices, are in [{0}]({0}).", fs::path(a.csv).filename().string()));
+      a.small ? "**From the small studies: this is not the ledger.**\n\n" : "", version, date, std::thread::hardware_concurrency(), processor_name(),
+      a.csv.empty() ? "`--csv FILE` writes all checks and all choices."
+                    : fmt::format("All checks, and all choices, are in [{0}]({0}).", fs::path(a.csv).filename().string()));
 }
 
 bool fails(const validation::Ledger& ledger) {
@@ -86,8 +84,7 @@ void write_page(const validation::Ledger& ledger, const VerifyArguments& a) {
 int execute(const VerifyArguments& a) {
   const fs::path out = !a.out.empty() ? a.out : a.small ? "out/ledger-small" : "out/ledger";
   const bool draws = !a.budget.empty();
-  const double budget =
-      draws ? option_value("--budget", [&] { return parse_si(a.budget, dimension::time, "min"); }) : 0;
+  const double budget = draws ? option_value("--budget", [&] { return parse_si(a.budget, dimension::time, "min"); }) : 0;
   watch_for_signals();
   LedgerStudies studies(out, a);
   // All runs come before the pages: a process that has solved for a field or for forces can start no other that solves,

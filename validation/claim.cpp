@@ -38,14 +38,12 @@ const char* word_for(Kind kind) {
 }
 
 const char* word_for(Decider decider) {
-  constexpr const char* words[] = {"none found", "seeds",  "grid",      "protocol",
-                                   "reading",    "source", "lost data", "missing runs"};
+  constexpr const char* words[] = {"none found", "seeds", "grid", "protocol", "reading", "source", "lost data", "missing runs"};
   return words[static_cast<int>(decider)];
 }
 
 const char* word_for(Verdict verdict) {
-  constexpr const char* words[] = {"reproduced",     "trend reproduced, numbers not", "undecided",
-                                   "not reproduced", "source inconsistent",           "not testable",
+  constexpr const char* words[] = {"reproduced", "trend reproduced, numbers not", "undecided", "not reproduced", "source inconsistent", "not testable",
                                    "unknown"};
   return words[static_cast<int>(verdict)];
 }

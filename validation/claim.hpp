@@ -84,9 +84,8 @@ enum class Verdict {
   unknown
 };
 const char* word_for(Verdict verdict);  ///< "reproduced", "trend reproduced, numbers not", ...
-inline constexpr Verdict all_verdicts[] = {Verdict::reproduced,     Verdict::trend_reproduced,    Verdict::undecided,
-                                           Verdict::not_reproduced, Verdict::source_inconsistent, Verdict::not_testable,
-                                           Verdict::unknown};
+inline constexpr Verdict all_verdicts[] = {Verdict::reproduced,          Verdict::trend_reproduced, Verdict::undecided, Verdict::not_reproduced,
+                                           Verdict::source_inconsistent, Verdict::not_testable,     Verdict::unknown};
 
 /// What is said of a claim.
 struct Judgement {

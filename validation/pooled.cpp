@@ -110,17 +110,14 @@ Value paired_change(const std::vector<Run>& some, const std::vector<Run>& others
   std::vector<double> changes;
   for (const Run& one : some)
     for (const Run& other : others)
-      if (const double change = number.of(one) / number.of(other) - 1;
-          seed_of(one) == seed_of(other) && std::isfinite(change))
-        changes.push_back(change);
+      if (const double change = number.of(one) / number.of(other) - 1; seed_of(one) == seed_of(other) && std::isfinite(change)) changes.push_back(change);
   return mean_of(changes);
 }
 
 Hump hump_over_seeds(const std::vector<Run>& runs, const Number& x, const Number& y) {
   std::map<std::string, std::map<double, double>> seeds;
   for (const Run& run : runs)
-    if (const double at = x.of(run), value = y.of(run); std::isfinite(at) && std::isfinite(value))
-      seeds[seed_of(run)][at] = value;
+    if (const double at = x.of(run), value = y.of(run); std::isfinite(at) && std::isfinite(value)) seeds[seed_of(run)][at] = value;
   std::vector<double> rises, falls;
   for (const auto& [seed, own] : seeds) {
     std::map<double, std::vector<double>> others;
@@ -128,8 +125,7 @@ Hump hump_over_seeds(const std::vector<Run>& runs, const Number& x, const Number
       for (const auto& [at, value] : values)
         if ((other != seed || seeds.size() == 1) && own.contains(at)) others[at].push_back(value);
     if (others.size() < 3 || others.size() < own.size()) continue;
-    const auto greatest =
-        std::ranges::max_element(others, {}, [](const auto& point) { return mean_of(point.second).value; });
+    const auto greatest = std::ranges::max_element(others, {}, [](const auto& point) { return mean_of(point.second).value; });
     rises.push_back(own.at(greatest->first) - own.begin()->second);
     falls.push_back(own.at(greatest->first) - own.rbegin()->second);
   }

@@ -58,13 +58,11 @@ Numbers json_of(const std::vector<Sensitivity>& sensitivities) {
 
 std::string csv_cell(double number) { return std::isfinite(number) ? fmt::format("{:.6g}", number) : ""; }
 
-std::string row(const char* claim, const char* kind, const std::string& what, const std::string& choice,
-                const std::string& source, const std::string& wanted, const validation::Value& ours,
-                const std::string& unit, const char* outcome, const char* decider = "") {
-  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}\n", claim, kind, quoted_cell(what), quoted_cell(choice),
-                     quoted_cell(source), quoted_cell(wanted), csv_cell(ours.value), csv_cell(ours.error),
-                     std::isfinite(ours.error) ? csv_cell(ours.freedom) : "", quoted_cell(unit), quoted_cell(outcome),
-                     decider);
+std::string row(const char* claim, const char* kind, const std::string& what, const std::string& choice, const std::string& source, const std::string& wanted,
+                const validation::Value& ours, const std::string& unit, const char* outcome, const char* decider = "") {
+  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}\n", claim, kind, quoted_cell(what), quoted_cell(choice), quoted_cell(source), quoted_cell(wanted),
+                     csv_cell(ours.value), csv_cell(ours.error), std::isfinite(ours.error) ? csv_cell(ours.freedom) : "", quoted_cell(unit),
+                     quoted_cell(outcome), decider);
 }
 
 }  // namespace
@@ -95,16 +93,14 @@ std::string ledger_json(const validation::Ledger& ledger) {
 std::string ledger_csv(const validation::Ledger& ledger) {
   std::string text = "claim,kind,what,choice,source,wanted,ours,error,freedom,unit,outcome,decider\n";
   for (const auto& [claim, judgement] : ledger.claims) {
-    text += row(claim->id, "claim", claim->sentence, "", claim->number, "", {}, "", word_for(judgement.verdict()),
-                word_for(decider_of(judgement)));
+    text += row(claim->id, "claim", claim->sentence, "", claim->number, "", {}, "", word_for(judgement.verdict()), word_for(decider_of(judgement)));
     for (const Check& c : judgement.checks)
       text += row(claim->id, word_for(c.kind), c.what, "", c.source, c.wanted, c.ours, c.unit, c.wanted.empty() ? "" : word_for(c.outcome));
     for (const Sensitivity& found : judgement.sensitivities)
       for (const auto& entry : found.entries)
         if (std::isfinite(entry.value.value))
-          text += row(claim->id, "choice", found.what, entry.choice.empty() ? "reference" : entry.choice, "",
-                      found.wanted, entry.value, "", found.wanted.empty() ? "" : word_for(entry.outcome),
-                      entry.choice.empty() ? "" : word_for(entry.kind));
+          text += row(claim->id, "choice", found.what, entry.choice.empty() ? "reference" : entry.choice, "", found.wanted, entry.value, "",
+                      found.wanted.empty() ? "" : word_for(entry.outcome), entry.choice.empty() ? "" : word_for(entry.kind));
   }
   return text;
 }

@@ -75,11 +75,10 @@ std::string table_of(const validation::Ledger& ledger) {
   std::string text = "| claim | | source | ours | verdict | decided by | reason |\n|---|---|---|---|---|---|---|\n";
   for (const Judged& judged : ledger.claims) {
     const std::string id = judged.claim->id;
-    text += fmt::format(
-        "| {} | {} | {} | {} | {} | {} | {} |\n",
-        simply_reproduced(judged) ? id : fmt::format("[{}](#{})", id, anchor_of(id)), cell(judged.claim->sentence),
-        cell(judged.claim->number), cell(with_signs(ours_text(judged.judgement))), word_for(judged.judgement.verdict()),
-        word_for(decider_of(judged.judgement)), cell(with_signs(validation::what_decides(judged.judgement))));
+    text +=
+        fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", simply_reproduced(judged) ? id : fmt::format("[{}](#{})", id, anchor_of(id)),
+                    cell(judged.claim->sentence), cell(judged.claim->number), cell(with_signs(ours_text(judged.judgement))),
+                    word_for(judged.judgement.verdict()), word_for(decider_of(judged.judgement)), cell(with_signs(validation::what_decides(judged.judgement))));
   }
   return text;
 }
@@ -98,9 +97,8 @@ std::string section_of(const Judged& judged, const std::string& pictures) {
   const auto& [claim, judgement] = judged;
   const std::string figure = validation::figure_place(*claim);
   std::string text =
-      fmt::format("\n### {}\n\n**{}** (decided by: {}). {} ({}{}). {}", claim->id, word_for(judgement.verdict()),
-                  word_for(decider_of(judgement)), claim->sentence, claim->where,
-                  figure.empty() ? "" : fmt::format("; figure: `{}`", figure), validation::what_decides(judgement));
+      fmt::format("\n### {}\n\n**{}** (decided by: {}). {} ({}{}). {}", claim->id, word_for(judgement.verdict()), word_for(decider_of(judgement)),
+                  claim->sentence, claim->where, figure.empty() ? "" : fmt::format("; figure: `{}`", figure), validation::what_decides(judgement));
   for (const auto& finding : judgement.findings) text += " " + finding;
   text = with_signs(text) + "\n" + open_checks(judgement.checks);
   if (has_dots(judgement)) text += fmt::format("\n![{}: open choices and the required range]({}/{}.svg)\n", claim->id, pictures, claim->id);
@@ -110,8 +108,7 @@ std::string section_of(const Judged& judged, const std::string& pictures) {
 }  // namespace
 
 std::string ledger_page(const validation::Ledger& ledger, const std::string& pictures) {
-  std::string text = fmt::format("{} {}.\n\n{}{}", runs_of(ledger.studies), counts(ledger), table_of(ledger),
-                                 studies_of_ledger(ledger));
+  std::string text = fmt::format("{} {}.\n\n{}{}", runs_of(ledger.studies), counts(ledger), table_of(ledger), studies_of_ledger(ledger));
   const bool all = std::all_of(ledger.claims.begin(), ledger.claims.end(), simply_reproduced);
   if (!all) text += "\n## Claims not fully reproduced\n";
   for (const Judged& judged : ledger.claims)

@@ -58,9 +58,8 @@ std::string ledger_text(const validation::Ledger& ledger) {
   for (const auto& study : ledger.studies) text += fmt::format("{:<24} {}\n", study.name, progress_of(study));
   for (const Judged& judged : ledger.claims) {
     const validation::Judgement& judgement = judged.judgement;
-    text += fmt::format("\n{}  {}\n  {}\n  {} (decided by: {}): source {}, ours {}\n  {}\n", judged.claim->id,
-                        judged.claim->sentence, judged.claim->where, word_for(judgement.verdict()),
-                        word_for(decider_of(judgement)), judged.claim->number, ours_text(judgement),
+    text += fmt::format("\n{}  {}\n  {}\n  {} (decided by: {}): source {}, ours {}\n  {}\n", judged.claim->id, judged.claim->sentence, judged.claim->where,
+                        word_for(judgement.verdict()), word_for(decider_of(judgement)), judged.claim->number, ours_text(judgement),
                         validation::what_decides(judgement));
     for (const Check& check : judgement.checks) text += line_of(check);
     for (const auto& finding : judgement.findings) text += fmt::format("  {}\n", finding);

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <limits>
 
 #include "core/error.hpp"
 
@@ -16,7 +17,7 @@ const char* in_words(int dimensions) {
 
 /// NumPy alone says what an array may be made of; complex numbers and text it would force into numbers are none.
 template <class Array> Array numbers(const ArrayLike& values, int dimensions, const std::string& name) {
-  const auto plain = py::array::ensure(values);
+  const auto plain = py::array::ensure(unmasked(values));
   const auto refuse = [&] { return InputError(fmt::format("{}: give numbers as a list or an array with {}", name, in_words(dimensions))); };
   if (!plain || plain.ndim() != dimensions || std::string("biuf").find(plain.dtype().kind()) == std::string::npos) {
     PyErr_Clear();
@@ -28,6 +29,15 @@ template <class Array> Array numbers(const ArrayLike& values, int dimensions, co
 }
 
 }  // namespace
+
+py::object unmasked(const py::object& values) {
+  if (!py::isinstance<py::array>(values) || !py::hasattr(values, "mask") || !py::hasattr(values, "filled")) return values;
+  if (!values.attr("mask").attr("any")().cast<bool>()) return values.attr("data");
+  const py::dtype type = py::array(values).dtype();
+  const bool holds_none = type.kind() == 'f';
+  const py::object floating = holds_none ? values : values.attr("astype")(type.itemsize() <= 2 ? "float32" : "float64");
+  return floating.attr("filled")(std::numeric_limits<double>::quiet_NaN());
+}
 
 Doubles doubles(const ArrayLike& values, int dimensions, const std::string& name) { return numbers<Doubles>(values, dimensions, name); }
 Floats floats(const ArrayLike& values, int dimensions, const std::string& name) { return numbers<Floats>(values, dimensions, name); }

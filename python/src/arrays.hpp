@@ -69,7 +69,12 @@ template <class Class, class Part> void coordinate_property(Class& c, const char
 using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using Floats = py::array_t<float, py::array::c_style | py::array::forcecast>;
 
-/// Numbers of `dimensions` dimensions. Throws InputError, which calls them `name`, for anything else.
+/// What `numpy.ma` masks is no number: it becomes NaN, and whole numbers then become floating. Anything else is as it
+/// was.
+py::object unmasked(const py::object& values);
+
+/// Numbers of `dimensions` dimensions, those that are masked as NaN. Throws InputError, which calls them `name`, for
+/// anything else.
 Doubles doubles(const ArrayLike& values, int dimensions, const std::string& name);
 Floats floats(const ArrayLike& values, int dimensions, const std::string& name);
 

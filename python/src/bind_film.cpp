@@ -76,6 +76,7 @@ py::dict film_info(const Path& path) {
   d["bits"] = i.bits;
   d["format"] = i.format;
   d["camera"] = i.camera;
+  d["remarks"] = i.remarks;
   return d;
 }
 
@@ -181,9 +182,12 @@ void bind_film(py::module_& m) {
         "`nearest_bin`: the plain transform of T 1.4.");
   m.def("step_load", &stepped, py::arg("film"), py::kw_only(), py::arg("time") = py::none(), py::arg("rise") = 0.0, py::arg("window") = 0.0,
         py::arg("drift_order") = 1, py::arg("frame_rate") = 0.0,
-        "The jump of every pixel at a step of the load (s after the first frame; found on the film if not given): time (s), jump, standard_error, residual "
+        "The jump of every pixel at a step of the load (s after the first frame; found on the film if not given): time "
+        "(s), jump, standard_error, residual "
         "(height, width), in the film's unit; blank_frames, which hold no picture and were left out.");
-  m.def("film_info", &film_info, py::arg("path"), "Metadata of a film: width, height, frames, frame_rate (Hz), integration (s), bits, format, camera.");
+  m.def("film_info", &film_info, py::arg("path"),
+        "Metadata of a film: width, height, frames, frame_rate (Hz), integration (s), bits, format, "
+        "camera, and remarks, sentences on what the file states that should be known.");
   m.def("read_film", &film_frames, py::arg("path"), py::arg("first") = 0, py::arg("count") = 1,
         "Frames of a film as an array (frames, height, width), top row first.");
   m.def("find_grains", &circles, py::arg("image"), py::kw_only(), py::arg("radii") = std::vector<double>{}, py::arg("smallest") = 2.5, py::arg("largest") = 0.0,

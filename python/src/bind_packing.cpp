@@ -49,7 +49,7 @@ io::RawGrains rows_of(const ArrayLike& x, const ArrayLike& y, const ArrayLike& r
           fmt::format("the centre of grain {}, ({:g}, {:g}) m, lies outside the container, which extends from ({:g}, {:g}) to ({:g}, {:g}) m; "
                       "correct the centre, or origin, width and height",
                       k, centre.x, centre.y, low.x, low.y, high.x, high.y));
-    grains.rows.push_back({static_cast<std::int64_t>(k), centre, radii[k], {}, 0, 0});
+    grains.rows.push_back({static_cast<std::int64_t>(k), Vec3{centre.x, centre.y, 0}, centre, radii[k], {}, 0, 0});
   }
   return grains;
 }
@@ -92,8 +92,10 @@ io::RawContacts rows_of(const py::object& table) {
   const auto nx = columns.numbers("nx", n), ny = columns.numbers("ny", n);
   io::RawContacts contacts;
   for (std::size_t k = 0; k < n; ++k) {
-    io::RawContact row{i[k], std::max(j[k], 0), is_wall(j[k]) ? wall_side(j[k]) : -1, fn[k], ft[k], {}, {}, static_cast<int>(k) + 1};
-    if (normals) row.normal = Vec2{-nx[k], -ny[k]};  // a file's normal points from i to j
+    io::RawContact row;
+    row.i = i[k], row.j = std::max(j[k], 0), row.wall = is_wall(j[k]) ? wall_side(j[k]) : -1;
+    row.fn = fn[k], row.ft = ft[k], row.line = static_cast<int>(k) + 1;
+    if (normals) row.normal = Vec3{-nx[k], -ny[k], 0};  // a file's normal points from i to j
     contacts.rows.push_back(row);
   }
   return contacts;

@@ -48,7 +48,8 @@ Path path_of(const FilmLike& film) {
 
 std::unique_ptr<FilmSource> film_of(const FilmLike& film, double frame_rate, const std::optional<ArrayLike>& time) {
   if (!(frame_rate >= 0)) throw InputError("frame_rate is below 0; give frames a second");
-  if (py::isinstance<py::array>(film)) return std::make_unique<ArrayFilm>(py::array(film), frame_rate, time ? to_vector(*time, "time") : std::vector<double>{});
+  if (py::isinstance<py::array>(film))
+    return std::make_unique<ArrayFilm>(py::array(unmasked(film)), frame_rate, time ? to_vector(*time, "time") : std::vector<double>{});
   if (time) throw InputError("the time of frames is for arrays; a file has its own times, or give its frame_rate");
   io::FilmChoice choice;
   if (frame_rate > 0) choice.frame_rate = frame_rate;

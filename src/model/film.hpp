@@ -29,8 +29,8 @@ struct FilmInfo {
   std::vector<double> time;            ///< s after the first frame, one a frame, where frames are stamped; else empty
   /// Stamp of the first frame, s from any moment that files of one recording share; NaN without stamps.
   double start = std::numeric_limits<double>::quiet_NaN();
-  std::vector<std::int64_t> number;    ///< of every frame, from 0, where frames are counted and some are missing; else empty
-  std::vector<std::string> remarks;    ///< what a user should know about this film, each a sentence
+  std::vector<std::int64_t> number;  ///< of every frame, from 0, where frames are counted and some are missing; else empty
+  std::vector<std::string> remarks;  ///< what a user should know about this film, each a sentence
 
   std::size_t pixels() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
 };
@@ -114,26 +114,26 @@ inline double to_peak_to_peak(AmplitudeConvention convention) { return conventio
 /// cos(2 pi f t - phase); `in_phase` is a_1 cos(phase - reference): signed, positive where the pixel warms when the load rises.
 struct LockinMaps {
   int width = 0, height = 0;
-  double frequency = 0;                ///< refined, Hz
-  double frequency_error = 0;          ///< standard error, Hz
-  double reference_phase = 0;          ///< rad
-  std::size_t frames = 0;              ///< used
-  std::vector<std::int64_t> blank;      ///< frames of the film that hold no picture and were left out
-  double noise_ratio = 1;              ///< variance of the noise at the load's frequency over what the residual would be there if it were white
+  double frequency = 0;             ///< refined, Hz
+  double frequency_error = 0;       ///< standard error, Hz
+  double reference_phase = 0;       ///< rad
+  std::size_t frames = 0;           ///< used
+  std::vector<std::int64_t> blank;  ///< frames of the film that hold no picture and were left out
+  double noise_ratio = 1;           ///< variance of the noise at the load's frequency over what the residual would be there if it were white
   /// How often noise alone has as much amplitude in one phase as the pixels have at this frequency; NaN: unknown.
   double chance = std::numeric_limits<double>::quiet_NaN();
   /// Share of the amplitude above the noise that has one phase, or its opposite, in all pixels; NaN: unknown.
   double one_phase = std::numeric_limits<double>::quiet_NaN();
   double other_frequency = 0;          ///< Hz, at which the film oscillates where the load's frequency shows nothing; 0: none
   int drift_order = 0, harmonics = 1;  ///< that were fitted
-  double own_share = 1;  ///< of the variance of a pixel's noise at the load's frequency, that no other pixel shares
+  double own_share = 1;                ///< of the variance of a pixel's noise at the load's frequency, that no other pixel shares
   double common_error = 0,
          column_error = 0;  ///< standard errors of in_phase that all pixels share, and those of a column
   std::vector<double> shared_cosine,
-      shared_sine;                     ///< of what was taken off every pixel of a column; empty: nothing was
-  std::size_t lost_frames = 0;         ///< that no time stamp shows, but the phase of the load does
-  std::vector<double> time;  ///< of all frames where some were lost so, s after the first; else as the film says
-  std::vector<std::string> disturbances;  ///< what the film shows beside the load and its drift, each a sentence
+      shared_sine;                                                  ///< of what was taken off every pixel of a column; empty: nothing was
+  std::size_t lost_frames = 0;                                      ///< that no time stamp shows, but the phase of the load does
+  std::vector<double> time;                                         ///< of all frames where some were lost so, s after the first; else as the film says
+  std::vector<std::string> disturbances;                            ///< what the film shows beside the load and its drift, each a sentence
   AmplitudeConvention convention = AmplitudeConvention::amplitude;  ///< of every amplitude below
   std::vector<float> mean;                                          ///< at the middle of the film
   std::vector<float> drift;                                         ///< slope of the mean, unit/s

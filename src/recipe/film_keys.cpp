@@ -34,7 +34,7 @@ void declare(Visitor& v, io::FilmChoice& film) {
   v.number({"frame_rate", "Frame rate, instead of that of the film, whose time stamps are then ignored."}, film.frame_rate, "Hz", range::positive);
   v.number({"scale", "Temperature per level: temperature = scale x level + offset."}, film.scale, "K", range::positive);
   v.number({"offset", "Temperature of level 0."}, film.offset, "K", range::any);
-  v.text({"dataset", "Dataset to read from an HDF5 file that holds several."}, film.dataset);
+  v.text({"dataset", "Dataset to read from an HDF5 file that holds several, or channel of a TIFF hyperstack (\"channel 2\")."}, film.dataset);
 }
 
 void declare(Visitor& v, FilmContainer& container) {

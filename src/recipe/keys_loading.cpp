@@ -1,10 +1,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/error.hpp"
-#include "core/mapped.hpp"
 #include "core/text.hpp"
 #include "grains/dem/integrators/integrators.hpp"
 #include "model/packing.hpp"
@@ -48,10 +46,8 @@ void declare_sides(Visitor& v, const Key& key, const std::function<void(Visitor&
 void declare(Visitor& v, cement::CementParameters& law) {
   using Kind = cement::CementParameters::Kind;
   v.choice({"kind", "Where the matrix is placed."}, law.kind, words(law.kind));
-  v.number({"gap",
-            "Widest surface gap that is bridged, and at which two grains count as neighbours; unless given, 0.075 of the "
-            "mean large radius."},
-           law.gap, "mm", range::not_negative);
+  v.number({"gap", "Widest surface gap that is bridged, and at which two grains count as neighbours; unless given, 0.075 of the mean large radius."}, law.gap,
+           "mm", range::not_negative);
   const bool is_free = law.kind == Kind::bridges || law.kind == Kind::coating || law.kind == Kind::menisci;
   v.when(is_free, "kind = \"bridges\", \"coating\" or \"menisci\"", [&](Visitor& inner) {
     inner.number({"saturation",

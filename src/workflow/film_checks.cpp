@@ -163,6 +163,12 @@ std::string no_load_sentence(const LockinMaps& maps, double frequency, std::stri
   if (maps.other_frequency > 0)
     return fmt::format("the film shows only noise at {:.6g} Hz, but an oscillation at {:.4g} Hz; if that is the load, give its frequency ({})", frequency,
                        maps.other_frequency, given_by);
+  if (std::isnan(maps.chance))
+    return fmt::format(
+        "no pixel of the film has numbers in all frames and noise, so nothing is known of a load at {:.6g} Hz; give a "
+        "film "
+        "of a loaded sample as the camera recorded it",
+        frequency);
   if (maps.chance < 0.01)
     return fmt::format(
         "the signal at {:.6g} Hz does not have a common phase, as under a load, but is a spectral line of the camera; give the frequency of the load ({}), or "

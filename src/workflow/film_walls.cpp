@@ -6,8 +6,7 @@
 
 namespace arenite::workflow {
 
-Domain settle_walls(const recipe::FilmRecipe& recipe, const PictureGrains& loaded, FilmPlace& place,
-                    FilmResult& r) {
+Domain settle_walls(const recipe::FilmRecipe& recipe, const PictureGrains& loaded, FilmPlace& place, FilmResult& r) {
   constexpr double rim_error = 0.08, reach = 3, least = 0.15, errors = 4;  // pixels, and standard errors from which on a shift is believed
   const auto fitted = [&](const PictureGrains& grains, double share) {
     auto walls = imaging::fit_walls(in_metres(grains, place), container_at(recipe, share), rim_error * place.pixel, reach * place.pixel);

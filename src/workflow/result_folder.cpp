@@ -12,6 +12,7 @@
 #include "grains/dem/programme.hpp"
 #include "grains/fields/loading_axis.hpp"
 #include "grains/fields/stage_numbers.hpp"
+#include "io/disk/byte_source.hpp"
 #include "io/disk/store_file.hpp"
 #include "io/export/export.hpp"
 #include "io/results/results.hpp"
@@ -29,10 +30,22 @@ void make_folder(const fs::path& folder) {
   if (error) refuse(folder.string(), "this folder cannot be made ({}); choose another with --out", error.message());
 }
 
+namespace {
+
+/// A film or any other HDF5 file that lies there is not ours to move.
+bool is_foreign(const fs::path& file) {
+  std::error_code error;
+  if (!fs::is_regular_file(file, error)) return true;
+  return io::is_hdf5(io::open_bytes(file)->text(0, 8));
+}
+
+}  // namespace
+
 std::vector<fs::path> other_results(const fs::path& folder, const std::vector<std::string>& names) {
   std::vector<fs::path> others;
   for (const auto& entry : fs::directory_iterator(folder))
-    if (entry.path().extension() == ".h5" && std::ranges::count(names, entry.path().filename().string()) == 0) others.push_back(entry.path());
+    if (entry.path().extension() == ".h5" && std::ranges::count(names, entry.path().filename().string()) == 0 && !is_foreign(entry.path()))
+      others.push_back(entry.path());
   std::ranges::sort(others);
   return others;
 }
@@ -54,10 +67,20 @@ io::FileLock lock_in(const fs::path& folder) {
 
 }  // namespace
 
-ResultFolder::ResultFolder(fs::path out, const std::vector<std::string>& names) : out_(std::move(out)), lock_(lock_in(out_)) {
-  for (const auto& path : other_results(out_, names)) put_aside(path);
+ResultFolder::ResultFolder(fs::path out, const std::vector<std::string>& names, std::string_view only)
+    : out_(std::move(out)),
+      was_there_(fs::exists(out_)),
+      lock_(lock_in(out_)) {
+  for (const auto& path : other_results(out_, names))
+    if (only.empty() || io::stored_kind(path) == only) put_aside(path);
   for (const auto& name : names)
     if (fs::exists(out_ / "earlier" / name)) fs::rename(out_ / "earlier" / name, out_ / name);
+}
+
+ResultFolder::~ResultFolder() {
+  lock_.reset();
+  std::error_code ignored;
+  if (!was_there_) fs::remove(out_, ignored);  // only if nothing is in it
 }
 
 void ResultFolder::put_aside(const fs::path& path) {

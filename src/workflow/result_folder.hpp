@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "grains/texture/texture.hpp"
@@ -16,17 +17,22 @@ namespace arenite::workflow {
 /// Creates a folder and those above it; refuses with the system's reason.
 void make_folder(const std::filesystem::path& folder);
 
-/// Files of results in a folder that have none of these names.
+/// Files of results in a folder that have none of these names; HDF5 files of other programs are none.
 std::vector<std::filesystem::path> other_results(const std::filesystem::path& folder, const std::vector<std::string>& names);
 
 /// Whether a result was made by version 0.1, which named results otherwise: they can be shown and exported, but nothing goes on with them.
 bool is_of_version_0_1(const std::filesystem::path& file);
 
 /// A run's folder: result files of this recipe on top, those of other versions of it under earlier/, from where they
-/// come back when they are wanted again. One writer at a time has it: another is refused.
+/// come back when they are wanted again. One writer at a time has it: another is refused. A folder that was made for it
+/// and stays empty goes with it.
 class ResultFolder {
  public:
-  ResultFolder(std::filesystem::path out, const std::vector<std::string>& names);
+  /// Files of results of every kind, or of one (io/disk/store_file.hpp).
+  ResultFolder(std::filesystem::path out, const std::vector<std::string>& names, std::string_view only = {});
+  ~ResultFolder();
+  ResultFolder(const ResultFolder&) = delete;
+  ResultFolder& operator=(const ResultFolder&) = delete;
   std::filesystem::path operator/(const std::string& name) const { return out_ / name; }
   /// What was put aside now, and which exports in the folder show it still; empty if nothing was.
   std::string what_was_put_aside() const;
@@ -34,7 +40,8 @@ class ResultFolder {
  private:
   void put_aside(const std::filesystem::path& path);
   std::filesystem::path out_;
-  io::FileLock lock_;
+  bool was_there_;
+  std::optional<io::FileLock> lock_;
   std::vector<std::string> put_aside_;
 };
 

@@ -157,12 +157,12 @@ FilmOutcome run_film(const fs::path& film, const recipe::FilmRecipe& recipe, con
   FilmOutcome outcome;
   const auto source = io::open_film(film, recipe.film.value_or(io::FilmChoice{}));
   refuse_temperatures(recipe, film, source->info());
+  for (const std::string& remark : source->info().remarks) options.notice(remark);
   const PlannedStage stage = planned_stage(1, "film", film_key(film, *source, recipe), false);
   if (recipe.simulation) read_companion_recipe(recipe);
   outcome.file = options.out / stage.file;
-  if (fs::is_directory(options.out) && !fs::exists(outcome.file))
-    for (const auto& other : other_results(options.out, {stage.file}))
-      if (is_of_version_0_1(other)) options.notice(fmt::format("{} is of version 0.1 and is left unchanged; the film is measured again", other.string()));
+  const ResultFolder folder(options.out, {stage.file}, "film");
+  if (const std::string sentence = folder.what_was_put_aside(); !sentence.empty()) options.notice(sentence);
   const auto make = [&](const fs::path&) -> std::optional<FilmResult> {
     auto result = measured(film, *source, recipe, options);
     if (!result) return std::nullopt;

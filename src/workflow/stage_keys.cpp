@@ -192,8 +192,8 @@ recipe::Recipe part_of(const recipe::Recipe& recipe, std::size_t s) {
 }
 
 std::string key_versions() {
-  return fmt::format("changed keys {} {} {} {} {} {} {}", packing_version, loading_version, cement_version, load_version,
-                     clipped_dashpot_version, closing_version, driven_loading_version);
+  return fmt::format("changed keys {} {} {} {} {} {} {}", packing_version, loading_version, cement_version, load_version, clipped_dashpot_version,
+                     closing_version, driven_loading_version);
 }
 
 std::string film_key(const fs::path& film, FilmSource& source, const recipe::FilmRecipe& recipe) {

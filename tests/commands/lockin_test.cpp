@@ -37,6 +37,45 @@ std::string rows_without_meaning(const std::string& text, const Json& numbers, c
   return without;
 }
 
+std::string film_of_others(const char* name) { return (std::filesystem::path(ARENITE_SOURCE_DIR) / "tests/data/films" / name).string() + " --frame-rate 30Hz"; }
+
+/// The film as it is without the frame that is NaN gives the same numbers, and the frame is named.
+TEST(LockInCommand, AFrameOfNaNIsLeftOutAndNamed) {
+  const auto done = arenite("lockin " + film_of_others("nan-frame.tif") + " --frequency 3Hz --json");
+  ASSERT_EQ(done.status, 0) << done.err;
+  EXPECT_NE(done.err.find("frame 40 holds no picture"), std::string::npos) << done.err;
+  const Json j = Json::parse(done.out);
+  EXPECT_EQ(j["blank_frames"], Json::array({40}));
+  EXPECT_EQ(j["frames"], 119);
+  EXPECT_EQ(j["shows_load"], true);
+  EXPECT_TRUE(j["median"]["amplitude"].is_number());
+  EXPECT_NEAR(j["frequency_Hz"].get<double>(), 3, 0.01);
+  const auto step = arenite("step " + film_of_others("nan-frame.tif") + " --time 2s");
+  EXPECT_NE(step.err.find("frame 40 holds no picture"), std::string::npos) << step.err;
+}
+
+TEST(LockInCommand, FilesWithoutEveryTenthNumberKeepTheFrequency) {
+  const TemporaryFolder folder;
+  test::OscillatingFilm oscillating;
+  oscillating.frames = 200, oscillating.rate = 30, oscillating.noise = 0.1;
+  const Film film = oscillating.draw();
+  std::filesystem::create_directory(folder / "film");
+  for (std::size_t n = 0; n < 200; ++n) {
+    if (n % 10 == 5) continue;
+    Film one;
+    one.about = film.about;
+    one.about.frames = 1;
+    one.about.frame_rate = 0;
+    const auto first = film.value.begin() + static_cast<std::ptrdiff_t>(n * film.about.pixels());
+    one.value.assign(first, first + static_cast<std::ptrdiff_t>(film.about.pixels()));
+    io::write_film(folder / ("film/frame_" + std::to_string(n) + ".tif"), one);
+  }
+  const auto done = arenite("lockin " + (folder / "film").string() + " --frame-rate 30Hz --frequency 3Hz --json");
+  ASSERT_EQ(done.status, 0) << done.err;
+  EXPECT_NE(done.err.find("By their numbers 20 frames are missing"), std::string::npos) << done.err;
+  EXPECT_NEAR(Json::parse(done.out)["frequency_Hz"].get<double>(), 3, 0.01);
+}
+
 TEST(LockInCommand, TextAndJsonHaveTheSameNumbersEachWithItsMeaning) {
   const TemporaryFolder folder;
   const std::string lockin = "lockin " + film_in(folder) + " --frequency 3Hz --pixel 1.6mm";

@@ -25,7 +25,8 @@ TEST(ShowFilm, JsonOfARealFilm) {
   EXPECT_EQ(j["format"], "ptw");
   EXPECT_EQ(j["quantity"], "digital_level");
   EXPECT_NEAR(j["duration_s"].get<double>(), 2.969785, 1e-6);
-  EXPECT_EQ(j["dropped_frames"], 198);
+  EXPECT_EQ(j["dropped_frames"], 0);
+  EXPECT_EQ(j["remarks"].size(), 1U);  // stamps of 30 ms, where the header has 10 ms
   EXPECT_EQ(j["pixels"]["saturated"], 0);
 }
 
@@ -37,9 +38,23 @@ TEST(ShowFilm, TextNamesWhatIsMissingAndDoubtful) {
   const auto shown = arenite("show " + (folder / "a.ptw").string());
   ASSERT_EQ(shown.status, 0) << shown.err;
   for (const char* words : {"format                           ptw", "frames                           9 ", "width                            6 ", "100 Hz",
-                            "0.02 s", "stamped                          yes", "dropped_frames                   8 ", "pixels.constant                  2 ",
+                            "0.02 s", "stamped                          yes", "dropped_frames                   0 ", "pixels.constant                  2 ",
                             "pixels.saturated                 1 "})
     EXPECT_NE(shown.out.find(words), std::string::npos) << words << "\n" << shown.out;
+}
+
+TEST(ShowFilm, WhatFilesOfOthersStateIsShown) {
+  const auto data = [](const char* name) { return (std::filesystem::path(ARENITE_SOURCE_DIR) / "tests/data/films" / name).string(); };
+  const auto json = [](const std::string& of) { return Json::parse(arenite("show " + of + " --frame-rate 30Hz --json").out); };
+  EXPECT_EQ(json(data("imagej-one-directory.tif"))["frames"], 120);
+  const auto channels = arenite("show " + data("imagej-two-channels.tif"));
+  EXPECT_EQ(channels.status, 2);
+  EXPECT_NE(channels.err.find("120 frames of 2 channels"), std::string::npos) << channels.err;
+  EXPECT_EQ(json(data("imagej-two-channels.tif") + " --dataset \"channel 2\"")["frames"], 120);
+  const Json matlab = json(data("matlab.mat"));
+  EXPECT_EQ(matlab["width"], 10);
+  EXPECT_EQ(matlab["height"], 6);
+  EXPECT_EQ(json(data("nan-frame.tif"))["pixels"]["blank_frames"], Json::array({40}));
 }
 
 TEST(ShowFilm, ADamagedFilmIsOneSentenceAndStatusTwo) {

@@ -31,8 +31,7 @@ TEST(StudyScript, NamesOfFilesBecomeNoLinesOfIt) {
   EXPECT_TRUE(contains(script.out, "#SBATCH --job-name=my_touch_broken_")) << script.out;
   EXPECT_TRUE(contains(script.out, "two words %%j/slurm-%A-%a.log\"\n")) << script.out;
   EXPECT_FALSE(contains(script.out, "\ntouch broken\n#SBATCH")) << script.out;
-  const auto refused =
-      arenite("study script --slurm '" + recipe + "' --out '" + (folder / "out").string() + "' --time '1:00\ntouch x'");
+  const auto refused = arenite("study script --slurm '" + recipe + "' --out '" + (folder / "out").string() + "' --time '1:00\ntouch x'");
   EXPECT_EQ(refused.status, 2) << refused.out;
   EXPECT_TRUE(contains(refused.err, "--time")) << refused.err;
 }

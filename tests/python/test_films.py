@@ -28,6 +28,31 @@ def test_levels_are_taken_as_they_are_and_times_may_be_uneven():
     assert np.allclose(maps.amplitude, 2 * amplitude, atol=0.6) and maps.peak_to_peak
 
 
+@pytest.mark.parametrize("dtype", [np.float32, np.uint16])
+def test_masked_frames_are_lost_and_masked_pixels_are_no_numbers(dtype):
+    film, _ = oscillating(dtype=dtype)
+    keep = np.arange(len(film)) != 40
+    right = arenite.lock_in(film[keep], 3.0, time=(np.arange(len(film)) / 148.0)[keep])
+    masked = np.ma.masked_array(film.copy(), np.zeros(film.shape, bool))
+    masked.data[40] = 12345
+    masked[40] = np.ma.masked
+    masked[:, 2, 3] = np.ma.masked
+    maps = arenite.lock_in(masked, 3.0, frame_rate=148.0)
+    assert maps.blank_frames == [40]
+    assert np.isnan(maps.amplitude[2, 3])
+    there = np.ones((12, 10), bool)
+    there[2, 3] = False
+    assert np.allclose(maps.amplitude[there], right.amplitude[there], rtol=1e-3, atol=1e-3)
+
+
+def test_a_film_of_nan_shows_nothing():
+    film, _ = oscillating()
+    with pytest.raises(ValueError, match="not a number"):
+        arenite.lock_in(np.full_like(film, np.nan), 3.0, frame_rate=148.0)
+    with pytest.raises(ValueError, match="not a number"):
+        arenite.step_load(np.full_like(film, np.nan), frame_rate=148.0)
+
+
 def test_a_nearest_bin_is_off_where_least_squares_is_not():
     film, amplitude = oscillating(frames=148)
     plain = arenite.lock_in(film, 3.02, frame_rate=148.0, nearest_bin=True, drift_order=0)

@@ -146,7 +146,7 @@ def test_contacts_of_ones_own_are_measured_as_those_of_a_run(result):
 
 @pytest.mark.parametrize("contacts, sentence", [
     ({"i": [0], "j": [99]}, "not among the grains"), ({"i": [0], "j": [0]}, "touch itself"), ({"i": [0], "j": [-5]}, "whole numbers from -4"), ({"i": [-1], "j": [0]}, "whole numbers from 0"),
-    ({"i": [0]}, 'no "j"'), ({"i": [0], "j": [1], "fn": [1.0, 2.0]}, "equal length"), ({"i": [0], "j": [1], "fn": [np.nan]}, "finite"), (3, "a dict"), ({"i": [0], "j": [30]}, "apart"),
+    ({"i": [0]}, 'no "j"'), ({"i": [0], "j": [1], "fn": [1.0, 2.0]}, "equal length"), ({"i": [0], "j": [1], "fn": [np.nan]}, "finite"), (3, "a dict"), ({"i": [0], "j": [30], "fn": [1.0]}, "apart"),
     ({"i": [0, 1], "j": [1, 0]}, "already")])
 def test_contacts_that_cannot_be_are_refused(contacts, sentence):
     x, y = np.meshgrid(np.arange(1, 13, 2) * 1e-3, np.arange(1, 13, 2) * 1e-3)

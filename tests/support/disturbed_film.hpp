@@ -32,7 +32,7 @@ struct DisturbedFilm {
   int width = 56, height = 44, border = 8;  ///< pixels
   std::size_t frames = 1480;                ///< that the camera took
   double rate = 148, frequency = 3.004, phase = 2.2, noise = 0.02, slope = 0.01;
-  double common = 0, columns = 0;  ///< 1/f noise of all pixels, and of those of a column, K
+  double common = 0, columns = 0;     ///< 1/f noise of all pixels, and of those of a column, K
   double jump = 0, jump_pattern = 0;  ///< K, and of each pixel its own
   std::size_t jump_frame = 800;
   std::vector<std::size_t> lost = {};                                ///< frames that are not in the film

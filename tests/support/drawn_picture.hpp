@@ -8,7 +8,7 @@
 #include "core/random.hpp"
 #include "geometry/rectangle.hpp"
 #include "io/disk/file.hpp"
-#include "io/sample/sample.hpp"
+#include "io/sample/formats.hpp"
 #include "model/image.hpp"
 #include "thermal/imaging/grain_search.hpp"
 
@@ -34,7 +34,10 @@ inline std::vector<DrawnDisk> packing_in_pixels(const std::string& name, double 
   Problems problems(path.string());
   const std::string text = io::read_file(path);
   std::vector<DrawnDisk> disks;
-  for (const io::RawGrain& row : io::samples::csv.grains(text, {}, problems).rows)
+  const io::SampleOptions options;
+  io::RawGrains grains = io::samples::csv.grains({text, 0, options, problems});
+  io::lay_in_plane(grains, problems);
+  for (const io::RawGrain& row : grains.rows)
     disks.push_back({left + row.centre.x / pixel, floor_row - row.centre.y / pixel, row.radius / pixel, 1, row.material == "POM" ? 0 : 1});
   problems.raise();
   return disks;

@@ -36,6 +36,13 @@ inline std::string png_chunk(const std::string& type, const std::string& data) {
   return big_endian(static_cast<std::uint32_t>(data.size())) + body + big_endian(static_cast<std::uint32_t>(sum));
 }
 
+/// The bytes of EXIF that state an orientation.
+inline std::string exif(char orientation, bool low_first) {
+  using namespace std::string_literals;
+  if (low_first) return "II*\0\x8\0\0\0\1\0\x12\1\3\0\1\0\0\0"s + orientation + "\0\0\0\0\0\0\0"s;
+  return "MM\0*\0\0\0\x8\0\1\1\x12\0\3\0\0\0\1\0"s + orientation + "\0\0\0\0\0\0"s;
+}
+
 enum PngKind : char { grey = 0, colour = 2, palette = 3, grey_alpha = 4, colour_alpha = 6 };
 
 /// A PNG file of rows of packed samples, each without its leading filter byte.
@@ -91,6 +98,7 @@ inline std::string jpeg(unsigned width, unsigned height, int samples, const std:
 struct TiffPage {
   std::uint32_t width = 0, height = 0;
   std::uint16_t bits = 8, samples = 1, photometric = PHOTOMETRIC_MINISBLACK, format = SAMPLEFORMAT_UINT, compression = COMPRESSION_NONE;
+  std::uint16_t orientation = ORIENTATION_TOPLEFT;
   std::uint32_t tile = 0;           ///< side of square tiles; 0: strips
   std::vector<std::uint8_t> bytes;  ///< of all rows, or of all tiles one after the other
 };
@@ -107,6 +115,7 @@ inline void write_tiff(const std::filesystem::path& path, std::vector<TiffPage> 
     TIFFSetField(tiff, TIFFTAG_SAMPLEFORMAT, page.format);
     TIFFSetField(tiff, TIFFTAG_COMPRESSION, page.compression);
     TIFFSetField(tiff, TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG);
+    TIFFSetField(tiff, TIFFTAG_ORIENTATION, page.orientation);
     if (page.photometric == PHOTOMETRIC_PALETTE) {
       std::vector<std::uint16_t> ramp;
       for (std::uint32_t i = 0; i < 1u << page.bits; ++i) ramp.push_back(static_cast<std::uint16_t>((i * 10 % 256) << 8));

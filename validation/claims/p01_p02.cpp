@@ -84,10 +84,8 @@ Judgement judge_p1(const Results& results) {
   const Samples samples = paper_samples(results);
   const PairMeans rho = pair_means(samples, "solid_fraction");
   Judgement j;
-  j.checks = {number(in_range("rho_p", "0.82 to 0.89", rho, 0.815, 0.895)), with_gamma("rho_p", "rises", rho, +1),
-              densest(rho),
-              every("spread of rho_p over theta at a gamma below 5 minus that at 5", "theta matters little",
-                    excess_spreads(rho), {.high = 0})};
+  j.checks = {number(in_range("rho_p", "0.82 to 0.89", rho, 0.815, 0.895)), with_gamma("rho_p", "rises", rho, +1), densest(rho),
+              every("spread of rho_p over theta at a gamma below 5 minus that at 5", "theta matters little", excess_spreads(rho), {.high = 0})};
   j.ours = ends_in_text(rho, "rho_p");
   if (const Value asked = of_pair(pair_means(samples, "volume_ratio"), 5, 6); std::isfinite(asked.value))
     j.findings.push_back(fmt::format("For a prescribed gamma of 5 and theta of 6 the crop has a volume ratio of {}.", text_of(asked)));

@@ -100,8 +100,7 @@ Judgement judge_p5(const Results& results) {
   const auto of_all = [&](const char* statistic) { return stress_means(samples, "all", statistic); };
   Judgement j;
   j.checks = asked_p5(samples);
-  j.checks.push_back(decided_by(
-      Decider::grid, number(in_range("largest node over the mean", "about 2", of_all("maximum"), 1.8, 2.2))));
+  j.checks.push_back(decided_by(Decider::grid, number(in_range("largest node over the mean", "about 2", of_all("maximum"), 1.8, 2.2))));
   if (const Value largest = overall(of_all("maximum")); std::isfinite(largest.value)) {
     j.ours = fmt::format("over the mean: 99.99 % quantile {}, largest node {}", text_of(overall(of_all("quantiles.99.99 %"))), text_of(largest));
     j.decides = "\"Largest\" is read as the 99.99 % quantile, because the stress of the single largest node depends on the number of nodes.";

@@ -38,9 +38,9 @@ Judgement judge_p11(const Results& results) {
   for (const double width : {full, 0.2}) {
     const std::string name = width == full ? "full" : "eta 0.2";
     const auto at = [&](bool exact, const char* strain) { return pulled(results, exact, strain, width); };
-    const std::vector<Draw> draws{{linearity_study,
-                                   {width == full ? std::pair<std::string, std::string>{"cement.kind", "full"}
-                                                  : std::pair<std::string, std::string>{"cement.width", "0.2"}}}};
+    const std::vector<Draw> draws{
+        {linearity_study,
+         {width == full ? std::pair<std::string, std::string>{"cement.kind", "full"} : std::pair<std::string, std::string>{"cement.width", "0.2"}}}};
     const auto once = at(false, "1e-4"), thrice = at(false, "3e-4");
     const Value linear = size_of(departure(thrice, once, 1)), stretched = size_of(departure(at(true, "3e-4"), at(true, "1e-4"), 1));
     j.checks.push_back(below("relative change of the modulus at three times the strain, linearised, " + name, "linear", linear, 1e-6));

@@ -48,9 +48,7 @@ Check in_range(const std::string& what, const std::string& source, const PairMea
 Family by_theta(const PairMeans& means, const std::function<Value(double theta)>& number) {
   Family family;
   for (const double theta : thetas(means))
-    family.push_back({fmt::format("theta {:g}", theta),
-                      number(theta),
-                      {{"paper", {{"bidisperse.volume_ratio", fmt::format("{:g}", theta)}}}}});
+    family.push_back({fmt::format("theta {:g}", theta), number(theta), {{"paper", {{"bidisperse.volume_ratio", fmt::format("{:g}", theta)}}}}});
   return family;
 }
 

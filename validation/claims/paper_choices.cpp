@@ -86,8 +86,7 @@ void add_choices(Judgement& judgement, const Results& results, const std::string
   if (wanted) tell_difference(judgement, what, wanted(value(paper_samples(results))), wanted(value(usual)));
   const Choice as_it_is{};
   add_sensitivity(
-      judgement, what, as_it_is, open_choices,
-      [&](const Choice& choice) { return value(choice.where.empty() ? usual : chosen(results, choice.where, usual)); },
+      judgement, what, as_it_is, open_choices, [&](const Choice& choice) { return value(choice.where.empty() ? usual : chosen(results, choice.where, usual)); },
       wanted);
 }
 

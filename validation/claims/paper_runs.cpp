@@ -131,9 +131,7 @@ PairMeans mean_of(const std::vector<PairMeans>& all) {
 Series against_gamma(const PairMeans& means, double theta) {
   Series points;
   for (const PairMean& m : means)
-    if (m.theta == theta)
-      points.push_back({m.gamma, m.value.value, m.value.error, m.samples.size(),
-                        is_pooled(m) ? m.value.freedom : statistics::unknown});
+    if (m.theta == theta) points.push_back({m.gamma, m.value.value, m.value.error, m.samples.size(), is_pooled(m) ? m.value.freedom : statistics::unknown});
   return points;
 }
 
@@ -164,9 +162,7 @@ Family members(const PairMeans& means) {
   for (const PairMean& m : means)
     family.push_back({name_of(m),
                       m.value,
-                      {{"paper",
-                        {{"bidisperse.size_ratio", fmt::format("{:g}", m.gamma)},
-                         {"bidisperse.volume_ratio", fmt::format("{:g}", m.theta)}}}}});
+                      {{"paper", {{"bidisperse.size_ratio", fmt::format("{:g}", m.gamma)}, {"bidisperse.volume_ratio", fmt::format("{:g}", m.theta)}}}}});
   return family;
 }
 

@@ -62,12 +62,9 @@ Judgement judge_t4(const Results& results) {
   Judgement judgement;
   const PooledMode pom_8 = pooled_mode(runs_of(results, sample_8), "POM-POM", 2), pom_12 = pooled_mode(runs_of(results, sample_12), "POM-POM", 2);
   const std::vector<Draw> of_8{{"thesis-ch3", where(sample_8)}};
-  judgement.checks = {
-      drawn(of_8, below("a_c of all contacts, #8", "quasi-isotropic",
-                        mean(results, "thesis-ch3", "fabric.a_c", where(sample_8)), 0.15)),
-      drawn(of_8, near_direction("deviation of POM-POM orientations from the load axis, #8", pom_8, "0", 90, 180)),
-      decided_by(Decider::lost, number(near_direction("deviation of POM-POM orientations from 45 degrees, #12", pom_12,
-                                                      "0", 45, 90)))};
+  judgement.checks = {drawn(of_8, below("a_c of all contacts, #8", "quasi-isotropic", mean(results, "thesis-ch3", "fabric.a_c", where(sample_8)), 0.15)),
+                      drawn(of_8, near_direction("deviation of POM-POM orientations from the load axis, #8", pom_8, "0", 90, 180)),
+                      decided_by(Decider::lost, number(near_direction("deviation of POM-POM orientations from 45 degrees, #12", pom_12, "0", 45, 90)))};
   if (pom_8.contacts > 0) {
     judgement.ours = fmt::format("POM-POM of #8 at {}, of #12 at {} degrees", text_of(pom_8.phase_deg), text_of(pom_12.phase_deg));
     judgement.decides = fmt::format(

@@ -88,8 +88,7 @@ Judgement judge_t5(const Results& results) {
     all.push_back({sample.name, mean_over_seeds(runs, "sigma_norm.P0"), draws});
     measured.push_back({fmt::format("{} all", sample.name), {percent[0] / 100, 0}});
     for (const auto& [k, material] : {std::pair{1u, "POM"}, {2u, "HDPE"}}) {
-      single.push_back({fmt::format("{} {}", sample.name, material),
-                        mean_over_seeds(runs, fmt::format("sigma_norm.by_material.{}.P0", material)), draws});
+      single.push_back({fmt::format("{} {}", sample.name, material), mean_over_seeds(runs, fmt::format("sigma_norm.by_material.{}.P0", material)), draws});
       measured.push_back({single.back().name, {percent[k] / 100, 0}});
     }
   }

@@ -18,8 +18,7 @@ struct Tails {
   Family r2, lead, beta;
 };
 
-void add(Tails& tails, const std::string& name, const std::vector<Run>& runs, const std::string& distribution,
-         const Draw& draw) {
+void add(Tails& tails, const std::string& name, const std::vector<Run>& runs, const std::string& distribution, const Draw& draw) {
   const PooledTail t = pooled_tail(runs, distribution);
   tails.r2.push_back({name, t.r2, {draw}});
   tails.lead.push_back({name, t.lead});
@@ -99,22 +98,18 @@ Judgement judge_t6(const Results& results) {
     for (const char* material : {"POM", "HDPE"}) {
       const std::string distribution = fmt::format("sigma_norm.by_material.{}", material);
       const double grains = mean_over_seeds(runs, distribution + ".count").value;
-      if (grains > 40 || !std::isfinite(grains))
-        add(some_stresses, fmt::format("{} {}", sample.name, material), runs, distribution, draw);
+      if (grains > 40 || !std::isfinite(grains)) add(some_stresses, fmt::format("{} {}", sample.name, material), runs, distribution, draw);
     }
   }
   const auto fourth = results.runs("thesis-ch4"), fifth = results.runs("thesis-ch5"), sixth = results.runs("thesis-ch6", {{"contact.surface_energy", "1.060"}});
-  const Draw of_fourth{"thesis-ch4", {}}, of_fifth{"thesis-ch5", {}},
-      of_sixth{"thesis-ch6", {{"contact.surface_energy", "1.060"}}};
+  const Draw of_fourth{"thesis-ch4", {}}, of_fifth{"thesis-ch5", {}}, of_sixth{"thesis-ch6", {{"contact.surface_energy", "1.060"}}};
   add(all_forces, "ch. 4", fourth, "force", of_fourth);
   for (const char* type : {"POM-POM", "HDPE-HDPE", "HDPE-POM"})
     add(some_forces, fmt::format("ch. 4 {}", type), fourth, fmt::format("force.by_type.{}", type), of_fourth);
   add(all_forces, "ch. 5", fifth, "force", of_fifth);
-  for (const char* type : {"A-A", "A-B", "B-B"})
-    add(some_forces, fmt::format("ch. 5 {}", type), fifth, fmt::format("force.by_type.{}", type), of_fifth);
+  for (const char* type : {"A-A", "A-B", "B-B"}) add(some_forces, fmt::format("ch. 5 {}", type), fifth, fmt::format("force.by_type.{}", type), of_fifth);
   add(all_stresses, "ch. 6", sixth, "sigma_norm", of_sixth);
-  for (const char* zone : {"dry", "glued"})
-    add(some_stresses, fmt::format("ch. 6 {}", zone), sixth, fmt::format("sigma_norm.by_material.{}", zone), of_sixth);
+  for (const char* zone : {"dry", "glued"}) add(some_stresses, fmt::format("ch. 6 {}", zone), sixth, fmt::format("sigma_norm.by_material.{}", zone), of_sixth);
   Judgement judgement;
   std::string shapes;
   for (const Tails* tails : {&all_stresses, &some_stresses, &all_forces, &some_forces}) {

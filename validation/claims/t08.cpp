@@ -32,11 +32,10 @@ Judgement judge_t8(const Results& results) {
   for (const auto& [law, study] : laws_of_chapter_4) {
     const Series z = series(results, study, number_ratio(), "coordination.all"),
                  bearing = series(results, study, number_ratio(), "coordination.without_rattlers");
-    for (Check check :
-         {monotone(fmt::format("slope of z against the ratio, {}", law), "rises", z, +1),
-          monotone(fmt::format("slope of z without rattlers against the ratio, {}", law), "rises", bearing, +1),
-          number(within(fmt::format("z at the smallest ratio, {}", law), first_of(z), 4.3, 0.1)),
-          number(within(fmt::format("z at the largest ratio, {}", law), last_of(z), 4.9, 0.1))})
+    for (Check check : {monotone(fmt::format("slope of z against the ratio, {}", law), "rises", z, +1),
+                        monotone(fmt::format("slope of z without rattlers against the ratio, {}", law), "rises", bearing, +1),
+                        number(within(fmt::format("z at the smallest ratio, {}", law), first_of(z), 4.3, 0.1)),
+                        number(within(fmt::format("z at the largest ratio, {}", law), last_of(z), 4.9, 0.1))})
       judgement.checks.push_back(drawn({{study, {}}}, std::move(check)));
     judgement.checks.push_back(reported(fmt::format("z without rattlers at the smallest ratio, {}", law), first_of(bearing)));
     judgement.checks.push_back(reported(fmt::format("z without rattlers at the largest ratio, {}", law), last_of(bearing)));

@@ -16,17 +16,14 @@ constexpr const char* study_4 = "thesis-ch4";
 constexpr const char* study_5 = "thesis-ch5";
 
 /// The slope against the ratio goes this way.
-Check slope_goes(const Results& results, const char* study, const std::string& what, const Number& number,
-                 int direction) {
+Check slope_goes(const Results& results, const char* study, const std::string& what, const Number& number, int direction) {
   const Value size = slope(series(results, study, number_ratio(), number));
   return direction > 0 ? positive("slope of " + what + " against the ratio", "rises", size)
                        : negative("slope of " + what + " against the ratio", "falls", size);
 }
 
 /// Of all contacts of a run, those that are strong and of a type.
-std::string share_of_strong(const std::string& type) {
-  return fmt::format("force.by_type.{}.strong_share_of_all", type);
-}
+std::string share_of_strong(const std::string& type) { return fmt::format("force.by_type.{}.strong_share_of_all", type); }
 
 struct Typed {
   const char *study, *type;
@@ -134,14 +131,11 @@ Judgement judge_t12(const Results& results) {
     const Value along = weighted_sum({{2, pooled_along(runs, "POM-POM", 2, 90)}}), all = weighted_sum({{2, pooled_along(runs, "", 2, 90)}});
     const std::vector<Draw> draws{{study, {}}};
     judgement.checks.push_back(
-        drawn(draws, below(fmt::format("deviation of POM-POM orientations from the load axis, {}", law), "0",
-                           angle_from(pom, 90, 180), 15, "deg")));
-    judgement.checks.push_back(drawn(
-        draws, positive(fmt::format("a_c of POM-POM contacts along the load (noise {:.2g}), {}", 2 * pom.noise, law),
-                        "oriented along the load", along)));
-    judgement.checks.push_back(drawn(
-        draws, positive(fmt::format("a_c of POM-POM contacts minus that of all contacts, along the load, {}", law),
-                        "> 0", difference(along, all))));
+        drawn(draws, below(fmt::format("deviation of POM-POM orientations from the load axis, {}", law), "0", angle_from(pom, 90, 180), 15, "deg")));
+    judgement.checks.push_back(
+        drawn(draws, positive(fmt::format("a_c of POM-POM contacts along the load (noise {:.2g}), {}", 2 * pom.noise, law), "oriented along the load", along)));
+    judgement.checks.push_back(
+        drawn(draws, positive(fmt::format("a_c of POM-POM contacts minus that of all contacts, along the load, {}", law), "> 0", difference(along, all))));
     judgement.checks.push_back(reported(fmt::format("a_c of all contacts along the load, {}", law), all));
     if (!runs.empty())
       judgement.ours += fmt::format("{}{}: a_c {} at {} degrees", judgement.ours.empty() ? "" : "; ", law, text_of(along), text_of(pom.phase_deg));
@@ -165,16 +159,11 @@ Judgement judge_t19(const Results& results) {
   const auto asked = [&](const char* study) {
     const Hump mixed = hump_over_seeds(results.runs(study), number_ratio(), share_of_strong("HDPE-POM"));
     std::vector<Check> checks{
-        slope_goes(results, study, "the share of all contacts that are strong and HDPE-HDPE",
-                   share_of_strong("HDPE-HDPE"), +1),
-        slope_goes(results, study, "the share of all contacts that are strong and POM-POM", share_of_strong("POM-POM"),
-                   -1),
-        positive("share of all contacts that are strong and POM-HDPE: its greatest minus that at the smallest ratio",
-                 "first rises", mixed.rise),
-        positive("share of all contacts that are strong and POM-HDPE: its greatest minus that at the largest ratio",
-                 "then falls", mixed.fall),
-        positive("largest force of POM-POM over that of the other types, minus 1", "> 0",
-                 mean_over_seeds(results.runs(study), over_others("maximum")))};
+        slope_goes(results, study, "the share of all contacts that are strong and HDPE-HDPE", share_of_strong("HDPE-HDPE"), +1),
+        slope_goes(results, study, "the share of all contacts that are strong and POM-POM", share_of_strong("POM-POM"), -1),
+        positive("share of all contacts that are strong and POM-HDPE: its greatest minus that at the smallest ratio", "first rises", mixed.rise),
+        positive("share of all contacts that are strong and POM-HDPE: its greatest minus that at the largest ratio", "then falls", mixed.fall),
+        positive("largest force of POM-POM over that of the other types, minus 1", "> 0", mean_over_seeds(results.runs(study), over_others("maximum")))};
     for (Check& check : checks) check.draws = {{study, {}}};
     return checks;
   };
@@ -184,23 +173,18 @@ Judgement judge_t19(const Results& results) {
     for (const char* type : {"POM-POM", "HDPE-HDPE", "HDPE-POM"}) {
       const Series share = series(results, study_4, number_ratio(), share_of_strong(type));
       if (share.empty()) continue;
-      judgement.ours +=
-          fmt::format("{} {} to {}, ", type, text_of(value_of(share.front())), text_of(value_of(share.back())));
+      judgement.ours += fmt::format("{} {} to {}, ", type, text_of(value_of(share.front())), text_of(value_of(share.back())));
     }
     judgement.ours += fmt::format("largest force of POM-POM higher by {}", text_of(judgement.checks[4].ours));
   }
   judgement.checks.push_back(
       reported("mean force of POM-POM over the larger mean of the other types, minus 1", mean_over_seeds(results.runs(study_4), over_others(""))));
   for (const char* type : {"POM-POM", "HDPE-HDPE", "HDPE-POM"})
-    judgement.checks.push_back(reported(
-        fmt::format("slope of the fraction of {} contacts above the mean of all contacts against the ratio", type),
-        slope(series(results, study_4, number_ratio(),
-                     fmt::format("force.by_type.{}.fraction_above_mean_of_all", type)))));
+    judgement.checks.push_back(reported(fmt::format("slope of the fraction of {} contacts above the mean of all contacts against the ratio", type),
+                                        slope(series(results, study_4, number_ratio(), fmt::format("force.by_type.{}.fraction_above_mean_of_all", type)))));
   add_beside(judgement, "under law R", asked("thesis-ch4-r"));
-  add_choices_of_ratios(judgement, results, "Share of all contacts that are strong and HDPE-HDPE",
-                        share_of_strong("HDPE-HDPE"), {{}, {}, wanted_positive()});
-  add_choices_of_ratios(judgement, results, "Share of all contacts that are strong and POM-POM",
-                        share_of_strong("POM-POM"), {{}, {}, wanted_negative()});
+  add_choices_of_ratios(judgement, results, "Share of all contacts that are strong and HDPE-HDPE", share_of_strong("HDPE-HDPE"), {{}, {}, wanted_positive()});
+  add_choices_of_ratios(judgement, results, "Share of all contacts that are strong and POM-POM", share_of_strong("POM-POM"), {{}, {}, wanted_negative()});
   return judgement;
 }
 

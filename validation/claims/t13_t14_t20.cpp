@@ -91,8 +91,7 @@ Judgement judge_t14(const Results& results) {
   judgement.checks = asked("thesis-ch5");
   judgement.checks.back().wanted += ", the value for as many random directions";
   for (const std::string set : {"A-A weak", "B-B weak"})
-    judgement.checks.push_back(differs(fmt::format("signed a_c of {} contacts", set), "not isotropic",
-                                       anisotropy("thesis-ch5", set), isotropic(set)));
+    judgement.checks.push_back(differs(fmt::format("signed a_c of {} contacts", set), "not isotropic", anisotropy("thesis-ch5", set), isotropic(set)));
   if (const Value& strong = judgement.checks.front().ours; std::isfinite(strong.value))
     judgement.ours = fmt::format("signed a_c: strong {}, weak {}", text_of(strong), text_of(anisotropy("thesis-ch5", "weak")));
   add_beside(judgement, "under law R", asked("thesis-ch5-r"));
@@ -101,8 +100,7 @@ Judgement judge_t14(const Results& results) {
   add_stiffness_choices(judgement, results, "Signed a_c of weak contacts", "fabric.sets.weak.a_c_signed", wanted_below(0));
   for (const std::string set : {"A-A weak", "B-B weak"})
     if (std::isfinite(isotropic(set)))
-      add_stiffness_choices(judgement, results, "Signed a_c of " + set + " contacts",
-                            "fabric.sets." + set + ".a_c_signed", wanted_different(isotropic(set)));
+      add_stiffness_choices(judgement, results, "Signed a_c of " + set + " contacts", "fabric.sets." + set + ".a_c_signed", wanted_different(isotropic(set)));
   return judgement;
 }
 

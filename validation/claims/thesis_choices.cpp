@@ -71,19 +71,18 @@ const std::vector<Choice>& with_two_stiffnesses() {
 }
 
 const std::vector<Choice>& with_glue() {
-  static const auto choices = choices_of(
-      "thesis-ch6", without_friction,
-      {
-          {{{"contact.friction_law", "regularised_coulomb"}}, "with law R"},
-          {{{"contact.restitution", "0.9"}}, "with restitution 0.9"},
-          {{{"contact.effective_radius", "sum"}}, "with r_eff = r_i + r_j", "", Decider::reading},
-          {{{"contact.effective_radius", "geometric_mean"}}, "with r_eff = 2 sqrt(r_i r_j)", "", Decider::reading},
-          {{{"contact.adhesion", "geometrical_breaking"}}, "with glue that breaks for good"},
-          {{{"stages.1.equilibrium.unbalanced", "1e-6"}}, "with a 100 times stricter equilibrium"},
-          {{{"stages.1.gravity", "false"}}, "without gravity"},
-          {{{"stages.1.bottom.force", "200"}}, "under 200 kN"},
-          {{{"stages.1.bottom.force", "4"}}, "under 4 kN"},
-      });
+  static const auto choices = choices_of("thesis-ch6", without_friction,
+                                         {
+                                             {{{"contact.friction_law", "regularised_coulomb"}}, "with law R"},
+                                             {{{"contact.restitution", "0.9"}}, "with restitution 0.9"},
+                                             {{{"contact.effective_radius", "sum"}}, "with r_eff = r_i + r_j", "", Decider::reading},
+                                             {{{"contact.effective_radius", "geometric_mean"}}, "with r_eff = 2 sqrt(r_i r_j)", "", Decider::reading},
+                                             {{{"contact.adhesion", "geometrical_breaking"}}, "with glue that breaks for good"},
+                                             {{{"stages.1.equilibrium.unbalanced", "1e-6"}}, "with a 100 times stricter equilibrium"},
+                                             {{{"stages.1.gravity", "false"}}, "without gravity"},
+                                             {{{"stages.1.bottom.force", "200"}}, "under 200 kN"},
+                                             {{{"stages.1.bottom.force", "4"}}, "under 4 kN"},
+                                         });
   return choices;
 }
 
@@ -138,8 +137,7 @@ void add_glue_choices(Judgement& judgement, const Results& results, const std::s
   add_sensitivity(judgement, what + ", almost without glue", usual, with_glue(), glued_by("0.000001"), {});
 }
 
-void add_change_by_glue(Judgement& judgement, const Results& results, const std::string& what, const Number& number,
-                        const Wanted& wanted) {
+void add_change_by_glue(Judgement& judgement, const Results& results, const std::string& what, const Number& number, const Wanted& wanted) {
   const auto of = [&](const Choice& choice) {
     const auto runs = [&](const char* energy) {
       Where where{{"contact.surface_energy", energy}};

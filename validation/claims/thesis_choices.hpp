@@ -25,8 +25,7 @@ void add_stiffness_change(Judgement& judgement, const Results& results, const st
 void add_glue_choices(Judgement& judgement, const Results& results, const std::string& what, const Number& number, const Wanted& wanted = {});
 
 /// Of its change by glue, seed by seed in the same packings.
-void add_change_by_glue(Judgement& judgement, const Results& results, const std::string& what, const Number& number,
-                        const Wanted& wanted);
+void add_change_by_glue(Judgement& judgement, const Results& results, const std::string& what, const Number& number, const Wanted& wanted);
 
 /// Adds what the tables need of the states with other borders.
 void measure_with_other_borders(Results& results);

@@ -6,6 +6,7 @@ const names = {
   a_c: "a_{c}", a_c_signed: "a_{c}, signed", a_c_noise: "noise of a_{c}", phi: "\u03c6", a_n: "a_{n}", a_t: "a_{t}", theta_c: "\u03b8_{c}", theta_n: "\u03b8_{n}", P0: "P_{0}", alpha: "\u03b1", beta: "\u03b2", S_m: "S_{m}", r2: "R^{2}", line_r2: "R^{2} of a line",
   q_gaussian: "q-Gaussian", p_value: "p-value", cv: "coefficient of variation", rms: "r.m.s.", dx: "node spacing", lockin: "lock-in", fn_error: "s.e. of F_{n}",
   ft_error: "s.e. of F_{t}", thinnest_neck_nodes: "nodes across the thinnest neck", smallest_grain_nodes: "nodes across the smallest grain",
+  modulus: "apparent modulus",
 };
 
 /** Symbols that stand beside words. */

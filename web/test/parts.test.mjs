@@ -198,7 +198,7 @@ test("what is said of several sets alike stands in one table, and what is drawn,
     ["Stress, \u03c3_{yy}, tail", ["slope", "low"], ["all", "matrix", "large"]],
     ["Load", ["matrix", "grain"], ["stiffness_Pa", "toughness_Pa_m0.5"]],
   ]);
-  assert.deepEqual(numbers.row("modulus_Pa"), [{ name: "modulus", symbol: "E", unit: "Pa", sentence: "Young's modulus", value: 1 }]);
+  assert.deepEqual(numbers.row("modulus_Pa"), [{ name: "apparent modulus", symbol: "E", unit: "Pa", sentence: "Young's modulus", value: 1 }]);
 });
 
 test("names with dots are found, and a tensor has a row a component", () => {

@@ -44,7 +44,8 @@ template <int D> void check_pairs(const SampleIn<D>& s) {
     const double larger = std::max(a.radius, b.radius);
     if (!(dot(way, way) < larger * larger) || is_part(s, s.list.i[p]) || is_part(s, s.list.owner[p])) continue;
     const std::int32_t i = a.grain, j = s.record[s.list.owner[p]].grain;
-    if (is_joined(s, p, i, j)) continue;
+    const Vec<D> at_start = s.start.grains.position[i] - s.start.grains.position[j];
+    if (dot(at_start, at_start) < larger * larger || is_joined(s, p, i, j)) continue;  // a sample given so crosses nothing
     throw CannotGoOn("grains " + std::to_string(s.start.grains.id[i]) + " and " + std::to_string(s.start.grains.id[j]) +
                      " overlap by more than the radius of the smaller one, and pass through each other, at step " + std::to_string(s.step) +
                      "; stiffer contacts, a smaller time step or a gentler load are needed");

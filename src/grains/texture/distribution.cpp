@@ -151,8 +151,7 @@ void forces(const View& view, Texture& texture) {
       Numbers& set = place_of(name, compressive, "by_type");
       set.update(distribution(pushing, view.contact_block, push, view.mean_force, names, 1, view.level()));
       if (name != "all")
-        put(set, "strong_share_of_all", strong_share_of_all(view, items), "",
-            "Fraction of all contacts that are of the set and above the mean of all");
+        put(set, "strong_share_of_all", strong_share_of_all(view, items), "", "Fraction of all contacts that are of the set and above the mean of all");
     }
     const Items pulling = kept(items, [&](std::size_t c) { return pull[c] > 0; });
     if (pulling.empty()) continue;

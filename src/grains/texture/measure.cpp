@@ -95,14 +95,12 @@ Numbers numbers(const Texture& t, bool curves) {
 }
 
 std::string to_text(const Texture& t) {
-  return arenite::to_text(
-      numbers(t),
-      {"border_m load_axis_deg phi modes a_n theta_n_deg a_t a_c_signed histogram unlike_contacts_twice parts_of_z "
-       "share_of_contacts fraction_above_mean_of_all strong_share_of_all beta_error beta_line line_r2 tail_count "
-       "log_likelihood_ratio "
-       "p_value k beta2_over_product in_window sum_over_grains from_walls_and_weight triangular_share doubled_rows "
-       "negative_forces negative_share",
-       "strong weak"});
+  return arenite::to_text(numbers(t), {"border_m load_axis_deg phi modes a_n theta_n_deg a_t a_c_signed histogram unlike_contacts_twice parts_of_z "
+                                       "share_of_contacts fraction_above_mean_of_all strong_share_of_all beta_error beta_line line_r2 tail_count "
+                                       "log_likelihood_ratio "
+                                       "p_value k beta2_over_product in_window sum_over_grains from_walls_and_weight triangular_share doubled_rows "
+                                       "negative_forces negative_share",
+                                       "strong weak"});
 }
 
 void forget_forces(Texture& t) {

@@ -12,11 +12,12 @@
 
 namespace arenite::io {
 
-/// Writes `bytes` to `path` all or nothing: to a file without a name in its folder, flushed to the disk, then named. Whatever
-/// happens before that (full disk, no permission, a kill), a file that was there stays as it was, and nothing else is left.
-/// Where the file system has no files without a name (NFS, for one), it is written beside as ".name.tmp": two processes that
-/// write the same path then take turns, and what a killed one left is taken over. No link that somebody put there is followed.
-/// The folder must exist. Throws InputError (place, reason, fix) when the system refuses.
+/// Writes `bytes` to `path` all or nothing: to a file without a name in its folder, flushed to the disk, then named.
+/// Whatever happens before that (full disk, no permission, a kill), a file that was there stays as it was, and nothing
+/// else is left. Where the file system has no files without a name (NFS, for one), it is written beside as ".name.tmp":
+/// two processes that write the same path then take turns, and what a killed one left is taken over. No link that
+/// somebody put there is followed. The folder must exist. Throws InputError (place, reason, fix) when the system
+/// refuses.
 void write_atomically(const std::filesystem::path& path, std::string_view bytes);
 
 /// The same for a file that is written part by part: it appears under its name with `commit`, or not at all.

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/median.hpp"
 #include "core/problems.hpp"
 #include "core/text.hpp"
 #include "io/disk/store_file.hpp"
@@ -174,20 +173,30 @@ bool write_film(const std::filesystem::path& path, FilmSource& film, const std::
 FrameIntervals frame_intervals(const FilmInfo& info) {
   FrameIntervals times;
   const double set = info.frame_rate > 0 ? 1 / info.frame_rate : 0;
-  if (info.time.size() < 2) {
+  const bool counted = info.time.size() < 2 && info.number.size() > 1;
+  const std::vector<double> at = counted ? std::vector<double>(info.number.begin(), info.number.end()) : info.time;
+  if (at.size() < 2) {
     times.interval = set;
     times.duration = set * static_cast<double>(std::max<std::int64_t>(info.frames - 1, 0));
     return times;
   }
-  std::vector<double> step(info.time.size() - 1);
-  for (std::size_t i = 0; i < step.size(); ++i) step[i] = info.time[i + 1] - info.time[i];
-  times.interval = median(step);
-  times.duration = info.time.back() - info.time.front();
-  const double unit = set > 0 ? set : times.interval;
+  std::vector<double> step(at.size() - 1);
+  for (std::size_t i = 0; i < step.size(); ++i) step[i] = at[i + 1] - at[i];
+  std::vector<double> sorted = step;
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>((sorted.size() - 1) / 2);  // of two the smaller
+  std::nth_element(sorted.begin(), middle, sorted.end());
+  const double usual = *middle;
+  double even = 0, sum = 0;  // stamps are rounded, their mean is not
+  for (const double s : step)
+    if (s < 1.5 * usual) sum += s, ++even;
+  const double unit = counted ? 1 : sum / even;
   for (std::size_t i = 0; i < step.size(); ++i) {
+    if (step[i] < 1.5 * unit) continue;
     times.dropped += std::max<std::int64_t>(std::llround(std::min(step[i] / unit, 1e15)) - 1, 0);
-    if (step[i] > 1.5 * times.interval) times.gap.push_back(static_cast<std::int64_t>(i) + 1);
+    times.gap.push_back(static_cast<std::int64_t>(i) + 1);
   }
+  times.interval = counted ? set : usual;
+  times.duration = (at.back() - at.front()) * (counted ? set : 1);
   return times;
 }
 

@@ -62,12 +62,12 @@ bool write_film(const std::filesystem::path& path, FilmSource& film, const std::
 /// in which nothing changes.
 std::vector<double> lock_in_line(const std::filesystem::path& film);
 
-/// What the stamps of a film say.
+/// What the stamps or numbers of a film's frames say.
 struct FrameIntervals {
   double interval = 0;            ///< the median time between two frames, s; 1/frame_rate without stamps, 0 if unknown
   double duration = 0;            ///< from the first to the last frame, s; 0 if unknown
-  std::int64_t dropped = 0;       ///< frames of the camera that are missing between those of the film
-  std::vector<std::int64_t> gap;  ///< frames before which some are missing, where stamps are not all equally far apart
+  std::int64_t dropped = 0;       ///< frames that are missing where two are further apart than others are
+  std::vector<std::int64_t> gap;  ///< frames before which some are missing
 };
 FrameIntervals frame_intervals(const FilmInfo& info);
 

@@ -127,6 +127,11 @@ void check_layout(const ByteSource& bytes, const FilmInfo& info, const PlainLayo
 
 void take_choice(FilmInfo& info, const FilmChoice& choice) {
   if (!choice.frame_rate) return;
+  if (const auto dropped = frame_intervals(info).dropped; dropped > 0 && !info.time.empty())
+    info.remarks.push_back(
+        fmt::format("Time stamps say that {} frames are missing; a frame rate is given, so stamps are left aside and "
+                    "frames taken as consecutive.",
+                    dropped));
   info.frame_rate = *choice.frame_rate;
   info.time.clear();
 }
@@ -198,27 +203,6 @@ double noted_time(std::string_view text) {
     if (const auto number = to_number(value); key == "time" && number) time = *number;
   });
   return time;
-}
-
-void take_stamps(FilmInfo& info, std::vector<double> stamp) {
-  info.time.clear();
-  if (stamp.size() < 2 || static_cast<std::int64_t>(stamp.size()) != info.frames) return;
-  double days = 0;
-  for (std::size_t i = 0; i < stamp.size(); ++i) {
-    if (!std::isfinite(stamp[i])) return info.remarks.push_back(fmt::format("The time stamp of frame {} is not a number; time stamps are ignored.", i));
-    stamp[i] += days;
-    if (i > 0 && stamp[i] < stamp[i - 1] - 43200) {
-      days += 86400;
-      stamp[i] += 86400;
-    }
-  }
-  const double start = stamp[0];
-  for (double& t : stamp) t -= start;  // before they are compared: rounding may make equal what was not
-  if (std::all_of(stamp.begin(), stamp.end(), [&](double t) { return t == stamp[0]; })) return;
-  for (std::size_t i = 1; i < stamp.size(); ++i)
-    if (!(stamp[i] > stamp[i - 1]) || !std::isfinite(stamp[i]))
-      return info.remarks.push_back(fmt::format("The time stamp of frame {} is not after that of the frame before; time stamps are ignored.", i));
-  info.time = std::move(stamp);
 }
 
 }  // namespace arenite::io

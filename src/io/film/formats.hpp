@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "io/film/film.hpp"
+#include "io/film/stamps.hpp"
 #include "io/formats.hpp"
 
 // What the formats of films share.
@@ -105,9 +106,5 @@ void take_notes(std::string_view text, FilmInfo& info);
 
 /// The value of a line "time = ..." in s; NaN without one.
 double noted_time(std::string_view text);
-
-/// Makes the moments at which frames were taken, s from any time on, the film's times; stamps that do not run forwards, or none but zeros, are left
-/// aside with a remark. A step back of nearly a day is midnight.
-void take_stamps(FilmInfo& info, std::vector<double> stamp);
 
 }  // namespace arenite::io

@@ -21,17 +21,21 @@ std::string header_of(const ByteSource& bytes, std::uint64_t at, std::int64_t fr
   return header;
 }
 
-/// Times after the first frame, s: whole seconds are taken off first, so that their tenths of microseconds stay.
+/// Times after the first frame, s, or numbers where there are none: whole seconds are taken off first, so that their
+/// tenths of microseconds stay.
 void read_stamps(const ByteSource& bytes, std::string_view first, std::uint64_t stride, FilmInfo& info) {
   const double seconds = number_at<std::uint32_t>(first, 100);
   std::vector<double> stamp;
+  std::vector<std::int64_t> number;
   for (std::int64_t i = 0; i < info.frames; ++i) {
     const std::string header = header_of(bytes, static_cast<std::uint64_t>(i) * stride, i);
     for (const auto& [at, size, what] : {std::tuple{4, 2, "size"}, {32, 4, "size"}, {12, 5, "scale"}, {28, 1, "scale"}})
       if (header.compare(at, size, first, at, size) != 0) refuse(bytes.name(), "has another {} from frame {} on; cut it there", what, i);
+    number.push_back(number_at<std::uint32_t>(header, 8));
     stamp.push_back((static_cast<double>(number_at<std::uint32_t>(header, 100)) - seconds) + 1e-7 * number_at<std::uint32_t>(header, 104));
   }
   take_stamps(info, std::move(stamp));
+  if (info.time.empty() && number.back() > number.front()) take_numbers(info, std::move(number));
 }
 
 void take_scale(std::string_view header, FilmInfo& info, PlainLayout& layout) {
@@ -76,6 +80,13 @@ FilmPointer open_hcc(const Bytes& bytes, const FilmChoice& choice) {
 }  // namespace
 
 /// Telops: every frame with a header that begins with "TC" and says size, scale and time.
-const FilmFormat films::hcc{.name = "hcc", .sentence = "Telops .hcc", .is = is_hcc, .open = open_hcc};
+const FilmFormat films::hcc{.name = "hcc",
+                            .sentence = "Telops .hcc",
+                            .states = {{"time stamps", "used"},
+                                       {"frame numbers", "used where stamps cannot be"},
+                                       {"scale of temperatures or radiances", "used"},
+                                       {"frames of zeros", "left out as lost, and named"}},
+                            .is = is_hcc,
+                            .open = open_hcc};
 
 }  // namespace arenite::io

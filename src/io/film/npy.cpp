@@ -94,6 +94,8 @@ FilmPointer open_npy(const Bytes& bytes, const FilmChoice& choice) {
 /// NumPy: frames x height x width (or one frame), numbers of 1 to 8 bytes.
 const FilmFormat films::npy{.name = "npy",
                             .sentence = "NumPy .npy",
+                            .states = {{"column order", "refused"}, {"frames of NaN, or of zeros", "left out as lost, and named"}},
+
                             .endings = {".npy"},
                             .marked = true,
                             .is = is_npy,

@@ -156,7 +156,7 @@ FilmPointer open_ptw(const Bytes& bytes, const FilmChoice& choice) {
         "load.");
   }
   check_layout(*bytes, info, layout, choice);  // before stamps are read of frames that are not there
-  if (!choice.frame_rate) read_stamps(*bytes, s, info);
+  read_stamps(*bytes, s, info);
   return plain_film(bytes, std::move(info), layout, choice);
 }
 
@@ -190,6 +190,11 @@ std::vector<double> signal_of(const ByteSource& bytes) {
 /// first line of its frames, which is left out.
 const FilmFormat films::ptw{.name = "ptw",
                             .sentence = "Cedip or FLIR .ptw",
+                            .states = {{"time stamps", "used; told where they differ from the frame rate, or are set aside by --frame-rate"},
+                                       {"frame rate, integration, band, emissivity, surroundings", "used"},
+                                       {"lock-in line", "gives frequency and phase of the load"},
+                                       {"frames of zeros", "left out as lost, and named"}},
+
                             .endings = {".ptw"},
                             .marked = true,
                             .levels_only = true,

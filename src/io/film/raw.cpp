@@ -164,10 +164,13 @@ FilmPointer open_sidecar(const Bytes& bytes, const FilmChoice& choice) {
 }  // namespace
 
 /// Raw frames, described by a text of lines "key = value" beside them, without sections: a film's recipe is none.
-const FilmFormat films::raw{.name = "raw",
-                            .sentence = "raw frames with a sidecar",
-                            .sidecar = "describe raw frames in a text beside it, NAME.txt with the lines width = .., height = .. and type = ..",
-                            .is = is_sidecar,
-                            .open = open_sidecar};
+const FilmFormat films::raw{
+    .name = "raw",
+    .sentence = "raw frames with a sidecar",
+    .states = {{"all keys of the sidecar", "used; unknown ones are refused"}, {"frames of NaN, or of zeros", "left out as lost, and named"}},
+
+    .sidecar = "describe raw frames in a text beside it, NAME.txt with the lines width = .., height = .. and type = ..",
+    .is = is_sidecar,
+    .open = open_sidecar};
 
 }  // namespace arenite::io

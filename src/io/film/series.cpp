@@ -1,11 +1,16 @@
+#include <fmt/core.h>
 #include <fnmatch.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 #include <utility>
 #include <vector>
 
+#include "core/mapped.hpp"
 #include "core/problems.hpp"
 #include "io/film/formats.hpp"
+#include "io/table/table.hpp"
 
 namespace arenite::io {
 
@@ -34,6 +39,39 @@ std::string sorting_key(const std::string& name) {
   return key;
 }
 
+/// A name parted into its numbers and what stands between them.
+struct NameParts {
+  std::vector<std::string> words, numbers;
+  explicit NameParts(const std::string& name) {
+    for (std::size_t at = 0; at <= name.size();) {
+      const std::size_t number = std::min(name.find_first_of(digits, at), name.size()), end = std::min(name.find_first_not_of(digits, number), name.size());
+      words.push_back(name.substr(at, number - at));
+      if (number == name.size()) return;
+      numbers.push_back(name.substr(number, end - number));
+      at = end;
+    }
+  }
+};
+
+/// The one number in which names that are otherwise alike differ; empty where there is none, or more than one.
+std::vector<std::int64_t> numbers_in(const std::vector<fs::path>& members) {
+  const auto parts = mapped(members, [](const fs::path& member) { return NameParts(member.filename().string()); });
+  const NameParts& first = parts.front();
+  const auto alike = [&](const NameParts& p) { return p.words == first.words; };
+  if (!std::ranges::all_of(parts, alike)) return {};
+  std::vector<std::size_t> differ;
+  for (std::size_t k = 0; k < first.numbers.size(); ++k)
+    if (std::ranges::any_of(parts, [&](const NameParts& p) { return p.numbers[k] != first.numbers[k]; })) differ.push_back(k);
+  if (differ.size() != 1) return {};
+  std::vector<std::int64_t> numbers;
+  for (const NameParts& p : parts) {
+    const auto number = to_integer(p.numbers[differ.front()]);
+    if (!number) return {};
+    numbers.push_back(*number);
+  }
+  return numbers;
+}
+
 std::vector<fs::path> members(const fs::path& pattern) {
   const bool folder = fs::is_directory(pattern);
   const fs::path where = folder ? pattern : pattern.has_parent_path() ? pattern.parent_path() : fs::path(".");
@@ -55,11 +93,16 @@ class Series : public KnownFilm {
  public:
   Series(std::vector<fs::path> members, const FilmChoice& choice) : members_(std::move(members)), choice_(choice) {
     choice_.scale = choice_.offset = std::nullopt;  // what all files together are made of
+    const auto rate = std::exchange(choice_.frame_rate, std::nullopt);
     open(0);
     info_ = current_->info();
     each_ = info_.frames;
     info_.frames *= static_cast<std::int64_t>(members_.size());
     info_.time.clear();
+    info_.number.clear();
+    if (rate || !take_stamps_of_files()) take_file_numbers(numbers_in(members_));
+    choice_.frame_rate = rate;
+    take_choice(info_, choice_);
   }
 
   void fill(std::int64_t first, std::size_t count, FrameBlock& block) override {
@@ -75,6 +118,37 @@ class Series : public KnownFilm {
   }
 
  private:
+  /// False where files have no stamps, or none that can be used.
+  bool take_stamps_of_files() {
+    if (!std::isfinite(current_->info().start) || (each_ > 1 && current_->info().time.empty())) return false;
+    std::vector<double> stamp;
+    for (std::size_t m = 0; m < members_.size(); ++m) {
+      open(m);
+      const FilmInfo& it = current_->info();
+      for (std::int64_t k = 0; k < each_; ++k) stamp.push_back(it.start + (it.time.empty() ? 0 : it.time[static_cast<std::size_t>(k)]));
+    }
+    take_stamps(info_, std::move(stamp));
+    return !info_.time.empty();
+  }
+
+  /// Numbers of all frames from those in the names of their files, in steps of the smallest one. Where most would be
+  /// missing the numbers count something else.
+  void take_file_numbers(const std::vector<std::int64_t>& file) {
+    if (members_.size() < 2) return;
+    std::int64_t unit = 0, near = 0;
+    for (std::size_t i = 1; i < file.size(); ++i) unit = std::gcd(unit, file[i] - file[i - 1]);
+    for (std::size_t i = 1; i < file.size(); ++i) near += file[i] - file[i - 1] == unit ? 2 : -1;
+    if (unit <= 0 || near <= 0) {
+      info_.remarks.emplace_back("The names of its files do not count frames one by one; frames are taken as consecutive.");
+      return;
+    }
+    if (unit > 1) info_.remarks.push_back(fmt::format("The numbers of its files rise by {}, which is taken as one frame.", unit));
+    std::vector<std::int64_t> frame;
+    for (const std::int64_t n : file)
+      for (std::int64_t k = 0; k < each_; ++k) frame.push_back((n - file.front()) / unit * each_ + k);
+    take_numbers(info_, std::move(frame));
+  }
+
   void open(std::size_t member) {
     if (current_ && member == number_) return;
     current_ = open_film(open_bytes(members_[member]), choice_);

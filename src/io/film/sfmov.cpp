@@ -116,12 +116,15 @@ FilmPointer open_sfmov(const Bytes& bytes, const FilmChoice& choice) {
 }  // namespace
 
 /// FLIR ResearchIR: lines "key value", the word DATA, then frames.
-const FilmFormat films::sfmov{.name = "sfmov",
-                              .sentence = "FLIR ResearchIR .sfmov",
-                              .endings = {".sfmov"},
-                              .marked = true,
-                              .is = is_sfmov,
-                              .open = open_sfmov,
-                              .create = [](const auto& path, const FilmInfo& info) { return create_plain_film(path, info, {sfmov_header}); }};
+const FilmFormat films::sfmov{
+    .name = "sfmov",
+    .sentence = "FLIR ResearchIR .sfmov",
+    .states = {{"frame rate and integration time, also in the file it includes", "used"}, {"frames of NaN, or of zeros", "left out as lost, and named"}},
+
+    .endings = {".sfmov"},
+    .marked = true,
+    .is = is_sfmov,
+    .open = open_sfmov,
+    .create = [](const auto& path, const FilmInfo& info) { return create_plain_film(path, info, {sfmov_header}); }};
 
 }  // namespace arenite::io

@@ -1,9 +1,12 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/problems.hpp"
+#include "core/text.hpp"
 #include "io/film/formats.hpp"
 #include "io/table/table.hpp"
 
@@ -112,15 +115,18 @@ class TextFilm : public KnownFilm {
       if (separator_ == 0 && is_row(line, separator_of(line))) separator_ = separator_of(line);
       if (separator_ == 0 || !is_row(line, separator_)) {
         end_frame(rows, lines.number());
+        note(line);
         continue;
       }
       if (info_.width == 0) info_.width = cells_of(line);
-      if (rows++ == 0) places_.push_back({lines.begin(), lines.number() - 1});
+      if (rows++ == 0) begin_frame({lines.begin(), lines.number() - 1});
       if (info_.frames == 0 && std::int64_t{rows} * info_.width > choice.most_pixels) check_film_size(bytes_->name(), info_.width, rows, 1, choice);
     }
     end_frame(rows, lines.number() + 1);
     if (info_.frames == 0) refuse(bytes_->name(), "holds no rows of numbers, as frames in text would; give a film or a result");
     check_film_size(bytes_->name(), std::max(info_.width, 1), std::max(info_.height, 1), info_.frames, choice);
+    if (std::ranges::none_of(stamps_, [](double t) { return std::isnan(t); })) take_stamps(info_, std::move(stamps_));
+    else if (std::ranges::count(numbers_, -1) == 0) take_numbers(info_, std::move(numbers_));
     take_choice(info_, choice);
   }
 
@@ -129,6 +135,21 @@ class TextFilm : public KnownFilm {
   }
 
  private:
+  /// What a line between frames says of the next: "Frame 12", "time = 0.4".
+  void note(std::string_view line) {
+    if (const double t = noted_time(line); std::isfinite(t)) next_stamp_ = t;
+    const std::size_t word = lower_case(line).find("frame"), number = line.find_first_of("0123456789", word);
+    if (word == std::string::npos || number == std::string::npos) return;
+    const std::string_view rest = line.substr(number);
+    if (const auto n = to_integer(rest.substr(0, rest.find_first_not_of("0123456789")))) next_number_ = *n;
+  }
+
+  void begin_frame(const Place& place) {
+    places_.push_back(place);
+    stamps_.push_back(std::exchange(next_stamp_, std::numeric_limits<double>::quiet_NaN()));
+    numbers_.push_back(std::exchange(next_number_, -1));
+  }
+
   void end_frame(int& rows, int line) {
     if (rows == 0) return;
     if (info_.height == 0) info_.height = rows;
@@ -167,6 +188,10 @@ class TextFilm : public KnownFilm {
   Bytes bytes_;
   char separator_ = 0;
   std::vector<Place> places_;
+  std::vector<double> stamps_;         ///< s, as stated before each frame; NaN: not stated
+  std::vector<std::int64_t> numbers_;  ///< likewise; -1: not stated
+  double next_stamp_ = std::numeric_limits<double>::quiet_NaN();
+  std::int64_t next_number_ = -1;
 };
 
 bool is_text_film(std::string_view head) {
@@ -181,9 +206,12 @@ bool is_text_film(std::string_view head) {
 }  // namespace
 
 /// Numbers as text, a line a row; frames are parted by empty lines or lines that are no numbers.
-const FilmFormat films::text{
-    .name = "text", .sentence = "frames of numbers as text", .is = is_text_film, .open = [](const Bytes& bytes, const FilmChoice& choice) -> FilmPointer {
-      return std::make_unique<TextFilm>(bytes, choice);
-    }};
+const FilmFormat films::text{.name = "text",
+                             .sentence = "frames of numbers as text",
+                             .states = {{"\"Frame N\" between frames", "numbers that are missing give gaps in time"},
+                                        {"\"time = ..\" between frames, s", "used"},
+                                        {"cells that are no numbers", "refused with line and column"}},
+                             .is = is_text_film,
+                             .open = [](const Bytes& bytes, const FilmChoice& choice) -> FilmPointer { return std::make_unique<TextFilm>(bytes, choice); }};
 
 }  // namespace arenite::io

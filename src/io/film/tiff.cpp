@@ -2,39 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_set>
+#include <optional>
 #include <vector>
 
 #include "io/film/formats.hpp"
+#include "io/film/tiff_images.hpp"
 #include "io/image/tiff.hpp"
 
 namespace arenite::io {
 namespace {
-
-std::uint64_t number(std::string_view bytes, std::size_t at, std::size_t size, bool big_endian) {
-  std::uint64_t value = 0;
-  for (std::size_t i = 0; i < size; ++i) value |= std::uint64_t{number_at<std::uint8_t>(bytes, at + i)} << 8 * (big_endian ? size - 1 - i : i);
-  return value;
-}
-
-/// Where the directories of all pages begin: the chain is followed once, so that any page is reached at once after.
-std::vector<std::uint64_t> page_places(const TiffSource& source) {
-  const ByteSource& bytes = *source.bytes;
-  const std::string head = bytes.text(0, 16);
-  const bool swap = head[0] == 'M', large = number(head, 2, 2, swap) == 43;
-  const std::size_t count_size = large ? 8 : 2, entry = large ? 20 : 12, link = large ? 8 : 4;
-  std::vector<std::uint64_t> places;
-  std::unordered_set<std::uint64_t> seen;
-  for (std::uint64_t at = number(head, large ? 8 : 4, link, swap); at != 0;) {
-    if (!seen.insert(at).second) source.refuse(fmt::format("is a TIFF film whose pages form a loop after page {}; write it again", places.size()));
-    const std::uint64_t entries = number(bytes.text(at, count_size), 0, count_size, swap);
-    const std::uint64_t end = at + count_size + entries * entry;
-    if (entries > 4096 || end + link > bytes.size() || end < at) source.refuse_damaged();
-    places.push_back(at);
-    at = number(bytes.text(end, link), 0, link, swap);
-  }
-  return places;
-}
 
 struct Page {
   std::uint32_t width = 0, height = 0;
@@ -72,15 +48,16 @@ class TiffFilm : public KnownFilm {
       : source_(bytes),
         tiff_(open_tiff(source_, std::max<std::int64_t>(std::int64_t{1} << 24, choice.most_pixels * 16))) {
     if (!tiff_) source_.refuse_damaged();
-    places_ = page_places(source_);
-    if (places_.empty()) source_.refuse("holds no frame; record the film again");
-    turn_to(0);
     page_ = page_of(tiff_.get(), source_);
     layout_.pixel = page_.pixel;
-    take_shape(info_, source_.file(), {static_cast<std::int64_t>(places_.size()), page_.height, page_.width}, page_.pixel, choice);
+    check_film_size(source_.file(), page_.width, page_.height, 1, choice);
     const std::string notes = description_of(tiff_.get());
+    const TiffStack stack = stack_in(notes, page_.width, page_.height);
+    images_.emplace(tiff_.get(), source_, stack, bytes_an_image(), choice.dataset);
+    take_shape(info_, source_.file(), {images_->frames(), page_.height, page_.width}, page_.pixel, choice);
     take_notes(notes, info_);
-    if (!choice.frame_rate && std::isfinite(noted_time(notes))) read_stamps();
+    info_.remarks = images_->remarks();
+    take_times(stack, notes);
     take_choice(info_, choice);
     FrameBlock last;  // what is cut short lacks it
     read(info_.frames - 1, 1, last);
@@ -88,22 +65,36 @@ class TiffFilm : public KnownFilm {
 
   void fill(std::int64_t first, std::size_t count, FrameBlock& block) override {
     for (std::size_t i = 0; i < count; ++i) {
-      turn_to(first + static_cast<std::int64_t>(i));
-      read_page(i * info_.pixels(), block);
+      const std::int64_t image = images_->image(first + static_cast<std::int64_t>(i));
+      if (images_->behind() > 0) read_image_behind(image, i * info_.pixels(), block);
+      else turn_to(image), read_page(i * info_.pixels(), block);
     }
   }
 
  private:
+  std::uint64_t bytes_an_image() const { return std::uint64_t{page_.width} * page_.height * bytes_of(page_.pixel); }
+
   void turn_to(std::int64_t page) {
-    if (TIFFSetSubDirectory(tiff_.get(), places_[static_cast<std::size_t>(page)]) != 1) source_.refuse_damaged();
+    if (TIFFSetSubDirectory(tiff_.get(), images_->directory(page)) != 1) source_.refuse_damaged();
     if (page > 0 && page_of(tiff_.get(), source_) != page_)
       source_.refuse(fmt::format("has pages of different size or type (pages 0 and {}); save a film of equal frames", page));
+  }
+
+  void take_times(const TiffStack& stack, const std::string& notes) {
+    if (stack.interval > 0 && info_.frame_rate == 0) info_.frame_rate = 1 / stack.interval;
+    if (stack.shown_per_second > 0 && info_.frame_rate == 0)
+      info_.remarks.push_back(
+          fmt::format("{} shows it at {:.6g} frames/s, which need not be the camera's rate and is not used.", stack.by, stack.shown_per_second));
+    if (!stack.unknown_unit.empty())
+      info_.remarks.push_back(fmt::format("Its times are in \"{}\", a unit that is not known; they are left aside.", stack.unknown_unit));
+    if (images_->behind() == 0 && std::isfinite(noted_time(notes))) read_stamps();
+    else take_stamps(info_, images_->times());
   }
 
   void read_stamps() {
     std::vector<double> stamp;
     for (std::int64_t i = 0; i < info_.frames; ++i) {
-      turn_to(i);
+      turn_to(images_->image(i));
       stamp.push_back(noted_time(description_of(tiff_.get())));
     }
     take_stamps(info_, std::move(stamp));
@@ -116,9 +107,19 @@ class TiffFilm : public KnownFilm {
     });
   }
 
+  /// As the bytes are stored, which libtiff turns round in pages.
+  void read_image_behind(std::int64_t image, std::size_t at, FrameBlock& frames) {
+    const std::uint64_t size = bytes_an_image();
+    const std::string stored = source_.bytes->text(images_->behind() + static_cast<std::uint64_t>(image) * size, size);
+    if (stored.size() != size) source_.refuse_damaged();
+    PlainLayout layout = layout_;
+    layout.big_endian = TIFFIsBigEndian(tiff_.get()) != 0;
+    take_pixels(layout, stored.data(), info_.pixels(), frames, at);
+  }
+
   TiffSource source_;
   Tiff tiff_;
-  std::vector<std::uint64_t> places_;
+  std::optional<TiffImages> images_;
   Page page_;
   PlainLayout layout_;
 };
@@ -186,8 +187,20 @@ class TiffFilmWriter : public FilmWriter {
 const FilmFormat films::tiff{
     .name = "tiff",
     .sentence = "TIFF or BigTIFF",
+    .states = {{"number of images (ImageJ, OME, tifffile)",
+                "used, also where one directory stands for all; refused where the file holds fewer, told where it "
+                "holds more"},
+               {"channels", "one is chosen (--dataset \"channel 2\")"},
+               {"slices beside frames", "refused"},
+               {"frame interval (ImageJ's finterval, OME's TimeIncrement)", "is the frame rate"},
+               {"rate at which ImageJ plays it (fps)", "told, not used"},
+               {"times of frames (OME's DeltaT, our \"time = ..\")", "used"},
+               {"orientation other than upright", "refused"},
+               {"frames of NaN, or of zeros", "left out as lost, and named"}},
+
     .endings = {".tif", ".tiff"},
     .marked = true,
+    .has_datasets = true,
     .is = is_tiff,
     .open = [](const Bytes& bytes, const FilmChoice& choice) -> FilmPointer { return std::make_unique<TiffFilm>(bytes, choice); },
     .create = [](const auto& path, const FilmInfo& info) -> FilmWriterPointer { return std::make_unique<TiffFilmWriter>(path, info); }};

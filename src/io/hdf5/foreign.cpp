@@ -2,6 +2,7 @@
 
 #include "core/problems.hpp"
 #include "core/text.hpp"
+#include "io/hdf5/dataset_search.hpp"
 
 #include <fmt/core.h>
 #include <zlib.h>
@@ -134,7 +135,17 @@ void Hdf5Numbers::look_at_chunks(hid_t creation, double most) {
   const auto type = own(H5Dget_type(*set_), H5Tclose);
   if (H5Pfill_value_defined(creation, &fill) >= 0 && fill == H5D_FILL_VALUE_USER_DEFINED && type && H5Pget_fill_value(creation, *type, fill_.data()) < 0)
     refuse("that is damaged; copy the file again");
+  if (fill == H5D_FILL_VALUE_DEFAULT) take_no_number();
   look_at_filters(creation);
+}
+
+void Hdf5Numbers::take_no_number() {
+  const auto store = [&](auto value) {
+    if (number_.big_endian) value = swapped(value);
+    std::memcpy(fill_.data(), &value, sizeof(value));
+  };
+  if (number_.type == NumberType::f32) store(std::numeric_limits<float>::quiet_NaN());
+  if (number_.type == NumberType::f64) store(std::numeric_limits<double>::quiet_NaN());
 }
 
 void Hdf5Numbers::look_at_filters(hid_t creation) {
@@ -170,7 +181,7 @@ const std::string& Hdf5Numbers::chunk_at(const Place& at) {
   if (held_ && held_at_ == at) return chunk_held_;
   held_ = false;
   hsize_t stored = 0;
-  if (H5Dget_chunk_storage_size(*set_, at.data(), &stored) < 0) refuse("that is damaged; copy the file again");
+  if (H5Dget_chunk_info_by_coord(*set_, at.data(), nullptr, nullptr, &stored) < 0) refuse("that is damaged; copy the file again");
   if (stored == 0) {  // never written
     chunk_held_.resize(chunk_bytes_);
     for (std::size_t i = 0; i < chunk_bytes_; i += fill_.size()) std::memcpy(chunk_held_.data() + i, fill_.data(), fill_.size());

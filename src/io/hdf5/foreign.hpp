@@ -47,6 +47,7 @@ class Hdf5Numbers {
   void look_at_piece(double bytes);
   void look_at_chunks(hid_t creation, double most);
   void look_at_filters(hid_t creation);
+  void take_no_number();  ///< for what was never written
   void read_compact();
   void read_chunks(hsize_t first, hsize_t count, std::string& to);
   const std::string& chunk_at(const Place& at);
@@ -67,7 +68,7 @@ class Hdf5Numbers {
   std::size_t chunk_bytes_ = 0;
   bool whole_at_edges_ = true;  ///< chunks that reach over the edge are packed as others
   std::vector<Hdf5Filter> filters_;
-  std::string fill_;  ///< the number in what was never written
+  std::string fill_;  ///< the number in what was never written: the file's own, or none where a type has one, or 0
   Place held_at_{};
   bool held_ = false;
   std::string chunk_held_;  ///< the chunk that was read last

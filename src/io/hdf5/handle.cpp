@@ -3,9 +3,11 @@
 #include "core/problems.hpp"
 
 #include <fmt/core.h>
+#include <pthread.h>
 
 #include <algorithm>
 #include <atomic>
+#include <cstring>
 #include <limits>
 #include <mutex>
 #include <stdexcept>
@@ -17,6 +19,14 @@ namespace {
 /// Not a recursive mutex: a forked process has another thread number, and could not give back what it holds.
 std::mutex speaking;
 thread_local int turns = 0;
+
+void take_turn() {
+  if (turns == 0) speaking.lock();
+}
+void give_turn() {
+  if (turns == 0) speaking.unlock();
+}
+[[maybe_unused]] const int at_fork = ::pthread_atfork(take_turn, give_turn, give_turn);
 
 /// Null where there is no attribute of this name, or a damaged one.
 struct Attribute {
@@ -150,21 +160,6 @@ std::vector<std::int64_t> shape_of(hid_t set) {
   return mapped(shape, [](hsize_t n) { return static_cast<std::int64_t>(std::min<hsize_t>(n, std::numeric_limits<std::int64_t>::max())); });
 }
 
-std::vector<std::string> datasets_in(hid_t file, bool (*fits)(hid_t set)) {
-  struct Search {
-    bool (*fits)(hid_t set);
-    std::vector<std::string> found;
-  } search{fits, {}};
-  const auto note = [](hid_t root, const char* name, const H5O_info_t* info, void* into) -> herr_t {
-    if (info->type != H5O_TYPE_DATASET) return 0;
-    const auto set = own(H5Dopen2(root, name, H5P_DEFAULT), H5Dclose);
-    if (auto& s = *static_cast<Search*>(into); set && s.fits(*set)) s.found.emplace_back(name);
-    return 0;
-  };
-  H5Ovisit2(file, H5_INDEX_NAME, H5_ITER_INC, note, &search, H5O_INFO_BASIC);
-  return std::move(search.found);
-}
-
 std::optional<Hdf5Number> number_of(hid_t type) {
   using enum NumberType;
   const std::tuple<hid_t, hid_t, NumberType> known[] = {
@@ -180,22 +175,35 @@ std::optional<Hdf5Number> number_of(hid_t type) {
   return std::nullopt;
 }
 
+bool is_of_matlab(hid_t set) { return H5Aexists(set, "MATLAB_class") > 0; }
+
+std::optional<double> stated_number(hid_t at, const char* name) {
+  const Attribute attribute(at, name);
+  const auto number = attribute.is_one() ? number_of(*attribute.type) : std::nullopt;
+  double value = 0;
+  if (!number || H5Aget_storage_size(*attribute.id) != bytes_of(number->type)) return std::nullopt;  // not there as a whole
+  return H5Aread(*attribute.id, H5T_NATIVE_DOUBLE, &value) >= 0 ? std::optional(value) : std::nullopt;
+}
+
 double number_attribute(hid_t at, std::initializer_list<const char*> names) {
-  for (const char* name : names) {
-    const Attribute attribute(at, name);
-    const auto number = attribute.is_one() ? number_of(*attribute.type) : std::nullopt;
-    double value = 0;
-    if (!number || H5Aget_storage_size(*attribute.id) != bytes_of(number->type)) continue;  // not there as a whole
-    if (H5Aread(*attribute.id, H5T_NATIVE_DOUBLE, &value) >= 0 && value > 0) return value;
-  }
+  for (const char* name : names)
+    if (const auto value = stated_number(at, name); value && *value > 0) return *value;
   return 0;
 }
 
 std::string text_attribute(hid_t at, const char* name) {
+  constexpr std::size_t longest = 65536;
   const Attribute attribute(at, name);
-  if (!attribute.is_one() || H5Tget_class(*attribute.type) != H5T_STRING || H5Tis_variable_str(*attribute.type) != 0) return {};
+  if (!attribute.is_one() || H5Tget_class(*attribute.type) != H5T_STRING) return {};
+  if (H5Tis_variable_str(*attribute.type) > 0) {
+    char* held = nullptr;
+    if (H5Aread(*attribute.id, *attribute.type, &held) < 0 || held == nullptr) return {};
+    std::string text(held, ::strnlen(held, longest));
+    H5free_memory(held);
+    return text;
+  }
   const std::size_t size = H5Tget_size(*attribute.type);
-  if (size == 0 || size > 65536 || H5Aget_storage_size(*attribute.id) != size) return {};
+  if (size == 0 || size > longest || H5Aget_storage_size(*attribute.id) != size) return {};
   std::string text(size, '\0');
   if (H5Aread(*attribute.id, *attribute.type, text.data()) < 0) return {};
   return text.substr(0, text.find('\0'));

@@ -14,8 +14,9 @@
 // Only the files that speak HDF5 include this one.
 namespace arenite::io {
 
-/// HDF5 may be built without locks of its own: one thread at a time speaks to it, the one that has its turn. Who has it may take it again, also in a
-/// process that is forked meanwhile.
+/// HDF5 may be built without locks of its own: one thread at a time speaks to it, the one that has its turn. Who has it
+/// may take it again, also in a process that is forked meanwhile. A fork by another thread waits for the turn to end:
+/// in the new process nobody else would give it back.
 class Hdf5Turn {
  public:
   Hdf5Turn();
@@ -81,9 +82,6 @@ Hdf5Handle open_in_memory(std::string bytes, const std::string& file, const char
 /// Lengths of a dataset's axes; empty for one without.
 std::vector<std::int64_t> shape_of(hid_t set);
 
-/// Names of the datasets that `fits` takes, in rising order.
-std::vector<std::string> datasets_in(hid_t file, bool (*fits)(hid_t set));
-
 /// How numbers of an HDF5 type lie in a file; nothing for a type that is no plain number of 1 to 8 bytes.
 struct Hdf5Number {
   NumberType type = NumberType::u16;
@@ -91,10 +89,14 @@ struct Hdf5Number {
 };
 std::optional<Hdf5Number> number_of(hid_t type);
 
-/// The first of these attributes that is one number above 0, or 0.
+/// Whether MATLAB wrote an array (save -v7.3): its axes are then listed from the last to the first.
+bool is_of_matlab(hid_t set);
+
+/// An attribute that is one number; nothing without one. And the first of some that is above 0, or 0.
+std::optional<double> stated_number(hid_t at, const char* name);
 double number_attribute(hid_t at, std::initializer_list<const char*> names);
 
-/// An attribute that is a text of fixed length; empty without one.
+/// An attribute that is a text; empty without one.
 std::string text_attribute(hid_t at, const char* name);
 
 }  // namespace arenite::io

@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <hdf5.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -31,9 +32,11 @@ void limit(int what, rlim_t most) {
   setrlimit(static_cast<__rlimit_resource>(what), &limits);
 }
 
-void confine(std::size_t room) {
-  for (const int signal : {SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT, SIGALRM, SIGPIPE}) std::signal(signal, SIG_DFL);
-  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, SIG_IGN);  // the process that waits hears them
+/// `parent` is the process that waits: this one ends with it, and whatever would end that ends this one, too.
+void confine(std::size_t room, pid_t parent) {
+  for (const int signal : {SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT, SIGALRM, SIGPIPE, SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_DFL);
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(1);
   const int nowhere = open("/dev/null", O_WRONLY);
   if (nowhere >= 0) dup2(nowhere, STDERR_FILENO);
   rlim_t pages = 0;
@@ -95,11 +98,11 @@ std::string receive(int from, std::size_t most) {
 std::string in_sandbox(const std::string& file, const std::function<std::string()>& work, std::size_t most, std::size_t room) {
   std::array<int, 2> ends{};
   if (pipe2(ends.data(), O_CLOEXEC) != 0) refuse(file, "cannot be read: the system cannot create a pipe; close other programs");
-  const pid_t process = fork_with_hdf5([&] {
-    close(ends[0]);
-    confine(2 * most + room);
-    answer(ends[1], work);
-  });
+  const pid_t parent = getpid(), process = fork_with_hdf5([&] {
+                                   close(ends[0]);
+                                   confine(2 * most + room, parent);
+                                   answer(ends[1], work);
+                                 });
   if (process < 0) {
     close(ends[0]);
     close(ends[1]);
@@ -113,8 +116,11 @@ std::string in_sandbox(const std::string& file, const std::function<std::string(
   } catch (...) { error = std::current_exception(); }
   close(ends[0]);
   if (bytes.empty()) kill(process, SIGKILL);
-  while (waitpid(process, nullptr, 0) < 0 && errno == EINTR) {}
+  int status = 0;
+  while (waitpid(process, &status, 0) < 0 && errno == EINTR) {}
   if (error) std::rethrow_exception(error);
+  if (WIFSIGNALED(status) && (WTERMSIG(status) == SIGINT || WTERMSIG(status) == SIGTERM || WTERMSIG(status) == SIGHUP))
+    refuse(file, "was not read: its reading was stopped; start it again");
   const char kind = bytes.empty() ? has_failed : bytes.back();
   if (!bytes.empty()) bytes.pop_back();
   if (kind == is_refused && !bytes.empty()) throw InputError(file, 0, bytes);

@@ -2,40 +2,60 @@
 #include "io/image/image.hpp"
 
 #include <algorithm>
+#include <initializer_list>
+#include <utility>
 #include <vector>
 
+#include "io/hdf5/dataset_search.hpp"
 #include "io/hdf5/foreign.hpp"
+#include "io/image/orientation.hpp"
 
 namespace arenite::io {
 namespace {
 
-bool can_be_picture(hid_t set) {
-  const auto type = own(H5Dget_type(set), H5Tclose);
-  const bool whole = type && (H5Tget_class(*type) == H5T_INTEGER || H5Tget_class(*type) == H5T_ENUM);
+bool has_rank(hid_t set) {
   const std::size_t rank = shape_of(set).size();
-  return whole && (rank == 2 || rank == 3);
+  return rank == 2 || rank == 3;
+}
+
+bool is_of_class(hid_t set, std::initializer_list<H5T_class_t> classes) {
+  const auto type = own(H5Dget_type(set), H5Tclose);
+  return type && std::ranges::count(classes, H5Tget_class(*type)) > 0;
+}
+
+bool of_whole_numbers(hid_t set) { return has_rank(set) && is_of_class(set, {H5T_INTEGER, H5T_ENUM}); }
+bool of_numbers(hid_t set) { return has_rank(set) && is_of_class(set, {H5T_INTEGER, H5T_ENUM, H5T_FLOAT}); }
+
+/// Floating numbers are looked at where the file has no whole ones, or they are asked for by name.
+FoundDataset find_picture(hid_t file, const std::string& file_name, const std::string& wanted) {
+  const bool only_whole = wanted.empty() && !datasets_in(file, of_whole_numbers).empty();
+  return find_dataset(file, file_name, wanted, only_whole ? of_whole_numbers : of_numbers, "whole numbers with two or three dimensions");
 }
 
 Image decode(const std::string& bytes, const std::string& file, const ImageChoice& choice) {
   const auto id = open_in_memory(bytes, file);
-  const auto [name, set] = find_dataset(*id, file, choice.dataset, can_be_picture, "whole numbers with two or three dimensions");
+  const auto [name, set] = find_picture(*id, file, choice.dataset);
   const auto shape = shape_of(*set);
   const bool stack = shape.size() == 3;
   const std::int64_t slice = chosen_slice(file, stack ? shape[0] : 1, choice);
-  const std::int64_t height = shape[stack ? 1 : 0], width = shape[stack ? 2 : 1];
-  check_size(file, width, height, choice);
+  const std::int64_t rows = shape[stack ? 1 : 0], columns = shape[stack ? 2 : 1];
+  check_size(file, columns, rows, choice);
   Hdf5Numbers numbers(set, name, bytes_kept(bytes, file), std::max(2.0 * static_cast<double>(choice.most_pixels), 1e6));
   std::string stored;
-  numbers.read(stack ? static_cast<hsize_t>(slice) : 0, stack ? 1 : static_cast<hsize_t>(height), stored);
-  Image image{static_cast<int>(width), static_cast<int>(height), {}};
+  numbers.read(stack ? static_cast<hsize_t>(slice) : 0, stack ? 1 : static_cast<hsize_t>(rows), stored);
+  Image image{static_cast<int>(columns), static_cast<int>(rows), {}};
   image.value.resize(image.size());
   each_number(numbers.number().type, numbers.number().big_endian, stored.data(), image.size(), [&](std::size_t i, auto v) {
+    const auto width = static_cast<std::size_t>(columns);
     if constexpr (std::is_integral_v<decltype(v)>) {
       if (!std::in_range<std::int32_t>(v)) refuse(file, "holds the value {}; values go from -2147483648 to 2147483647", v);
       image.value[i] = static_cast<std::int32_t>(v);
+    } else {
+      image.value[i] = whole_value(static_cast<double>(v), file, i % width, i / width);
     }
   });
-  return image;
+  constexpr int rows_are_columns = 5;
+  return is_of_matlab(*set) ? upright(std::move(image), rows_are_columns) : image;
 }
 
 /// HDF5 trusts what it reads: it is used in a process of its own, which a damaged file may bring down.
@@ -51,8 +71,15 @@ Image decode_hdf5(const std::string& bytes, const std::string& file, const Image
 
 }  // namespace
 
-/// A two-dimensional dataset of whole numbers, or a slice along the first axis of a three-dimensional one; rows point down, as NumPy and HDF5 viewers
-/// store and show pictures.
-const PictureFormat pictures::hdf5{.name = "hdf5", .sentence = "HDF5", .has_datasets = true, .is = is_hdf5, .read = decode_hdf5};
+/// A two-dimensional dataset of whole numbers, or a slice along the first axis of a three-dimensional one; rows point
+/// down, as NumPy and HDF5 viewers store and show pictures. MATLAB lists axes from the last to the first: its slices
+/// are along the third.
+const PictureFormat pictures::hdf5{
+    .name = "hdf5",
+    .sentence = "HDF5",
+    .states = {{"MATLAB_class (MATLAB, save -v7.3)", "axes are taken as height x width x slices"}, {"floating numbers", "taken where all are whole"}},
+    .has_datasets = true,
+    .is = is_hdf5,
+    .read = decode_hdf5};
 
 }  // namespace arenite::io

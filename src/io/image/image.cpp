@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <limits>
 #include <string_view>
 #include <utility>
@@ -93,6 +94,23 @@ Image image_of(const PixelLayout& layout, const std::vector<std::uint8_t>& sampl
   const auto width = static_cast<std::size_t>(layout.width), height = static_cast<std::size_t>(layout.height);
   for (std::size_t y = 0; y < height; ++y) take_row(layout, samples.data() + stride * y, 0, y, width, image);
   return image;
+}
+
+std::int32_t whole_value(double value, const std::string& file, std::size_t x, std::size_t row) {
+  if (!(std::trunc(value) == value)) {
+    if (std::isnan(value)) refuse(file, "holds no number at pixel {}, {}; save whole numbers, one value per phase", x, row);
+    refuse(file, "holds floating-point numbers with fractions ({:g} at pixel {}, {}); save whole numbers, one value per phase", value, x, row);
+  }
+  if (!(std::abs(value) <= std::numeric_limits<std::int32_t>::max()))
+    refuse(file, "holds the value {:g} at pixel {}, {}; values go from -2147483647 to 2147483647", value, x, row);
+  return static_cast<std::int32_t>(value);
+}
+
+void take_floating_row(const PixelLayout& layout, const std::uint8_t* samples, std::size_t x, std::size_t row, std::size_t count, Image& image) {
+  const NumberType type = layout.bits == 64 ? NumberType::f64 : NumberType::f32;
+  std::int32_t* const to = image.value.data() + row * static_cast<std::size_t>(image.width);
+  each_number(type, false, reinterpret_cast<const char*>(samples), count,
+              [&](std::size_t i, auto v) { to[x + i] = whole_value(static_cast<double>(v), layout.file, x + i, row); });
 }
 
 void take_row(const PixelLayout& layout, const std::uint8_t* samples, std::size_t x, std::size_t row, std::size_t count, Image& image) {

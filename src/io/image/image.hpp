@@ -58,6 +58,7 @@ struct PixelLayout {
   int bits = 8;     ///< of a sample; what has less than 8 lies in a byte of its own
   int samples = 1;  ///< of a pixel; the first is grey or an index of the palette, or the first three are a colour
   bool colour = false, opacity = false, inverted = false, is_signed = false;  ///< opacity: the last sample
+  bool is_floating = false;                                                   ///< 32 or 64 bits
   Channel channel = Channel::none;                                            ///< what is taken of a colour; none: colour is refused
   std::vector<std::array<std::uint16_t, 3>> palette;                          ///< empty: none
 
@@ -79,6 +80,12 @@ Image image_of(const PixelLayout& layout, const std::vector<std::uint8_t>& sampl
 /// Turns `count` pixels of one row (0 at the top) from column x on into whole numbers. InputError for colour, transparency, indices outside the palette, numbers that do not fit 32 bits
 /// with sign.
 void take_row(const PixelLayout& layout, const std::uint8_t* samples, std::size_t x, std::size_t row, std::size_t count, Image& image);
+
+/// The same for floating numbers, which must be whole.
+void take_floating_row(const PixelLayout& layout, const std::uint8_t* samples, std::size_t x, std::size_t row, std::size_t count, Image& image);
+
+/// A floating number that is a whole one, as labels and phases are. InputError for any other.
+std::int32_t whole_value(double value, const std::string& file, std::size_t x, std::size_t row);
 
 /// A picture in colour: red, green, blue of 8 bits, row by row from the top left.
 struct ColourPicture {

@@ -9,7 +9,10 @@
 #include <jpeglib.h>
 
 #include <csetjmp>
+#include <string_view>
 #include <vector>
+
+#include "io/image/orientation.hpp"
 
 namespace arenite::io {
 namespace {
@@ -53,8 +56,21 @@ struct JpegDecoder {
   }
 };
 
+constexpr int exif_marker = JPEG_APP0 + 1;
+
+int orientation_of(const JpegDecoder& d) {
+  using namespace std::string_view_literals;
+  constexpr auto beginning = "Exif\0\0"sv;
+  for (auto* marker = d.jpeg.marker_list; marker != nullptr; marker = marker->next) {
+    const std::string_view data(reinterpret_cast<const char*>(marker->data), marker->data_length);
+    if (marker->marker == exif_marker && data.starts_with(beginning)) return exif_orientation(data.substr(beginning.size()));
+  }
+  return 1;
+}
+
 bool read_header(JpegDecoder& d) {
   if (setjmp(d.leave) != 0) return false;  // NOLINT: libjpeg's way
+  jpeg_save_markers(&d.jpeg, exif_marker, 0xffff);
   jpeg_read_header(&d.jpeg, TRUE);
   return true;
 }
@@ -77,6 +93,7 @@ bool read_rows(JpegDecoder& d, std::uint8_t* samples, std::size_t stride) {
 Image decode_jpeg(const std::string& bytes, const std::string& file, const ImageChoice& choice) {
   JpegDecoder d(bytes);
   if (!read_header(d)) refuse_damaged(d, file);
+  const int orientation = orientation_of(d);  // gone once the picture is read
   check_size(file, d.jpeg.image_width, d.jpeg.image_height, choice);
   chosen_slice(file, 1, choice);
   const bool grey = d.jpeg.jpeg_color_space == JCS_GRAYSCALE;
@@ -92,13 +109,17 @@ Image decode_jpeg(const std::string& bytes, const std::string& file, const Image
   layout.channel = choice.channel;
   std::vector<std::uint8_t> samples(layout.bytes_a_row() * static_cast<std::size_t>(layout.height));
   if (!read_rows(d, samples.data(), layout.bytes_a_row())) refuse_damaged(d, file);
-  return image_of(layout, samples, layout.bytes_a_row());
+  return upright(image_of(layout, samples, layout.bytes_a_row()), orientation);
 }
 
 }  // namespace
 
 /// Four inks and what the decoder had to guess are refused.
-const PictureFormat pictures::jpeg{
-    .name = "jpeg", .sentence = "JPEG", .blurs = true, .is = [](std::string_view b) { return b.starts_with("\xff\xd8\xff"); }, .read = decode_jpeg};
+const PictureFormat pictures::jpeg{.name = "jpeg",
+                                   .sentence = "JPEG",
+                                   .states = {{"orientation (EXIF)", "the picture is turned upright"}},
+                                   .blurs = true,
+                                   .is = [](std::string_view b) { return b.starts_with("\xff\xd8\xff"); },
+                                   .read = decode_jpeg};
 
 }  // namespace arenite::io

@@ -10,6 +10,7 @@
 
 #include "core/problems.hpp"
 #include "io/image/image.hpp"
+#include "io/image/orientation.hpp"
 
 namespace arenite::io {
 namespace {
@@ -86,6 +87,13 @@ PixelLayout layout_of(const PngDecoder& d, const std::string& file, Channel chan
   return layout;
 }
 
+int orientation_of(const PngDecoder& d) {
+  png_bytep exif = nullptr;
+  png_uint_32 size = 0;
+  if (png_get_eXIf_1(d.png, d.info, &size, &exif) == 0) return 1;
+  return exif_orientation({reinterpret_cast<const char*>(exif), size});
+}
+
 Image decode_png(const std::string& bytes, const std::string& file, const ImageChoice& choice) {
   PngDecoder d(bytes);
   if (!read_header(d)) refuse_damaged(d, file);
@@ -97,13 +105,17 @@ Image decode_png(const std::string& bytes, const std::string& file, const ImageC
   std::vector<png_bytep> rows;
   for (int y = 0; y < layout.height; ++y) rows.push_back(samples.data() + stride * static_cast<std::size_t>(y));
   if (!read_rows(d, rows.data())) refuse_damaged(d, file);
-  return image_of(layout, samples, stride);
+  return upright(image_of(layout, samples, stride), orientation_of(d));
 }
 
 }  // namespace
 
-const PictureFormat pictures::png{
-    .name = "png", .sentence = "PNG", .is = [](std::string_view b) { return b.starts_with("\x89PNG\r\n\x1a\n"); }, .read = decode_png};
+const PictureFormat pictures::png{.name = "png",
+                                  .sentence = "PNG",
+                                  .states = {{"orientation (EXIF)", "the picture is turned upright"}},
+
+                                  .is = [](std::string_view b) { return b.starts_with("\x89PNG\r\n\x1a\n"); },
+                                  .read = decode_png};
 
 void write_png(const std::filesystem::path& path, const ColourPicture& picture) {
   png_image header{};

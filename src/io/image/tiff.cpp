@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <cstdarg>
 #include <cstdio>
+#include <utility>
 #include <vector>
 
 #include "core/problems.hpp"
 #include "io/image/image.hpp"
+#include "io/image/orientation.hpp"
+#include "io/image/tiff_stack.hpp"
 
 namespace arenite::io {
 namespace {
@@ -32,9 +35,10 @@ PixelLayout layout_of(TIFF* tiff, const TiffSource& source, Channel channel) {
   layout.samples = tiff_field<std::uint16_t>(tiff, TIFFTAG_SAMPLESPERPIXEL);
   const auto format = tiff_field<std::uint16_t>(tiff, TIFFTAG_SAMPLEFORMAT);
   layout.is_signed = format == SAMPLEFORMAT_INT;
-  if (format != SAMPLEFORMAT_UINT && format != SAMPLEFORMAT_INT && format != SAMPLEFORMAT_VOID)
-    source.refuse("holds numbers with fractions; save it with whole numbers, one value per phase");
-  if (bits != 1 && bits != 2 && bits != 4 && bits != 8 && bits != 16 && bits != 32)
+  layout.is_floating = format == SAMPLEFORMAT_IEEEFP && (bits == 32 || bits == 64);
+  if (!layout.is_floating && format != SAMPLEFORMAT_UINT && format != SAMPLEFORMAT_INT && format != SAMPLEFORMAT_VOID)
+    source.refuse("holds numbers of an unsupported form; save it with whole numbers, one value per phase");
+  if (!layout.is_floating && bits != 1 && bits != 2 && bits != 4 && bits != 8 && bits != 16 && bits != 32)
     source.refuse(fmt::format("has {} bits per sample; save it as greyscale with 8 or 16", bits));
   const auto meaning = tiff_field<std::uint16_t>(tiff, TIFFTAG_PHOTOMETRIC);
   layout.colour = meaning == PHOTOMETRIC_RGB;
@@ -43,12 +47,10 @@ PixelLayout layout_of(TIFF* tiff, const TiffSource& source, Channel channel) {
   if (meaning == PHOTOMETRIC_PALETTE) take_palette(tiff, bits, layout);
   const int needed = layout.colour ? 3 : 1;
   layout.opacity = layout.samples == needed + 1;
-  if (layout.samples < needed || layout.samples > needed + 1 || (layout.samples > 1 && (bits < 8 || layout.is_signed)))
+  if (layout.samples < needed || layout.samples > needed + 1 || (layout.samples > 1 && (bits < 8 || layout.is_signed || layout.is_floating)))
     source.refuse(fmt::format("has {} samples per pixel; save it as greyscale with one value per phase", layout.samples));
   if (layout.samples > 1 && tiff_field<std::uint16_t>(tiff, TIFFTAG_PLANARCONFIG) != PLANARCONFIG_CONTIG)
     source.refuse("stores its colours in separate planes; save it as greyscale with one value per phase");
-  if (tiff_field<std::uint16_t>(tiff, TIFFTAG_ORIENTATION) != ORIENTATION_TOPLEFT)
-    source.refuse("is stored rotated or mirrored; save it upright (orientation 1)");
   return layout;
 }
 
@@ -70,10 +72,20 @@ Image read_page(TIFF* tiff, const TiffSource& source, const ImageChoice& choice)
     bytes.resize(layout.bits < 8 ? block.columns : 0);
     for (std::size_t r = 0; r < block.rows; ++r) {
       if (layout.bits < 8) unpack(block.row(r), layout.bits, bytes);
-      take_row(layout, layout.bits < 8 ? bytes.data() : block.row(r), block.x, block.y + r, block.columns, image);
+      if (layout.is_floating) take_floating_row(layout, block.row(r), block.x, block.y + r, block.columns, image);
+      else take_row(layout, layout.bits < 8 ? bytes.data() : block.row(r), block.x, block.y + r, block.columns, image);
     }
   });
-  return image;
+  return upright(std::move(image), tiff_field<std::uint16_t>(tiff, TIFFTAG_ORIENTATION));
+}
+
+/// Images without a directory of their own cannot be chosen.
+void refuse_images_behind(TIFF* tiff, const TiffSource& source) {
+  const char* text = nullptr;
+  if (TIFFNumberOfDirectories(tiff) != 1 || TIFFGetField(tiff, TIFFTAG_IMAGEDESCRIPTION, &text) != 1 || text == nullptr) return;
+  const TiffStack stack = stack_in(text, tiff_field<std::uint32_t>(tiff, TIFFTAG_IMAGEWIDTH), tiff_field<std::uint32_t>(tiff, TIFFTAG_IMAGELENGTH));
+  if (stack.images() > 1)
+    source.refuse(fmt::format("holds one picture, but {} describes {} images; save the one that is meant by itself", stack.by, stack.images()));
 }
 
 tmsize_t read_bytes(thandle_t handle, void* to, tmsize_t count) {
@@ -112,6 +124,7 @@ Image decode_tiff(const std::string& bytes, const std::string& file, const Image
   TiffSource source(bytes_kept(bytes, file));
   const Tiff tiff = open_tiff(source);
   if (!tiff) source.refuse_damaged();
+  refuse_images_behind(tiff.get(), source);
   const auto slice = chosen_slice(file, std::int64_t{TIFFNumberOfDirectories(tiff.get())}, choice);
   if (TIFFSetDirectory(tiff.get(), static_cast<tdir_t>(slice)) != 1) source.refuse_damaged();
   return read_page(tiff.get(), source, choice);
@@ -119,7 +132,14 @@ Image decode_tiff(const std::string& bytes, const std::string& file, const Image
 
 }  // namespace
 
-const PictureFormat pictures::tiff{.name = "tiff", .sentence = "TIFF", .is = is_tiff, .read = decode_tiff};
+const PictureFormat pictures::tiff{.name = "tiff",
+                                   .sentence = "TIFF",
+                                   .states = {{"orientation", "the picture is turned upright"},
+                                              {"floating numbers", "taken where all are whole"},
+                                              {"more images than directories (ImageJ)", "refused"}},
+
+                                   .is = is_tiff,
+                                   .read = decode_tiff};
 
 void TiffSource::refuse(const std::string& message) const { throw InputError(file(), 0, message); }
 

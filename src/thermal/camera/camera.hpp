@@ -37,12 +37,11 @@ struct Detector {
   double bad_share = 0.003;      ///< pixels that are dead, hot or noisy
   double noise_correlation = 0;  ///< of a pixel's noise in one frame with that in the next: first-order autoregressive
   double common_noise = 0;       ///< standard deviation of what all pixels of a frame share, as correlated, K
-  double common_flicker =
-      0;  ///< of 1/f noise that all pixels share, from once in the film up, K
-  double column_flicker = 0;  ///< of such noise that the pixels of a column share, K
-  double jump = 0;            ///< by which all levels rise at `jump_time`, as after a shutter's correction, K
-  double jump_pattern = 0;    ///< standard deviation of what every pixel rises by beside, K
-  double jump_time = 0;       ///< s after the first frame
+  double common_flicker = 0;     ///< of 1/f noise that all pixels share, from once in the film up, K
+  double column_flicker = 0;     ///< of such noise that the pixels of a column share, K
+  double jump = 0;               ///< by which all levels rise at `jump_time`, as after a shutter's correction, K
+  double jump_pattern = 0;       ///< standard deviation of what every pixel rises by beside, K
+  double jump_time = 0;          ///< s after the first frame
 };
 
 /// A line of the electronics in the film.

@@ -156,8 +156,7 @@ class Detection {
     }
     RandomStream jumps(seed, Purpose::level_jump);
     if (d.jump_pattern > 0)
-      for (std::size_t i = 0; i < pixels; ++i)
-        own_jump_.push_back(static_cast<float>(d.jump_pattern * light_per_kelvin_ * jumps.normal()));
+      for (std::size_t i = 0; i < pixels; ++i) own_jump_.push_back(static_cast<float>(d.jump_pattern * light_per_kelvin_ * jumps.normal()));
   }
 
   /// Turns light (photons over those of a black body at 296 K) into levels. `warmer` is the drift of the scene, K, at
@@ -167,15 +166,13 @@ class Detection {
     const float drift = static_cast<float>(1 + warmer * light_per_kelvin_);
     const auto shot = static_cast<float>(shot_), read = static_cast<float>(read_);
     const bool jumped = time >= detector_.jump_time, own = jumped && !own_jump_.empty();
-    const float common =
-        in_light(detector_.common_noise) * normal[light.size()] + (jumped ? in_light(detector_.jump) : 0);
+    const float common = in_light(detector_.common_noise) * normal[light.size()] + (jumped ? in_light(detector_.jump) : 0);
     share_by_columns(common, seed, frame);
     float line = 0;
     for (std::size_t i = 0; i < light.size(); ++i) {
       if (i % width_ == 0 && interference_.amplitude > 0) {
         const double cycles = interference_.frequency * time + interference_.advance * static_cast<double>(i / width_);
-        line =
-            static_cast<float>(interference_.amplitude * light_per_kelvin_ * std::cos(2 * std::numbers::pi * cycles));
+        line = static_cast<float>(interference_.amplitude * light_per_kelvin_ * std::cos(2 * std::numbers::pi * cycles));
       }
       const Pixel& pixel = pixel_[i];
       const float seen = light[i] * drift + (shared_[i % width_] + line) + (own ? own_jump_[i] : 0);
@@ -197,8 +194,7 @@ class Detection {
     if (detector_.common_flicker <= 0 && detector_.column_flicker <= 0) return;
     const std::vector<float>& flicker = flicker_.of(seed, frame);
     for (std::size_t c = 0; c < width_; ++c)
-      shared_[c] +=
-          in_light(detector_.common_flicker) * flicker[width_] + in_light(detector_.column_flicker) * flicker[c];
+      shared_[c] += in_light(detector_.common_flicker) * flicker[width_] + in_light(detector_.column_flicker) * flicker[c];
   }
 
   std::vector<Pixel> pixel_;

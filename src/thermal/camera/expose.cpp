@@ -42,8 +42,8 @@ struct Drawing {
   /// Of a picture with so many pixels more on each side.
   Drawing(const Scene& scene, const Optics& optics, int beyond = 0)
       : lens(optics::make_lens(optics.blur, static_cast<int>(optics.supersampling), 5)),
-        canvas(lens, static_cast<int>(optics.width) + 2 * beyond, static_cast<int>(optics.height) + 2 * beyond,
-               middle_of(scene), {optics.pixel / lens.fine, -optics.pixel / lens.fine}),
+        canvas(lens, static_cast<int>(optics.width) + 2 * beyond, static_cast<int>(optics.height) + 2 * beyond, middle_of(scene),
+               {optics.pixel / lens.fine, -optics.pixel / lens.fine}),
         depth(canvas.light.size()) {}
 
   /// Calls paint(light of a point, offset from the centre) for every point in the disk. Grains that press on each other are
@@ -89,14 +89,12 @@ void paint_container(optics::Canvas& canvas, const Scene& scene, const View& vie
 }
 
 /// What a picture with `halo.margin` more pixels on each side is where the lens scatters that share of its light.
-std::vector<float> with_halo(const optics::Lens& halo, double share, const std::vector<float>& wide, int width,
-                             int height) {
+std::vector<float> with_halo(const optics::Lens& halo, double share, const std::vector<float>& wide, int width, int height) {
   std::vector<float> picture = optics::through_lens(halo, wide, width, height);
   const std::ptrdiff_t across = width + 2 * halo.margin;
   for (int r = 0; r < height; ++r)
     for (int c = 0; c < width; ++c) {
-      float& light =
-          picture[static_cast<std::size_t>(r) * static_cast<std::size_t>(width) + static_cast<std::size_t>(c)];
+      float& light = picture[static_cast<std::size_t>(r) * static_cast<std::size_t>(width) + static_cast<std::size_t>(c)];
       const float sharp = wide[static_cast<std::size_t>((r + halo.margin) * across + c + halo.margin)];
       light = static_cast<float>(1 - share) * sharp + static_cast<float>(share) * light;
     }
@@ -143,13 +141,10 @@ std::vector<float> expose(const Scene& scene, const Parameters& p, double s, std
     const Exitance& exitance = of_emissivity[emissivity[i]];
     const double warming = -scene.materials[m].thermoelastic_factor * s;
     drawing.disk(scene.grains.position[i] + (p.motion ? s : 0) * scene.travel[i], scene.grains.radius[i],
-                 [&](float& light, Vec2 offset) {
-                   light = static_cast<float>(exitance(warming * static_cast<double>(scene.stress[i].at(offset))));
-                 });
+                 [&](float& light, Vec2 offset) { light = static_cast<float>(exitance(warming * static_cast<double>(scene.stress[i].at(offset)))); });
   }
   const int width = static_cast<int>(p.optics.width), height = static_cast<int>(p.optics.height);
-  auto picture =
-      optics::through_lens(drawing.lens, drawing.canvas.light, width + 2 * halo.margin, height + 2 * halo.margin);
+  auto picture = optics::through_lens(drawing.lens, drawing.canvas.light, width + 2 * halo.margin, height + 2 * halo.margin);
   if (p.optics.halo > 0) picture = with_halo(halo, p.optics.halo, picture, width, height);
   darken_corners(picture, p.optics);
   return picture;

@@ -11,10 +11,8 @@ void declare(Visitor& v, Optics& optics) {
   v.number({"pixel", "Side of a pixel on the sample."}, optics.pixel, "mm", range::positive);
   v.number({"blur", "Standard deviation of the lens' blur, in pixels."}, optics.blur, "", range::between(0, 5));
   v.number({"vignetting", "Loss of light in the corners."}, optics.vignetting, "%", range::between(0, 0.9));
-  v.number({"halo", "Fraction of the light that the lens scatters into a halo, in addition to its blur."}, optics.halo,
-           "%", range::between(0, 0.9));
-  v.number({"halo_width", "Standard deviation of the halo, a Gaussian, in pixels."}, optics.halo_width, "",
-           range::between(1, 50));
+  v.number({"halo", "Fraction of the light that the lens scatters into a halo, in addition to its blur."}, optics.halo, "%", range::between(0, 0.9));
+  v.number({"halo_width", "Standard deviation of the halo, a Gaussian, in pixels."}, optics.halo_width, "", range::between(1, 50));
   v.integer({"supersampling", "Points of the scene along a side of a pixel."}, optics.supersampling, {1, 32});
 }
 
@@ -39,15 +37,11 @@ void declare(Visitor& v, Detector& detector) {
   v.number({"noise_correlation", "Correlation of a pixel's noise between successive frames."}, detector.noise_correlation, "", range::between(0, 0.95));
   v.number({"common_noise", "Standard deviation of the noise common to all pixels of a frame, in addition to their own."}, detector.common_noise, "mK",
            range::not_negative);
-  v.number({"common_flicker",
-            "Standard deviation of 1/f noise common to all pixels, from one cycle per film to the Nyquist frequency."},
+  v.number({"common_flicker", "Standard deviation of 1/f noise common to all pixels, from one cycle per film to the Nyquist frequency."},
            detector.common_flicker, "mK", range::not_negative);
-  v.number({"column_flicker", "Standard deviation of 1/f noise common to the pixels of a column."},
-           detector.column_flicker, "mK", range::not_negative);
-  v.number({"jump", "Step of all levels at jump_time, as after a correction by the camera's shutter."}, detector.jump,
-           "mK", range::any);
-  v.number({"jump_pattern", "Standard deviation of the additional step of every pixel."}, detector.jump_pattern, "mK",
-           range::not_negative);
+  v.number({"column_flicker", "Standard deviation of 1/f noise common to the pixels of a column."}, detector.column_flicker, "mK", range::not_negative);
+  v.number({"jump", "Step of all levels at jump_time, as after a correction by the camera's shutter."}, detector.jump, "mK", range::any);
+  v.number({"jump_pattern", "Standard deviation of the additional step of every pixel."}, detector.jump_pattern, "mK", range::not_negative);
   v.number({"jump_time", "Time of that step after the first frame."}, detector.jump_time, "s", range::not_negative);
 }
 
@@ -66,12 +60,10 @@ void declare(Visitor& v, Surroundings& around) {
   v.number({"drift_growth", "Rate of change of the drift rate."}, around.drift_growth, "mK/s^2", range::any);
   v.number({"warm_up", "Amplitude of an additional exponential warm-up of the scene."}, around.warm_up, "K", range::any);
   v.number({"warm_up_time", "Time constant of the warm-up."}, around.warm_up_time, "s", range::positive);
-  v.number({"drift_wave", "Amplitude of an additional slow sine of the scene's temperature."}, around.drift_wave, "K",
-           range::any);
+  v.number({"drift_wave", "Amplitude of an additional slow sine of the scene's temperature."}, around.drift_wave, "K", range::any);
   v.number({"drift_period", "Period of that sine."}, around.drift_period, "s", range::positive);
-  v.number(
-      {"emissivity_scatter", "Standard deviation of the grains' emissivities, relative to that of their material."},
-      around.emissivity_scatter, "%", range::between(0, 0.5));
+  v.number({"emissivity_scatter", "Standard deviation of the grains' emissivities, relative to that of their material."}, around.emissivity_scatter, "%",
+           range::between(0, 0.5));
   v.flag({"radiometry", "Planck's law, emissivities and reflected surroundings; false: levels are linear in temperature and all surfaces are black."},
          around.radiometry);
 }
@@ -85,8 +77,7 @@ void declare(Visitor& v, Timing& timing) {
   v.number({"second_harmonic", "Second harmonic of the load, over the first."}, timing.second_harmonic, "%", range::between(0, 1));
   v.number({"dropped", "Fraction of frames that are lost."}, timing.dropped, "%", range::between(0, 0.9));
   v.integer({"dropped_together", "Successive frames in each loss."}, timing.dropped_together, {1, 1'000'000});
-  v.flag({"time_stamps", "Frames carry time stamps, which show losses; false: the film states its frame rate only."},
-         timing.time_stamps);
+  v.flag({"time_stamps", "Frames carry time stamps, which show losses; false: the film states its frame rate only."}, timing.time_stamps);
 }
 
 }  // namespace

@@ -106,8 +106,7 @@ class RecordedFilm : public FilmSource {
 
 double Surroundings::warmer(double time) const {
   const double curved = 0.5 * drift_growth * time * time - warm_up * std::expm1(-time / warm_up_time);
-  return drift * time + curved +
-         (drift_wave == 0 ? 0 : drift_wave * std::sin(2 * std::numbers::pi * time / drift_period));
+  return drift * time + curved + (drift_wave == 0 ? 0 : drift_wave * std::sin(2 * std::numbers::pi * time / drift_period));
 }
 
 std::unique_ptr<FilmSource> film(const Scene& scene, const Parameters& p, std::uint64_t seed) {
@@ -116,17 +115,15 @@ std::unique_ptr<FilmSource> film(const Scene& scene, const Parameters& p, std::u
   if (p.timing.time_stamps)
     for (const auto k : taken) info.time.push_back(static_cast<double>(k - taken.front()) / p.timing.frame_rate);
   return std::make_unique<RecordedFilm>(
-      std::move(info),
-      [p, seed, taken, exposures = Exposures(scene, p, 0, 1 + std::max(0.0, p.timing.second_harmonic), seed),
-       detector = Detection(p, seed), light = std::vector<float>()](std::size_t frame, std::uint16_t* level) mutable {
+      std::move(info), [p, seed, taken, exposures = Exposures(scene, p, 0, 1 + std::max(0.0, p.timing.second_harmonic), seed), detector = Detection(p, seed),
+                        light = std::vector<float>()](std::size_t frame, std::uint16_t* level) mutable {
         const double t = static_cast<double>(taken[frame]) / p.timing.frame_rate;
         exposures.between(load_fraction(p.timing, t), light);
         detector.record(light, p.surroundings.warmer(t), t, seed, static_cast<std::uint64_t>(taken[frame]), level);
       });
 }
 
-std::unique_ptr<FilmSource> uniform_film(const Parameters& parameters, double temperature, std::int64_t frames,
-                                         std::uint64_t seed) {
+std::unique_ptr<FilmSource> uniform_film(const Parameters& parameters, double temperature, std::int64_t frames, std::uint64_t seed) {
   Parameters p = parameters;
   p.detector.jump = p.detector.jump_pattern = 0;  // which belong to the film of the sample
   FilmInfo info = describe(p, frames);

@@ -7,6 +7,7 @@
 
 #include "core/mapped.hpp"
 #include "core/text.hpp"
+#include "thermal/thermography/harmonic_fit.hpp"
 
 namespace arenite::thermography {
 
@@ -39,6 +40,20 @@ std::vector<std::int64_t> blank_frames(FilmSource& film) {
     return true;
   });
   return lost.all();
+}
+
+bool may_lack_frames(const SegmentSums& s) {
+  const SegmentView view = s.view();
+  for (std::size_t p = 0; p < s.pixels; ++p)
+    for (std::size_t k = 0; k < s.segments(); ++k)
+      if (!std::isfinite(s.sums[view.at(p, k, 0)])) return true;
+  for (std::size_t n = 0; n < s.time.size(); ++n) {
+    const auto is_zero = [&](std::size_t i) { return !(std::abs(s.seen[i * s.time.size() + n] + s.base[s.watched[i]]) > 0); };
+    std::size_t i = 0;
+    while (i < s.watched.size() && is_zero(i)) ++i;
+    if (i == s.watched.size()) return true;
+  }
+  return false;
 }
 
 std::string blank_frames_sentence(const std::vector<std::int64_t>& frames) {

@@ -7,8 +7,10 @@
 
 namespace arenite::thermography {
 
-/// Frames that hold no picture, as programs fill in for those that a camera lost: more than a hundredth of the pixels are no
-/// finite numbers there and are in other frames, or all levels are 0. None in a film that has no picture at all.
+struct SegmentSums;
+
+/// Frames that hold no picture, as programs fill in for those that a camera lost: more than a hundredth of the pixels
+/// are no finite numbers there and are in other frames, or all levels are 0. None in a film that has no picture at all.
 class BlankFrames {
  public:
   /// The next frame.
@@ -24,6 +26,10 @@ class BlankFrames {
 
 /// Those of a film, which is read once.
 std::vector<std::int64_t> blank_frames(FilmSource& film);
+
+/// What a frame without a picture does to the sums of a pass: they are no numbers, or all pixels that are watched are 0 in a
+/// frame.
+bool may_lack_frames(const SegmentSums& sums);
 
 /// "frame 40 holds no picture and was left out"; empty without frames.
 std::string blank_frames_sentence(const std::vector<std::int64_t>& frames);

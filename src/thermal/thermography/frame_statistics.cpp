@@ -34,12 +34,11 @@ struct Standing {
 Standing standing(const FrameStatistics& film, int column, int row) {
   std::array<double, 9> value{};  // of the pixel, then of its neighbours
   auto end = value.begin() + 1;
-  each_pixel_near({1.0 * column, 1.0 * row}, 1, film.width, film.height,
-                  [&](int c, int r, std::size_t at) {
-                    const auto mean = static_cast<double>(film.mean[at]);
-                    if (r == row && c == column) value[0] = mean;
-                    else if (std::isfinite(mean)) *end++ = mean;
-                  });
+  each_pixel_near({1.0 * column, 1.0 * row}, 1, film.width, film.height, [&](int c, int r, std::size_t at) {
+    const auto mean = static_cast<double>(film.mean[at]);
+    if (r == row && c == column) value[0] = mean;
+    else if (std::isfinite(mean)) *end++ = mean;
+  });
   const double x = value[0];
   const auto begin = value.begin() + 1;
   if (end - begin < 3) return {};

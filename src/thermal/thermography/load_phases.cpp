@@ -70,8 +70,7 @@ double sharpness(const SegmentSums& s, std::size_t p) {
 /// free of what all of them share, which has the pattern of `sharp`.
 std::vector<double> contrast(std::vector<double> pattern, const std::vector<double>& sharp) {
   double mixed = 0, sum = 0, all = 0, own = 0;
-  for (std::size_t i = 0; i < sharp.size(); ++i)
-    mixed += pattern[i] * sharp[i], sum += sharp[i] * sharp[i], all += pattern[i] * pattern[i];
+  for (std::size_t i = 0; i < sharp.size(); ++i) mixed += pattern[i] * sharp[i], sum += sharp[i] * sharp[i], all += pattern[i] * pattern[i];
   const std::vector<double> whole = pattern;
   for (std::size_t i = 0; i < sharp.size(); ++i) {
     pattern[i] -= mixed / sum * sharp[i];

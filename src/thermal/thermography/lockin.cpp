@@ -85,21 +85,6 @@ void project(LockinMaps& maps, const std::vector<double>& cosine, const std::vec
   }
 }
 
-/// What a frame without a picture does to the sums: they are no numbers, or all pixels that are watched are 0 in a frame.
-bool may_lack_frames(const SegmentSums& s) {
-  const SegmentView view = s.view();
-  for (std::size_t p = 0; p < s.pixels; ++p)
-    for (std::size_t k = 0; k < s.segments(); ++k)
-      if (!std::isfinite(s.sums[view.at(p, k, 0)])) return true;
-  for (std::size_t n = 0; n < s.time.size(); ++n) {
-    const auto is_zero = [&](std::size_t i) { return !(std::abs(s.seen[i * s.time.size() + n] + s.base[s.watched[i]]) > 0); };
-    std::size_t i = 0;
-    while (i < s.watched.size() && is_zero(i)) ++i;
-    if (i == s.watched.size()) return true;
-  }
-  return false;
-}
-
 /// Sentences for a film without time stamps in whose segments the phase of the load wanders.
 void tell_wander(const LoadPhases& phases, const std::vector<LostFrames>& lost, LockinMaps& maps) {
   if (!lost.empty()) {
@@ -119,8 +104,7 @@ void tell_wander(const LoadPhases& phases, const std::vector<LostFrames>& lost, 
 }
 
 /// `lost` are the losses that the times allow for already.
-LockinMaps locked_in(FilmSource& film, const LockinOptions& o, std::vector<double> time, int harmonics,
-                     const std::vector<LostFrames>& lost = {}) {
+LockinMaps locked_in(FilmSource& film, const LockinOptions& o, std::vector<double> time, int harmonics, const std::vector<LostFrames>& lost = {}) {
   const ThreadPool pool(o.threads);
   SegmentSums sums = sum_segments(film, std::move(time), o.frequency, harmonics, o.drift_order, pool, o.progress);
   if (sums.sums.empty()) return {};
@@ -133,17 +117,17 @@ LockinMaps locked_in(FilmSource& film, const LockinOptions& o, std::vector<doubl
       return maps;
     }
   refuse_constant(sums);
+  std::optional<FrequencyFit> refined;
+  if (o.refine) refined = refine_frequency(sums, o.drift_order, pool);
   LoadPhases phases;
-  if (o.refine && film.info().time.empty() && lost.empty()) {
+  // A load of another frequency, which is refused below, would be made one of this by losses that were none.
+  if (refined && film.info().time.empty() && lost.empty() && WatchedPixels(sums).have_line(refined->frequency)) {
     phases = load_phases(sums);
     constexpr double in_step = 0.003, by_noise = 1.7;  // rad; of sixteen segments or more, once in some thousand films
     if (phases.wander > std::max(in_step, by_noise * phases.noise))
       if (const auto found = find_lost_frames(film, sums, phases, o.progress); !found.empty())
-        return locked_in(film, o, times_with_losses(sums.time.size(), sums.time[1] - sums.time[0], found), harmonics,
-                         found);
+        return locked_in(film, o, times_with_losses(sums.time.size(), sums.time[1] - sums.time[0], found), harmonics, found);
   }
-  std::optional<FrequencyFit> refined;
-  if (o.refine) refined = refine_frequency(sums, o.drift_order, pool);
   LockinMaps maps;
   maps.width = film.info().width;
   maps.height = film.info().height;

@@ -27,8 +27,7 @@ std::vector<double> signal_of(FilmSource& film, const LoadPhases& phases, const 
     if (first.empty())
       for (const std::size_t p : phases.pixel) first.push_back(static_cast<double>(value[p]));
     for (std::size_t f = 0; f < some; ++f)
-      for (std::size_t i = 0; i < first.size(); ++i)
-        signal[n + f] += phases.weight[i] * (static_cast<double>(value[f * pixels + phases.pixel[i]]) - first[i]);
+      for (std::size_t i = 0; i < first.size(); ++i) signal[n + f] += phases.weight[i] * (static_cast<double>(value[f * pixels + phases.pixel[i]]) - first[i]);
     return !progress || progress(static_cast<double>(n + some) / static_cast<double>(frames));
   });
   return whole ? signal : std::vector<double>();
@@ -90,7 +89,10 @@ class Losses {
  public:
   /// `at_once`: that are lost together at most, for whole cycles fit anywhere.
   Losses(const std::vector<double>& signal, std::size_t most, std::size_t at_once, double noise)
-      : signal_(signal), most_(most), at_once_(at_once), noise_(noise) {}
+      : signal_(signal),
+        most_(most),
+        at_once_(at_once),
+        noise_(noise) {}
 
   /// Sum of squared distances over the noise, and a price for every loss. `slots` gets those of the frames.
   double best(const Wave& wave, std::vector<std::size_t>* slots = nullptr) const {
@@ -135,13 +137,11 @@ class Losses {
 std::vector<double> phases_of(const std::vector<double>& signal, double turns, double cycles) {
   const std::size_t frames = signal.size(), half = static_cast<std::size_t>(std::lround(0.5 * cycles / turns));
   std::vector<std::complex<double>> sum(frames + 1);
-  for (std::size_t n = 0; n < frames; ++n)
-    sum[n + 1] = sum[n] + signal[n] * std::polar(1.0, -full_turn * turns * static_cast<double>(n));
+  for (std::size_t n = 0; n < frames; ++n) sum[n + 1] = sum[n] + signal[n] * std::polar(1.0, -full_turn * turns * static_cast<double>(n));
   std::vector<double> phase(frames);
   for (std::size_t n = 0; n < frames; ++n) {
     const std::size_t at = std::clamp(n, half, frames - 1 - half);
-    const double slow = std::arg(sum[at + half + 1] - sum[at - half]),
-                 before = n > 0 ? phase[n - 1] - full_turn * turns * static_cast<double>(n - 1) : slow;
+    const double slow = std::arg(sum[at + half + 1] - sum[at - half]), before = n > 0 ? phase[n - 1] - full_turn * turns * static_cast<double>(n - 1) : slow;
     phase[n] = slow + full_turn * std::round((before - slow) / full_turn) + full_turn * turns * static_cast<double>(n);
   }
   return phase;
@@ -156,12 +156,10 @@ Wave wave_in_whole_frames(const std::vector<double>& phase, double low, double h
   double most = -1;
   for (double turns = low; turns <= high; turns += step) {
     std::complex<double> sum = 0;
-    for (std::size_t n = 0; n < phase.size(); n += 2)
-      sum += std::polar(1.0, phase[n] / turns - full_turn * static_cast<double>(n));
+    for (std::size_t n = 0; n < phase.size(); n += 2) sum += std::polar(1.0, phase[n] / turns - full_turn * static_cast<double>(n));
     if (std::abs(sum) <= most) continue;
     most = std::abs(sum);
-    const double part = std::arg(sum) / full_turn, ahead = part + std::round(phase[0] / (full_turn * turns) - part),
-                 start = full_turn * turns * ahead;
+    const double part = std::arg(sum) / full_turn, ahead = part + std::round(phase[0] / (full_turn * turns) - part), start = full_turn * turns * ahead;
     best = {turns, {amplitude * std::cos(start), -amplitude * std::sin(start), 0, 0}};
   }
   return best;

@@ -4,8 +4,8 @@
 #include <numeric>
 
 #include "core/threads.hpp"
-#include "thermal/thermography/harmonic_fit.hpp"
 #include "thermal/thermography/blank_frames.hpp"
+#include "thermal/thermography/harmonic_fit.hpp"
 
 namespace arenite::thermography {
 namespace {

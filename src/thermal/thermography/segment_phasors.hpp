@@ -16,8 +16,6 @@ statistics::Matrix segment_fit(const SegmentSums& sums, std::size_t k);
 bool phasors_of(const SegmentSums& sums, const std::vector<statistics::Matrix>& fits, std::size_t pixel, statistics::Matrix& phasors, std::size_t at);
 
 /// Whether segments are long enough, one and a half cycles, to show the load each by itself.
-inline bool segments_show_load(const SegmentSums& s) {
-  return s.frequency * (s.time.back() - s.time.front()) >= 1.5 * static_cast<double>(s.segments());
-}
+inline bool segments_show_load(const SegmentSums& s) { return s.frequency * (s.time.back() - s.time.front()) >= 1.5 * static_cast<double>(s.segments()); }
 
 }  // namespace arenite::thermography

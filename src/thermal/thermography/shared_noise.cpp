@@ -188,10 +188,10 @@ void take_off_shared_noise(LockinMaps& maps, std::vector<double>& cosine, std::v
   }
   const OffSample off = off_sample(all, maps);
   if (!(off.pixels > 0)) {
-    maps.disturbances.push_back(
-        fmt::format("pixels share noise, which shifts all of them by {:.2g} and those of a column by {:.2g} at the load's frequency (standard deviations, in the unit of "
-                    "the film); there are no pixels off the sample that show it, so that it stays, and is in the errors",
-                    common, columns));
+    maps.disturbances.push_back(fmt::format(
+        "pixels share noise, which shifts all of them by {:.2g} and those of a column by {:.2g} at the load's frequency (standard deviations, in the unit of "
+        "the film); there are no pixels off the sample that show it, so that it stays, and is in the errors",
+        common, columns));
     return;
   }
   const double noise = median(own), width = static_cast<double>(maps.width);
@@ -215,10 +215,10 @@ void take_off_shared_noise(LockinMaps& maps, std::vector<double>& cosine, std::v
     maps.standard_error[p] = static_cast<float>(std::hypot(own[p], maps.common_error, maps.column_error));
     if (before > 0) maps.noise_floor[p] *= maps.standard_error[p] / before;
   }
-  maps.disturbances.push_back(
-      fmt::format("pixels share noise, which shifts all of them by {:.2g} and those of a column by {:.2g} at the load's frequency (standard deviations, in the unit of the "
-                  "film); it is taken off as {:.0f} pixels off the sample show it",
-                  common, columns, off.pixels));
+  maps.disturbances.push_back(fmt::format(
+      "pixels share noise, which shifts all of them by {:.2g} and those of a column by {:.2g} at the load's frequency (standard deviations, in the unit of the "
+      "film); it is taken off as {:.0f} pixels off the sample show it",
+      common, columns, off.pixels));
 }
 
 }  // namespace arenite::thermography

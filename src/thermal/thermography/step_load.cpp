@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "core/problems.hpp"
-#include "thermal/thermography/harmonic_fit.hpp"
 #include "thermal/thermography/blank_frames.hpp"
+#include "thermal/thermography/harmonic_fit.hpp"
 #include "thermal/thermography/step_doubts.hpp"
 #include "thermal/thermography/step_sides.hpp"
 
@@ -44,7 +44,8 @@ bool may_lack_frames(const Matrix& series) {
   return false;
 }
 
-/// Pixels less their first value and over their noise from frame to frame. Those that never change, or are no numbers, are left out.
+/// Pixels less their first value and over their noise from frame to frame. Those that never change, or are no numbers,
+/// are left out.
 Matrix changing_pixels(const Matrix& series) {
   const std::size_t count = series.rows(), frames = series.columns();
   std::vector<double> noise(count);
@@ -120,8 +121,7 @@ void fill(StepMaps& maps, const StepSides& sides, const StepSums (&sums)[2]) {
     maps.drift_before[p] = static_cast<float>(sums[0].at(before.slope, p));
     maps.drift_after[p] = static_cast<float>(sums[1].at(after.slope, p));
     maps.residual[p] = static_cast<float>(std::isfinite(left) ? noise : left);
-    const double by_time =
-        late * (static_cast<double>(maps.drift_after[p]) - static_cast<double>(maps.drift_before[p]));
+    const double by_time = late * (static_cast<double>(maps.drift_after[p]) - static_cast<double>(maps.drift_before[p]));
     maps.standard_error[p] = static_cast<float>(std::hypot(static_cast<double>(maps.residual[p]) * spread, by_time));
     changes = changes || sums[0].squares(p) > 0 || sums[1].squares(p) > 0 || std::abs(sums[0].base(p) - sums[1].base(p)) > 0;
   }
@@ -162,8 +162,7 @@ StepMaps step_load(FilmSource& film, const StepOptions& o) {
   if (!o.time && !is_a_step(sides, time.size()))
     throw InputError("the film shows no step of the load: nowhere do its pixels jump by more than their noise; give the time of the step");
   const auto& [before, after] = sides.side;
-  StepMaps maps{film.info().width, film.info().height, step,          before.count, after.count, {},
-                o.drift_order,     before.relaxation,  after.relaxation};
+  StepMaps maps{film.info().width, film.info().height, step, before.count, after.count, {}, o.drift_order, before.relaxation, after.relaxation};
   maps.rise = rise.end > rise.first ? time[rise.end] - time[rise.first - 1] : 0;
   maps.time_error = o.time ? 0 : (time[split] - time[split - 1]) / std::sqrt(12.0);
   maps.doubts = step_doubts(series, time, rise, sides, o);

@@ -25,12 +25,12 @@ struct StepMaps {
   int width = 0, height = 0;
   double time = 0;                    ///< of the middle of the step, s after the first frame
   std::size_t before = 0, after = 0;  ///< frames used
-  std::vector<std::int64_t> blank;     ///< frames of the film that hold no picture and were left out
+  std::vector<std::int64_t> blank;    ///< frames of the film that hold no picture and were left out
   int drift_order = 0;
   double relaxation_before = 0, relaxation_after = 0;      ///< s, of the exponential that was fitted on a side beside the polynomial; 0: none was
   double time_error = 0;                                   ///< s, of a time that was found
-  double rise = 0;                       ///< s for which the film shows the load on its way; 0: it does not
-  std::vector<std::string> doubts = {};  ///< what the film shows against what a step is taken for, each a sentence
+  double rise = 0;                                         ///< s for which the film shows the load on its way; 0: it does not
+  std::vector<std::string> doubts = {};                    ///< what the film shows against what a step is taken for, each a sentence
   std::vector<float> jump = {};                            ///< after less before, both continued to the middle of the step: -A times the stress step
   std::vector<float> standard_error = {};                  ///< of the jump, from the residual, its correlation and what the fit may miss
   std::vector<float> level = {};                           ///< before, continued to the middle of the step

@@ -42,9 +42,7 @@ std::size_t frames_on_the_way(const std::vector<double>& level) {
   constexpr double clear = 5, least = 0.02;  // deviations; share of the step
   std::vector<double> sum(level.size() + 1);
   std::partial_sum(level.begin(), level.end(), sum.begin() + 1);
-  const auto rises_by = [&](std::size_t n, std::size_t next) {
-    return (sum[n + 1 + next] - sum[n + 1]) / static_cast<double>(next) - level[n];
-  };
+  const auto rises_by = [&](std::size_t n, std::size_t next) { return (sum[n + 1 + next] - sum[n + 1]) / static_cast<double>(next) - level[n]; };
   std::size_t on_the_way = 0;
   for (std::size_t next = shortest; next <= longest && 4 * next < level.size(); next *= 2) {
     std::vector<double> elsewhere;
@@ -107,9 +105,7 @@ StepGap find_rise(const Matrix& series, const std::vector<double>& time, std::si
   };
   const double low = median_in(gap.first - std::min<std::size_t>(gap.first, 5), gap.first);
   const double high = median_in(gap.end, std::min(gap.end + 5, done.size()));
-  const auto share = [&](std::size_t n) {
-    return n < gap.first ? 0 : n >= gap.end ? 1 : std::clamp((done[n] - low) / (high - low), 0.0, 1.0);
-  };
+  const auto share = [&](std::size_t n) { return n < gap.first ? 0 : n >= gap.end ? 1 : std::clamp((done[n] - low) / (high - low), 0.0, 1.0); };
   double middle = time[gap.end];  // less the area under the rise
   for (std::size_t n = gap.first; n <= gap.end; ++n) middle -= (share(n - 1) + share(n)) / 2 * (time[n] - time[n - 1]);
   return {gap.first, gap.end, middle};

@@ -185,9 +185,8 @@ std::array<Place, 2> places_of(const std::vector<double>& time, double step, con
   const double far = o.window > 0 ? o.window : time.back() + 1;
   const auto from = [&](double t) { return static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), t) - time.begin()); };
   const auto after = [&](double t) { return static_cast<std::size_t>(std::upper_bound(time.begin(), time.end(), t) - time.begin()); };
-  const std::array places{
-      Place{time, step, o.drift_order, from(step - far), std::min(gap.first, from(step - o.rise / 2))},
-      Place{time, step, o.drift_order, std::max(gap.end, after(step + o.rise / 2)), after(step + far)}};
+  const std::array places{Place{time, step, o.drift_order, from(step - far), std::min(gap.first, from(step - o.rise / 2))},
+                          Place{time, step, o.drift_order, std::max(gap.end, after(step + o.rise / 2)), after(step + far)}};
   for (const Place& at : places)
     if (at.end < at.first + static_cast<std::size_t>(o.drift_order) + 3)
       throw refusal(
@@ -219,8 +218,7 @@ double StepSides::variance() const {
   return squares(weight) * noise.widening(weight) + side[0].misfit + side[1].misfit;
 }
 
-StepSides step_sides(Matrix series, const std::vector<double>& time, double step, const StepGap& gap,
-                     const StepOptions& options) {
+StepSides step_sides(Matrix series, const std::vector<double>& time, double step, const StepGap& gap, const StepOptions& options) {
   const std::array<Place, 2> places = places_of(time, step, gap, options);
   weigh(series, places);
   StepSides sides;
@@ -239,8 +237,7 @@ StepSides step_sides(Matrix series, const std::vector<double>& time, double step
     Matrix jump = high, onward = heights(series, side_of(places[1], 0));
     jump -= heights(series, sides.side[0]), onward -= high;
     sides.evidence = squares(jump) / static_cast<double>(series.rows()) / variance / sides.variance();
-    if (sides.side[1].relaxation > 0)
-      sides.side[1].onward = statistics::dot(jump.column(0), onward.column(0), jump.size()) / squares(jump);
+    if (sides.side[1].relaxation > 0) sides.side[1].onward = statistics::dot(jump.column(0), onward.column(0), jump.size()) / squares(jump);
   }
   return sides;
 }

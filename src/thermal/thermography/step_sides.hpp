@@ -50,7 +50,6 @@ struct StepSides {
 /// Heat that flows after the step, or a camera that warms up, makes
 /// pixels relax exponentially: where the pixels of `series` (pixels x frames, each weighed by its noise) show by more than their noise that they do, an
 /// exponential in the time that fits them best is added to a side. Throws InputError for a side with too few frames.
-StepSides step_sides(statistics::Matrix series, const std::vector<double>& time, double step, const StepGap& gap,
-                     const StepOptions& options);
+StepSides step_sides(statistics::Matrix series, const std::vector<double>& time, double step, const StepGap& gap, const StepOptions& options);
 
 }  // namespace arenite::thermography

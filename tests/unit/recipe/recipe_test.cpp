@@ -364,7 +364,7 @@ TEST(RecipeOverride, ProblemsNameTheOverride) {
 }
 
 TEST(RecipeFile, WhatCannotBeReadIsOneSentence) {
-  const auto folder = std::filesystem::path(testing::TempDir()) / "arenite_recipe_test";
+  const auto folder = std::filesystem::path(::testing::TempDir()) / "arenite_recipe_test";
   std::filesystem::create_directories(folder);
   EXPECT_THROW(read_recipe((folder / "none.toml").string()), InputError);
   EXPECT_THROW(read_recipe(folder.string()), InputError);

@@ -71,12 +71,10 @@ TEST(Verdict, DoesNotHangOnWhatIsToldBeside) {
 
 TEST(WhatDecides, IsTheFactBeforeTheChoiceBeforeTheNumber) {
   Judgement judgement = of({{trend, fails}});
-  EXPECT_EQ(what_decides(judgement),
-            "No other choices were tried for it. A number: 1.000 +- 0.010, required 0.9 to 1.1.");
+  EXPECT_EQ(what_decides(judgement), "No other choices were tried for it. A number: 1.000 +- 0.010, required 0.9 to 1.1.");
   Sensitivity z{"z", "> 2", {.low = 2}, {{"", {1, 0.1, 4}, fails}, {"with drag", {1.1, 0.1, 4}, fails}}};
   judgement.sensitivities = {z};
-  EXPECT_EQ(what_decides(judgement),
-            "None of the choices tried meets the criterion. A number: 1.000 +- 0.010, required 0.9 to 1.1.");
+  EXPECT_EQ(what_decides(judgement), "None of the choices tried meets the criterion. A number: 1.000 +- 0.010, required 0.9 to 1.1.");
   EXPECT_EQ(decider_of(judgement), Decider::none);
   judgement.sensitivities[0].entries.push_back({"without friction", {3, 0.1, 4}, holds});
   EXPECT_EQ(what_decides(judgement), "z meets its criterion (> 2) without friction.");
@@ -90,8 +88,7 @@ TEST(WhatDecides, IsTheFactBeforeTheChoiceBeforeTheNumber) {
 TEST(WhatDecides, IsNoChoiceThatDiffersByChance) {
   Judgement judgement = of({{trend, undecided}});
   judgement.sensitivities = {{"z", "> 2", {.low = 2}, {{"", {2.05, 0.1, 4}, undecided}, {"without friction", {2.2, 0.05, 4}, holds}}}};
-  EXPECT_EQ(what_decides(judgement),
-            "About 1.0 times as many seeds would decide it. A number: 1.000 +- 0.010, required 0.9 to 1.1.");
+  EXPECT_EQ(what_decides(judgement), "About 1.0 times as many seeds would decide it. A number: 1.000 +- 0.010, required 0.9 to 1.1.");
   EXPECT_EQ(decider_of(judgement), Decider::seeds);
 }
 
@@ -106,8 +103,7 @@ TEST(WhatDecides, IsTheGridWhereGridsMoveANumberAcrossItsBound) {
                                  {"with 2048 nodes", {finer, 0.002, 4}, finer > 1 ? fails : holds, kind}}}};
     return decider_of(judgement);
   };
-  EXPECT_EQ(with(Decider::protocol, 1.019), Decider::seeds)
-      << "more of them tell what holds with the reference settings";
+  EXPECT_EQ(with(Decider::protocol, 1.019), Decider::seeds) << "more of them tell what holds with the reference settings";
   EXPECT_EQ(with(Decider::grid, 0.98), Decider::seeds) << "no grid gives the other end";
   EXPECT_EQ(with(Decider::grid, 1.019), Decider::grid);
   EXPECT_EQ(what_decides(judgement),
@@ -125,9 +121,7 @@ TEST(WhatDecides, IsWhatTheDecidingCheckSaysOfItself) {
 }
 
 TEST(WhatDecides, TellsHowManyTimesAsManySeedsItTakes) {
-  const auto factor = [](double value, double error, double freedom) {
-    return seeds_factor(above("", "", {value, error, freedom}, 0));
-  };
+  const auto factor = [](double value, double error, double freedom) { return seeds_factor(above("", "", {value, error, freedom}, 0)); };
   // Ten seeds: 0.037 +- 0.022 is beyond its error with 18 (0.037 over 0.0164 is 2.26 > t of 17 degrees of freedom,
   // 2.11).
   EXPECT_NEAR(factor(0.037, 0.022, 9), 1.6, 0.1);

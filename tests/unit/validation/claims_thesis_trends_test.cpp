@@ -102,13 +102,12 @@ Judgement strong_by_type(double fall, double hump) {
     for (int seed = 1; seed <= 10; ++seed) {
       const double way = (ratio - 1) / 9.0, chance = 0.003 * noise({1.0 * ratio, 1.0 * seed});
       const double mixed = 0.12 + hump * (1 - std::abs(ratio - 4.0) / 6);
-      runs.push_back({{std::to_string(ratio), std::to_string(seed)},
-                      {0.27 - fall * way + chance, 0.01 + fall * way - chance, mixed + chance, 1, 1, 1, 3, 2, 2, 1}});
+      runs.push_back(
+          {{std::to_string(ratio), std::to_string(seed)}, {0.27 - fall * way + chance, 0.01 + fall * way - chance, mixed + chance, 1, 1, 1, 3, 2, 2, 1}});
     }
   std::vector<std::string> names;
   for (const char* number : {"strong_share_of_all", "mean_N", "maximum"})
-    for (const char* type : {"POM-POM", "HDPE-HDPE", "HDPE-POM"})
-      names.push_back(std::string("force.by_type.") + type + "." + number);
+    for (const char* type : {"POM-POM", "HDPE-HDPE", "HDPE-POM"}) names.push_back(std::string("force.by_type.") + type + "." + number);
   Results results;
   results.add("thesis-ch4", made_up_table({"populations.1.ratio", "seed"}, names, runs));
   return judge_t19(results);
@@ -125,20 +124,16 @@ TEST(StrongContactsByType, AreSharesOfAllContacts) {
 Judgement shares_with_glue(double glued) {
   std::vector<MadeUpRun> runs;
   for (int seed = 1; seed <= 25; ++seed)
-    runs.push_back({{"1.060", std::to_string(seed)},
-                    {0.48 + 0.02 * noise({1.0 * seed}), 0.48 + 0.02 * noise({2.0 * seed}),
-                     (glued + 5 * noise({3.0 * seed})) / 100}});
+    runs.push_back(
+        {{"1.060", std::to_string(seed)}, {0.48 + 0.02 * noise({1.0 * seed}), 0.48 + 0.02 * noise({2.0 * seed}), (glued + 5 * noise({3.0 * seed})) / 100}});
   Results results;
-  results.add(
-      "thesis-ch6",
-      made_up_table({"contact.surface_energy", "seed"},
-                    {"sigma_norm.P0", "sigma_norm.by_material.dry.P0", "sigma_norm.by_material.glued.P0"}, runs));
+  results.add("thesis-ch6",
+              made_up_table({"contact.surface_energy", "seed"}, {"sigma_norm.P0", "sigma_norm.by_material.dry.P0", "sigma_norm.by_material.glued.P0"}, runs));
   return judge_t15(results);
 }
 
 TEST(SharesWithGlue, AreThoseOfTheTableWithinAMarginAndNoSideOfACoin) {
-  EXPECT_EQ(shares_with_glue(50.6).verdict(), Verdict::reproduced)
-      << "beyond one half, and within the scatter of one sample";
+  EXPECT_EQ(shares_with_glue(50.6).verdict(), Verdict::reproduced) << "beyond one half, and within the scatter of one sample";
   EXPECT_EQ(shares_with_glue(57).verdict(), Verdict::not_reproduced);
 }
 
@@ -153,11 +148,10 @@ TEST(ChainsThatAvoidAnAgglomerate, AreSeenInTheSamePackings) {
         runs.push_back({{glue, std::to_string(seed)}, {inside, 1, 0.005, 0.03}});
       }
     Results results;
-    results.add("thesis-ch6",
-                made_up_table({"contact.surface_energy", "seed"},
-                              {"sigma_norm.by_material.glued.mean_Pa", "sigma_norm.by_material.dry.mean_Pa",
-                               "force.tensile_share", "force.tensile.mean_over_compressive_mean"},
-                              runs));
+    results.add("thesis-ch6", made_up_table({"contact.surface_energy", "seed"},
+                                            {"sigma_norm.by_material.glued.mean_Pa", "sigma_norm.by_material.dry.mean_Pa", "force.tensile_share",
+                                             "force.tensile.mean_over_compressive_mean"},
+                                            runs));
     return judge_t21(results).verdict();
   };
   EXPECT_EQ(judged(-0.06), Verdict::reproduced);

@@ -60,12 +60,10 @@ TEST(Pooled, SlopesOfSeedsLeaveOutWhatSeedsDifferBy) {
 TEST(Pooled, ChangesOfSeedsLeaveOutWhatPackingsDifferBy) {
   std::vector<MadeUpRun> runs;
   for (const int seed : {1, 2, 3})
-    for (const int treated : {0, 1})
-      runs.push_back({{std::to_string(treated), std::to_string(seed)}, {100.0 * seed * (treated ? 0.9 : 1)}});
+    for (const int treated : {0, 1}) runs.push_back({{std::to_string(treated), std::to_string(seed)}, {100.0 * seed * (treated ? 0.9 : 1)}});
   runs.push_back({{"1", "4"}, {7}});
   const Results results = made_up({"z"}, runs);
-  const Value change =
-      paired_change(results.runs("made-up", {{"ratio", "1"}}), results.runs("made-up", {{"ratio", "0"}}), "z");
+  const Value change = paired_change(results.runs("made-up", {{"ratio", "1"}}), results.runs("made-up", {{"ratio", "0"}}), "z");
   EXPECT_NEAR(change.value, -0.1, 1e-12);
   EXPECT_NEAR(change.error, 0, 1e-12);
   EXPECT_EQ(change.freedom, 2) << "the fourth has no partner";

@@ -8,7 +8,7 @@ namespace {
 recipe::FilmRecipe framed() {
   recipe::FilmRecipe recipe;
   recipe.materials = {{"POM", 0.015e-6, 0.1, 0.9}, {"HDPE", 0.0258e-6, 0.9, 0.9}};
-  recipe.container = {0.100, 0.060, 0.05, {}, {}, 0, 0.004};
+  recipe.container = {.width = 0.100, .height = 0.060, .thickness = 0.05, .left = {}, .top = {}, .travel = 0.004};
   recipe.picture.pixel = 0.002;
   return recipe;
 }

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "io/film/film.hpp"
 #include "io/results/results.hpp"
+#include "support/films.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace arenite::workflow {
@@ -23,6 +25,26 @@ TEST(ResultFolder, SaysThatNoRunGoesOnWithResultsOfVersion01) {
         << sentence;
     EXPECT_TRUE(std::filesystem::exists(folder / "earlier/01-packing-0123.h5"));
   }
+}
+
+TEST(ResultFolder, LeavesFilmsOfOtherProgramsAndResultsOfOtherKinds) {
+  const test::TemporaryFolder folder;
+  Film film = test::counted();
+  io::write_film(folder / "film.h5", film);
+  StageResult packing;
+  packing.name = "packing";
+  io::write_stage(folder / "01-packing-0123.h5", packing);
+  FilmResult result;
+  result.name = "film";
+  io::write_film_result(folder / "01-film-0123.h5", result);
+  { const ResultFolder out(folder.path(), {"01-film-4567.h5"}, "film"); }
+  EXPECT_FALSE(std::filesystem::exists(folder / "01-film-0123.h5"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "earlier/01-film-0123.h5"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "01-packing-0123.h5"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "film.h5"));
+  const ResultFolder run(folder.path(), {"01-packing-4567.h5"});
+  EXPECT_TRUE(std::filesystem::exists(folder / "earlier/01-packing-0123.h5"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "film.h5"));
 }
 
 TEST(ResultFolder, AFileThatIsNoResultIsNotOfVersion01) { EXPECT_FALSE(is_of_version_0_1("there is none.h5")); }

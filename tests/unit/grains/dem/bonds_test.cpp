@@ -227,7 +227,7 @@ TEST(Bonds, SameBitsOnTwoThreadsAndRestored) {
 TEST(Bonds, OfAStageAreToldInHistoryStatesAndOutcome) {
   ContactParameters contact = cemented(5e7);
   contact.friction = 0.5;
-  Engine engine(testing::crowd(20, 20, 6, 0.0122), contact, {});
+  Engine engine(testing::crowd(20, 20, 6, 0.0130), contact, {});
   Stage stage;
   stage.bond = true;
   stage.side[right] = {SideDrive::Kind::velocity, 0.5};
@@ -266,7 +266,7 @@ TEST(Bonds, OfAStageAreToldInHistoryStatesAndOutcome) {
 }
 
 TEST(Bonds, AreHandedOnWithThePacking) {
-  const Packing p = testing::crowd(20, 20, 6, 0.0122);
+  const Packing p = testing::crowd(20, 20, 6, 0.0130);
   const Engine a = crushed(p, 1, 1500);
   ContactParameters contact = cemented(5e7);
   const Engine b(a.packing(), contact, {});

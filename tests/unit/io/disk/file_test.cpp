@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -10,12 +11,15 @@
 #include <functional>
 
 #include "core/error.hpp"
+#include "support/small_disk.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace {
 using arenite::InputError;
+using arenite::io::AtomicFile;
 using arenite::io::read_file;
 using arenite::io::write_atomically;
+using arenite::test::SmallDisk;
 using arenite::test::TemporaryFolder;
 namespace fs = std::filesystem;
 
@@ -25,24 +29,6 @@ std::string complaint(const std::function<void()>& act) {
   } catch (const InputError& error) { return error.what(); }
   return "";
 }
-
-/// Files may not grow beyond `bytes` while this lives: what a full disk looks like to a writer without a disk to fill.
-class SmallDisk {
- public:
-  explicit SmallDisk(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
-    ::getrlimit(RLIMIT_FSIZE, &before_);
-    const rlimit small{bytes, before_.rlim_max};
-    ::setrlimit(RLIMIT_FSIZE, &small);
-  }
-  ~SmallDisk() {
-    ::setrlimit(RLIMIT_FSIZE, &before_);
-    std::signal(SIGXFSZ, handler_);
-  }
-
- private:
-  void (*handler_)(int);
-  rlimit before_{};
-};
 
 TEST(AtomicFile, WritesAllBytesAndNothingElse) {
   const TemporaryFolder folder;
@@ -67,27 +53,69 @@ TEST(AtomicFile, FullDiskLeavesTheOldFileAndNoRemains) {
   EXPECT_EQ(folder.count(), 1);
 }
 
-TEST(AtomicFile, AKilledWriterLeavesTheOldFileAndItsRemainsAreTakenOver) {
-  const TemporaryFolder folder;
-  write_atomically(folder / "x", "old");
+/// Writes until the limit kills the process in the middle of it.
+void write_and_die(const fs::path& path, AtomicFile::Until until) {
   const pid_t child = ::fork();
   if (child == 0) {
-    std::signal(SIGXFSZ, SIG_DFL);  // the limit kills the child in the middle of its write
+    std::signal(SIGXFSZ, SIG_DFL);
     const rlimit small{4096, 4096};
     ::setrlimit(RLIMIT_FSIZE, &small);
     const rlimit no_core{0, 0};
     ::setrlimit(RLIMIT_CORE, &no_core);
-    write_atomically(folder / "x", std::string(10'000, 'n'));
+    AtomicFile file(path, until);
+    file.write(std::string(10'000, 'n'));
     ::_exit(0);
   }
   int status = 0;
   ::waitpid(child, &status, 0);
   ASSERT_TRUE(WIFSIGNALED(status));
+}
+
+void write_by(const fs::path& path, AtomicFile::Until until, const std::string& bytes) {
+  AtomicFile file(path, until);
+  file.write(bytes);
+  file.commit();
+}
+
+TEST(AtomicFile, AKilledWriterLeavesTheOldFileAndItsRemainsAreTakenOver) {
+  const TemporaryFolder folder;
+  write_atomically(folder / "x", "old");
+  write_and_die(folder / "x", AtomicFile::Until::named);
   EXPECT_EQ(read_file(folder / "x"), "old");
   ASSERT_EQ(folder.count(), 2) << "the killed writer should have left its unfinished file for this test to mean something";
-  write_atomically(folder / "x", "new");
+  write_by(folder / "x", AtomicFile::Until::named, "new");
   EXPECT_EQ(read_file(folder / "x"), "new");
   EXPECT_EQ(folder.count(), 1);
+}
+
+TEST(AtomicFile, AKilledWriterOfANamelessFileLeavesNothing) {
+  const TemporaryFolder folder;
+  if (AtomicFile(folder / "x").beside().parent_path() == folder.path()) GTEST_SKIP() << "no files without a name here";
+  write_atomically(folder / "x", "old");
+  write_and_die(folder / "x", AtomicFile::Until::nameless);
+  EXPECT_EQ(read_file(folder / "x"), "old");
+  EXPECT_EQ(folder.count(), 1);
+}
+
+TEST(AtomicFile, NothingThatSomebodyPutThereIsWrittenThrough) {
+  const TemporaryFolder folder;
+  const auto put_there = [&](const std::function<void(const fs::path&)>& put) {
+    SCOPED_TRACE(testing::Message() << "planted");
+    write_atomically(folder / "victim", "untouched");
+    fs::remove(folder / ".x.tmp");
+    put(folder / ".x.tmp");
+    const std::string said = complaint([&] { write_by(folder / "x", AtomicFile::Until::named, "mine"); });
+    EXPECT_NE(said.find(".x.tmp is there already and is not a file of its own; remove it"), std::string::npos) << said;
+    EXPECT_EQ(read_file(folder / "victim"), "untouched");
+    EXPECT_FALSE(fs::exists(folder / "x"));
+    write_atomically(folder / "y", "mine");  // whatever lies beside
+    EXPECT_EQ(read_file(folder / "y"), "mine");
+  };
+  put_there([&](const fs::path& at) { fs::create_symlink(folder / "victim", at); });
+  put_there([&](const fs::path& at) { fs::create_symlink(folder / "nowhere", at); });
+  EXPECT_FALSE(fs::exists(folder / "nowhere"));
+  put_there([&](const fs::path& at) { fs::create_hard_link(folder / "victim", at); });
+  put_there([&](const fs::path& at) { ASSERT_EQ(::mkfifo(at.c_str(), 0666), 0); });
 }
 
 TEST(AtomicFile, ProcessesThatWriteTheSameFileNeverMixTheirBytes) {

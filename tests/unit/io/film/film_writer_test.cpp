@@ -1,12 +1,14 @@
 #include "io/film/film.hpp"
 
 #include <gtest/gtest.h>
+#include <hdf5.h>
 
 #include <stdexcept>
 
 #include "core/error.hpp"
 #include "support/films.hpp"
 #include "support/pictures.hpp"
+#include "support/small_disk.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace arenite::io {
@@ -89,6 +91,64 @@ TEST(FilmWriter, RefusesWhatAFormatHasNoPlaceFor) {
   EXPECT_NE(test::complaint([&] { write_film(folder / "a.avi", film); }).find("tiff, npy, hdf5, sfmov, ptw"), std::string::npos);
   EXPECT_THROW(create_film(folder / "a.npy", film.about)->append(FrameBlock{0, 1, std::vector<std::uint16_t>(9), {}}), std::invalid_argument);
   EXPECT_EQ(folder.count(), 0);
+}
+
+/// Wherever the disk fills, at the header, in frames or at the end, there is a refusal and no file, and the process
+/// goes on.
+TEST(FilmWriter, AFullDiskLeavesNothingAndIsTold) {
+  const test::TemporaryFolder folder;
+  for (const std::string& ending : endings) {
+    Film film = test::counted(40, 30, 8);
+    film.about.time = {0, 1, 2, 3, 4, 5, 6, 7};
+    write_film(folder / ("whole" + ending), film);
+    const auto whole = std::filesystem::file_size(folder / ("whole" + ending));
+    for (std::uintmax_t room = 0; room < whole; room += whole / 23 + 1) {
+      SCOPED_TRACE(ending + " " + std::to_string(room));
+      std::string said;
+      {
+        const test::SmallDisk disk(room);
+        said = test::complaint([&] { write_film(folder / ("film" + ending), film); });
+      }
+      EXPECT_NE(said.find("cannot be written"), std::string::npos) << said;
+      EXPECT_FALSE(std::filesystem::exists(folder / ("film" + ending)));
+    }
+    write_film(folder / ("film" + ending), film);
+    EXPECT_EQ(std::filesystem::file_size(folder / ("film" + ending)), whole);
+  }
+  EXPECT_EQ(folder.count(), 10);
+}
+
+/// Not by our reader: HDF5 itself must find all of it.
+TEST(FilmWriter, Hdf5IsReadByHdf5) {
+  const test::TemporaryFolder folder;
+  for (const bool floating : {false, true}) {
+    Film film = test::counted(7, 5, 4, floating);
+    film.about.time = {0, 0.008, 0.016, 0.032};
+    write_film(folder / "film.h5", film);
+    const hid_t file = H5Fopen((folder / "film.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+    ASSERT_GE(file, 0);
+    const hid_t set = H5Dopen2(file, "frames", H5P_DEFAULT), space = H5Dget_space(set), time = H5Dopen2(file, "time", H5P_DEFAULT);
+    hsize_t shape[3] = {};
+    ASSERT_EQ(H5Sget_simple_extent_dims(space, shape, nullptr), 3);
+    EXPECT_EQ(shape[0], 4U);
+    EXPECT_EQ(shape[1], 5U);
+    EXPECT_EQ(shape[2], 7U);
+    std::vector<float> value(140);
+    ASSERT_GE(H5Dread(set, H5T_NATIVE_FLOAT, H5S_ALL, H5S_ALL, H5P_DEFAULT, value.data()), 0);
+    for (std::size_t i = 0; i < value.size(); ++i) EXPECT_EQ(value[i], floating ? film.value[i] : static_cast<float>(film.level[i]));
+    std::vector<double> stamps(4);
+    ASSERT_GE(H5Dread(time, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, stamps.data()), 0);
+    EXPECT_EQ(stamps, film.about.time);
+    const hid_t rate = H5Aopen(set, "frame_rate", H5P_DEFAULT);
+    double hertz = 0;
+    ASSERT_GE(H5Aread(rate, H5T_NATIVE_DOUBLE, &hertz), 0);
+    EXPECT_EQ(hertz, 125);
+    H5Aclose(rate);
+    H5Dclose(time);
+    H5Sclose(space);
+    H5Dclose(set);
+    EXPECT_GE(H5Fclose(file), 0);
+  }
 }
 
 /// A film that announces more than 4 GiB is a BigTIFF, however many frames come.

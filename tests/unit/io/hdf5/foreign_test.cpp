@@ -2,9 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <csignal>
 #include <cstring>
+#include <functional>
 #include <numeric>
+#include <stdexcept>
+#include <thread>
 
 #include "core/error.hpp"
 #include "io/disk/file.hpp"
@@ -107,6 +113,48 @@ TEST(OwnProcess, GivesBytesPassesRefusalsAndSurvivesDeath) {
                                                []() -> std::string { throw 1; }, []() -> std::string { return std::string(std::size_t{1} << 40, 'x'); },
                                                [] { return std::string(100, 'x'); }};
   for (const auto& end : ends) EXPECT_EQ(test::complaint([&] { in_sandbox("a", end, 10); }), "a: is damaged; copy it again");
+}
+
+/// The work says that it runs and would go on for ever; a pipe that it holds tells its end.
+struct EndlessWork {
+  int started[2] = {}, alive[2] = {};
+  EndlessWork() {
+    if (::pipe(started) != 0 || ::pipe(alive) != 0) throw std::runtime_error("no pipe");
+  }
+  std::string operator()() const {
+    const pid_t own = ::getpid();
+    if (::write(started[1], &own, sizeof(own)) != sizeof(own)) return "";
+    for (;;) ::pause();
+  }
+  pid_t wait_for_start() const {
+    pid_t process = 0;
+    return ::read(started[0], &process, sizeof(process)) == sizeof(process) ? process : 0;
+  }
+};
+
+TEST(OwnProcess, EndsWithTheProcessThatWaitsForIt) {
+  EndlessWork work;
+  const pid_t waiting = ::fork();
+  if (waiting == 0) {
+    ::close(work.alive[0]);
+    in_sandbox("a", std::cref(work), 10);
+    ::_exit(0);
+  }
+  ::close(work.alive[1]);
+  ASSERT_GT(work.wait_for_start(), 0);
+  ::kill(waiting, SIGKILL);
+  ::waitpid(waiting, nullptr, 0);
+  char nothing = 0;
+  EXPECT_EQ(::read(work.alive[0], &nothing, 1), 0);  // comes back when nobody holds the other end
+}
+
+TEST(OwnProcess, IsEndedByWhatEndsPrograms) {
+  for (const int signal : {SIGTERM, SIGINT}) {
+    EndlessWork work;
+    std::thread ends([&] { ::kill(work.wait_for_start(), signal); });
+    EXPECT_EQ(test::complaint([&] { in_sandbox("a", std::cref(work), 10); }), "a: was not read: its reading was stopped; start it again");
+    ends.join();
+  }
 }
 
 }  // namespace

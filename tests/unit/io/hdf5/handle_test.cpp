@@ -1,6 +1,8 @@
 #include "io/hdf5/handle.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <filesystem>
@@ -39,6 +41,33 @@ TEST(Hdf5Turn, ThreadsReadFilmsAndWriteResultsSideBySide) {
   for (auto& thread : threads) thread.join();
   EXPECT_EQ(films, 80);
   EXPECT_EQ(results, 300);
+}
+
+/// A process that is forked while another thread has the turn must be able to take it: nobody there would give it back.
+TEST(Hdf5Turn, AForkedProcessMayTakeIt) {
+  std::atomic<bool> done = false;
+  std::thread speaks([&] {
+    while (!done) {
+      const Hdf5Turn turn;
+      H5open();
+    }
+  });
+  int whole = 0;
+  constexpr int forks = 60;
+  for (int n = 0; n < forks; ++n) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+      ::alarm(20);  // for one that waits for ever
+      const Hdf5Turn turn;
+      ::_exit(0);
+    }
+    int status = 1;
+    ::waitpid(child, &status, 0);
+    whole += status == 0 ? 1 : 0;
+  }
+  done = true;
+  speaks.join();
+  EXPECT_EQ(whole, forks);
 }
 
 TEST(Hdf5Turn, WhoHasItMayTakeItAgain) {

@@ -46,6 +46,46 @@ TEST_F(Hdf5Image, FindsTheOnlyDatasetThatCanBeAPicture) {
   EXPECT_EQ(image.value, (Values{0, 85, 170, 1, 2, 255}));
 }
 
+TEST_F(Hdf5Image, FloatingNumbersMustBeWhole) {
+  write("labels", {2, 2}, H5T_IEEE_F64LE, {1, 2, 0, -3});
+  EXPECT_EQ(decode().value, (Values{1, 2, 0, -3}));
+}
+
+TEST_F(Hdf5Image, FractionsAreNoLabels) {
+  const double values[] = {1, 2.5};
+  const hsize_t shape[] = {1, 2};
+  const hid_t space = H5Screate_simple(2, shape, nullptr);
+  const hid_t set = H5Dcreate2(file_, "labels", H5T_IEEE_F64LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+  H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values);
+  H5Dclose(set);
+  H5Sclose(space);
+  EXPECT_EQ(refusal(), "a.h5: holds floating-point numbers with fractions (2.5 at pixel 1, 0); save whole numbers, one value per phase");
+}
+
+/// MATLAB's array of 2 rows and 3 columns, [1 2 3; 4 5 6], and a stack of two of them along the third axis.
+TEST_F(Hdf5Image, OfMatlabIsTurned) {
+  const auto by_matlab = [&](const char* name) {
+    const hid_t set = H5Dopen2(file_, name, H5P_DEFAULT), space = H5Screate(H5S_SCALAR);
+    const hid_t type = H5Tcopy(H5T_C_S1);
+    H5Tset_size(type, 6);
+    const hid_t attribute = H5Acreate2(set, "MATLAB_class", type, space, H5P_DEFAULT, H5P_DEFAULT);
+    H5Awrite(attribute, type, "double");
+    H5Aclose(attribute);
+    H5Tclose(type);
+    H5Sclose(space);
+    H5Dclose(set);
+  };
+  write("map", {3, 2}, H5T_IEEE_F64LE, {1, 4, 2, 5, 3, 6});
+  write("stack", {2, 3, 2}, H5T_STD_U8LE, {1, 4, 2, 5, 3, 6, 11, 14, 12, 15, 13, 16});
+  by_matlab("map");
+  by_matlab("stack");
+  const Image map = decode({.slice = {}, .dataset = "map"});
+  EXPECT_EQ(map.width, 3);
+  EXPECT_EQ(map.height, 2);
+  EXPECT_EQ(map.value, (Values{1, 2, 3, 4, 5, 6}));
+  EXPECT_EQ(decode({.slice = 1, .dataset = "stack"}).value, (Values{11, 12, 13, 14, 15, 16}));
+}
+
 TEST_F(Hdf5Image, AsksWhichOfTwoAndWhichSlice) {
   write("labels", {1, 2}, H5T_STD_I32LE, {-1, 70000});
   write("stack", {2, 1, 2}, H5T_STD_U16LE, {1, 2, 3, 4});
@@ -58,9 +98,9 @@ TEST_F(Hdf5Image, AsksWhichOfTwoAndWhichSlice) {
 }
 
 TEST_F(Hdf5Image, RefusesWhatIsNoPicture) {
-  write("fractions", {1, 2}, H5T_IEEE_F64LE, {1, 2});
+  write("line", {2}, H5T_STD_I32LE, {1, 2});
   EXPECT_NE(refusal().find("no dataset of whole numbers"), std::string::npos);
-  EXPECT_NE(refusal({.slice = {}, .dataset = "fractions"}).find("has no dataset \"fractions\" of whole numbers"), std::string::npos);
+  EXPECT_NE(refusal({.slice = {}, .dataset = "fraction"}).find("has no dataset \"fraction\" of whole numbers"), std::string::npos);
 }
 
 TEST_F(Hdf5Image, RefusesValuesAndSizesBeyondItsMeans) {

@@ -39,6 +39,19 @@ TEST(JpegImage, ReadsGreyAndTheChannelsOfColourRowByRowFromTheTop) {
   }
 }
 
+/// A camera held upright stores its rows as columns: the first row is seen on the right.
+TEST(JpegImage, IsSeenAsItsExifSays) {
+  const std::string stored = jpeg(21, 18, 1, slopes(21, 18, 1));
+  for (const bool low_first : {false, true}) {
+    const std::string data = std::string("Exif\0\0", 6) + exif(6, low_first);
+    const std::string marker = std::string("\xff\xe1\0", 3) + static_cast<char>(data.size() + 2) + data;
+    const Image image = decode(stored.substr(0, 2) + marker + stored.substr(2));
+    ASSERT_EQ(image.width, 18);
+    ASSERT_EQ(image.height, 21);
+    expect_slopes(image, 0, 5, 0, 2);
+  }
+}
+
 TEST(JpegImage, IsNoPhaseMap) {
   EXPECT_EQ(complaint([] { decode(jpeg(8, 8, 1, slopes(8, 8, 1)), io::Channel::none); }),
             "a.jpg: is a JPEG picture, which blurs values across edges; save the phases as one of PNG, TIFF, HDF5");

@@ -24,6 +24,15 @@ TEST(PngImage, KeepsTheStoredValuesOfEveryDepth) {
   EXPECT_EQ(decode_png(png(2, 1, 4, grey, {"\x3c"})).value, (Values{3, 12}));
 }
 
+TEST(PngImage, IsSeenAsItsExifSays) {
+  const std::string stored = grey_png(2, 3, std::string("\3\6\2\5\1\4", 6)), before = stored.substr(0, 8 + 25);
+  for (const bool low_first : {false, true}) {
+    const Image image = decode_png(before + png_chunk("eXIf", exif(6, low_first)) + stored.substr(before.size()));
+    EXPECT_EQ(image.width, 3);
+    EXPECT_EQ(image.value, (Values{1, 2, 3, 4, 5, 6}));
+  }
+}
+
 TEST(PngImage, TakesAGreyPaletteAsWhatItShowsAndRefusesColour) {
   const std::string greys("\0\0\0\x55\x55\x55\xff\xff\xff", 9), red("\0\0\0\xff\0\0", 6);
   EXPECT_EQ(decode_png(png(3, 1, 8, palette, {std::string("\2\1\0", 3)}, greys)).value, (Values{255, 85, 0}));

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "io/disk/file.hpp"
 #include "io/image/image.hpp"
 #include "support/pictures.hpp"
@@ -82,11 +84,55 @@ TEST(TiffImage, GivesTheSliceThatIsAskedFor) {
   EXPECT_NE(tiff_refusal(stack, {.slice = -1}).find("no slice -1"), std::string::npos);
 }
 
-TEST(TiffImage, RefusesFractionsColourTransparencyAndOddDepths) {
-  TiffPage p = page(1, 1, {0, 0, 0, 0});
+TEST(TiffImage, FloatingNumbersThatAreWholeAreLabels) {
+  const Image image = io::read_image(std::filesystem::path(ARENITE_SOURCE_DIR) / "tests/data/films/labels-as-floats.tif");
+  EXPECT_EQ(image.size(), 64U * 64U);
+  EXPECT_EQ(*std::ranges::min_element(image.value), 1);
+  EXPECT_EQ(*std::ranges::max_element(image.value), 2);
+  TiffPage p = page(2, 1, {0, 0, 0x80, 0x3f, 0, 0, 0xa0, 0xc0});
   p.bits = 32;
   p.format = SAMPLEFORMAT_IEEEFP;
-  EXPECT_NE(tiff_refusal(tiff({p})).find("numbers with fractions"), std::string::npos);
+  EXPECT_EQ(decode_tiff(tiff({p})).value, (Values{1, -5}));
+}
+
+/// The picture 1 2 3 / 4 5 6 as each orientation stores it, by the definition in TIFF 6.0: the first word says where
+/// the first row is seen, the second where the first column is.
+TEST(TiffImage, IsSeenUprightHoweverItIsStored) {
+  struct Stored {
+    std::uint16_t orientation;
+    std::uint32_t width, height;
+    std::vector<std::uint8_t> bytes;
+  };
+  const Stored all[] = {{ORIENTATION_TOPLEFT, 3, 2, {1, 2, 3, 4, 5, 6}},  {ORIENTATION_TOPRIGHT, 3, 2, {3, 2, 1, 6, 5, 4}},
+                        {ORIENTATION_BOTRIGHT, 3, 2, {6, 5, 4, 3, 2, 1}}, {ORIENTATION_BOTLEFT, 3, 2, {4, 5, 6, 1, 2, 3}},
+                        {ORIENTATION_LEFTTOP, 2, 3, {1, 4, 2, 5, 3, 6}},  {ORIENTATION_RIGHTTOP, 2, 3, {3, 6, 2, 5, 1, 4}},
+                        {ORIENTATION_RIGHTBOT, 2, 3, {6, 3, 5, 2, 4, 1}}, {ORIENTATION_LEFTBOT, 2, 3, {4, 1, 5, 2, 6, 3}}};
+  for (const Stored& stored : all) {
+    TiffPage p = page(stored.width, stored.height, stored.bytes);
+    p.orientation = stored.orientation;
+    const Image image = decode_tiff(tiff({p}));
+    EXPECT_EQ(image.width, 3) << stored.orientation;
+    EXPECT_EQ(image.value, (Values{1, 2, 3, 4, 5, 6})) << stored.orientation;
+  }
+}
+
+TEST(TiffImage, AStackOfWhichOnlyOnePictureCanBeReachedIsRefused) {
+  const std::string said =
+      complaint([] { io::read_image(std::filesystem::path(ARENITE_SOURCE_DIR) / "tests/data/films/imagej-one-directory.tif", {.slice = 0}); });
+  EXPECT_NE(said.find("holds one picture, but ImageJ describes 120 images"), std::string::npos) << said;
+}
+
+TEST(TiffImage, RefusesFractionsColourTransparencyAndOddDepths) {
+  TiffPage p = page(2, 1, {0, 0, 0x80, 0x3f, 0, 0, 0x20, 0x40});  // 1 and 2.5
+  p.bits = 32;
+  p.format = SAMPLEFORMAT_IEEEFP;
+  EXPECT_EQ(tiff_refusal(tiff({p})),
+            "a.tif: holds floating-point numbers with fractions (2.5 at pixel 1, 0); save whole numbers, one value per "
+            "phase");
+  p.bytes = {0, 0, 0x80, 0x3f, 0, 0, 0xc0, 0x7f};  // 1 and no number
+  EXPECT_NE(tiff_refusal(tiff({p})).find("holds no number at pixel 1, 0"), std::string::npos);
+  p.bytes = {0, 0, 0x80, 0x3f, 0xf9, 0x02, 0x15, 0x50};  // 1e10
+  EXPECT_NE(tiff_refusal(tiff({p})).find("the value 1e+10 at pixel 1, 0"), std::string::npos);
   TiffPage rgb = page(2, 1, {7, 7, 7, 1, 2, 3});
   rgb.samples = 3;
   rgb.photometric = PHOTOMETRIC_RGB;

@@ -29,7 +29,7 @@ Packing dumbbells() {
   p.grains.resize(3);
   p.grains.position = {{0.01, 0.005}, {0.01, 0.0148}, {0.03, 0.01}};
   p.grains.radius = {0.006, 0.006, 0.007};
-  const Shape dumbbell{{{-0.004, 0}, {0.004, 0}}, {0.005, 0.005}, false};
+  const arenite::Shape dumbbell{{{-0.004, 0}, {0.004, 0}}, {0.005, 0.005}, false};
   for (int g = 0; g < 3; ++g) add_shape(p.grains.shapes, dumbbell, gyration_of(dumbbell));
   Contacts& c = p.contacts;
   const auto add = [&](std::int32_t i, std::int32_t j, Vec2 n, double fn, double ft, double arm_j, Vec2 off_i, Vec2 off_j) {

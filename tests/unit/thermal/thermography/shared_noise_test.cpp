@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "support/laboratory_film.hpp"
+#include "support/disturbed_film.hpp"
 #include "thermal/thermography/lockin.hpp"
 
 namespace {
@@ -20,7 +20,7 @@ struct Coverage {
   double before = 0;
 };
 
-Coverage coverage(test::LaboratoryFilm of, int films) {
+Coverage coverage(test::DisturbedFilm of, int films) {
   Coverage c;
   for (int k = 1; k <= films; ++k) {
     of.seed = static_cast<std::uint64_t>(k);
@@ -45,7 +45,7 @@ Coverage coverage(test::LaboratoryFilm of, int films) {
 }
 
 TEST(SharedNoise, OfAllPixelsIsTakenOffWherePixelsOffTheSampleShowIt) {
-  test::LaboratoryFilm of;
+  test::DisturbedFilm of;
   of.common = 0.02;
   const Coverage c = coverage(of, 6);
   EXPECT_EQ(c.told, 6);
@@ -56,7 +56,7 @@ TEST(SharedNoise, OfAllPixelsIsTakenOffWherePixelsOffTheSampleShowIt) {
 }
 
 TEST(SharedNoise, OfColumnsIsTakenOff) {
-  test::LaboratoryFilm of;
+  test::DisturbedFilm of;
   of.columns = 0.02;
   const Coverage c = coverage(of, 6);
   EXPECT_EQ(c.told, 6);
@@ -65,7 +65,7 @@ TEST(SharedNoise, OfColumnsIsTakenOff) {
 }
 
 TEST(SharedNoise, StaysInTheErrorsOfASampleThatFillsThePicture) {
-  test::LaboratoryFilm of;
+  test::DisturbedFilm of;
   of.common = 0.02, of.border = 0;
   const Coverage c = coverage(of, 6);
   EXPECT_EQ(c.told, 6);

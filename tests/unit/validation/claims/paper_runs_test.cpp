@@ -104,9 +104,7 @@ TEST(PaperChecks, MembersArePairsWithTheFreedomOfTheirSamples) {
 }
 
 TEST(PaperErrors, AreOfOneVarianceWhereItIsOne) {
-  const auto even = results("z", [](double gamma, double theta, double, int seed) {
-    return noise({gamma, theta, 1.0 * seed});
-  });
+  const auto even = results("z", [](double gamma, double theta, double, int seed) { return noise({gamma, theta, 1.0 * seed}); });
   double squares = 0;
   for (const PairMean& m : z(even, full))
     for (const Sample& s : m.samples) squares += std::pow(s.number - m.value.value, 2) / 12;
@@ -127,9 +125,7 @@ TEST(PaperErrors, AreOfThePairsOfOneGammaOrOfOnePairWhereTheyDiffer) {
 }
 
 TEST(PaperErrors, OfALineHaveTheFreedomOfAllItsPackings) {
-  const auto line = results("z", [](double gamma, double theta, double width, int seed) {
-    return gamma + 0.1 * noise({gamma, theta, width, 1.0 * seed});
-  });
+  const auto line = results("z", [](double gamma, double theta, double width, int seed) { return gamma + 0.1 * noise({gamma, theta, width, 1.0 * seed}); });
   const Value r2 = straightness(z(line, full), 6, Against::gamma);
   EXPECT_GT(r2.freedom, 2) << "three pairs of three samples are more than three samples";
   EXPECT_LE(r2.freedom, 6 + 1e-9);

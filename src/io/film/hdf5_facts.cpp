@@ -1,0 +1,102 @@
+#include "io/film/hdf5_facts.hpp"
+
+#include <algorithm>
+
+#include "core/problems.hpp"
+#include "io/film/formats.hpp"
+
+namespace arenite::io {
+namespace {
+
+bool holds_numbers(hid_t set) {
+  const auto type = own(H5Dget_type(set), H5Tclose);
+  return type && (H5Tget_class(*type) == H5T_INTEGER || H5Tget_class(*type) == H5T_FLOAT);
+}
+
+bool can_be_film(hid_t set) { return shape_of(set).size() == 3 && holds_numbers(set); }
+
+/// The group of a film, as the beginning of its members' names.
+std::string group_of(const std::string& film) { return film.substr(0, film.rfind('/') == std::string::npos ? 0 : film.rfind('/') + 1); }
+
+/// All numbers of a dataset beside the film that has `count` of them in a line; empty without one.
+std::vector<double> numbers_beside(hid_t file, const Bytes& bytes, const std::string& name, std::int64_t count) {
+  const auto set = own(H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose);
+  const auto shape = set ? shape_of(*set) : std::vector<std::int64_t>();
+  using Shape = std::vector<std::int64_t>;
+  // MATLAB's lines have a second length, 1.
+  if (shape != Shape{count} && shape != Shape{1, count} && shape != Shape{count, 1}) return {};
+  if (count > 100'000'000 || !holds_numbers(*set)) return {};
+  Hdf5Numbers numbers(set, name, bytes, 1e8);
+  std::string stored;
+  numbers.read(0, static_cast<hsize_t>(shape.front()), stored);
+  std::vector<double> values(static_cast<std::size_t>(count));
+  each_number(numbers.number().type, numbers.number().big_endian, stored.data(), values.size(),
+              [&](std::size_t i, auto v) { values[i] = static_cast<double>(v); });
+  return values;
+}
+
+/// A film may lie on a disk that only lets itself be read; the one that is written is locked already.
+Hdf5Handle without_lock() {
+  memory_properties();  // silences HDF5's own messages
+  auto access = made(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  done(H5Pset_file_locking(*access, false, true));
+  return access;
+}
+
+/// Times of frames, and the numbers that MATLAB keeps as arrays of one.
+void look_beside(hid_t file, const Bytes& bytes, Hdf5Facts& facts) {
+  const std::string group = group_of(facts.name);
+  for (const char* name : {"frame_rate", "frame_rate_Hz", "fps"})
+    if (const auto rate = numbers_beside(file, bytes, group + name, 1); facts.frame_rate == 0 && !rate.empty() && rate[0] > 0) facts.frame_rate = rate[0];
+  for (const char* name : {"time", "times", "timestamps"}) {
+    facts.time = numbers_beside(file, bytes, group + name, facts.shape[0]);
+    if (facts.time.empty()) continue;
+    const auto set = own(H5Dopen2(file, (group + name).c_str(), H5P_DEFAULT), H5Dclose);
+    for (const char* unit : {"units", "unit"})
+      if (facts.time_unit.empty()) facts.time_unit = text_attribute(*set, unit);
+    return;
+  }
+}
+
+}  // namespace
+
+void refuse_damaged_hdf5(const Bytes& bytes) { refuse(bytes->name(), "is an HDF5 file that is cut short or damaged; copy it again"); }
+
+double most_in_chunk(const FilmChoice& choice) { return std::max(2.0 * static_cast<double>(choice.most_pixels), 1e6); }
+
+Hdf5Handle open_hdf5_film(const Bytes& bytes) {
+  if (bytes->path() == nullptr) return open_in_memory(bytes->text(0, bytes->size()), bytes->name());
+  auto id = own(H5Fopen(bytes->path()->c_str(), H5F_ACC_RDONLY, *without_lock()), H5Fclose);
+  if (!id) refuse_damaged_hdf5(bytes);
+  return id;
+}
+
+FoundDataset find_hdf5_film(const Hdf5Handle& file, const Bytes& bytes, const std::string& name) {
+  return find_dataset(*file, bytes->name(), name, can_be_film, "numbers over frames x height x width");
+}
+
+Hdf5Facts look_at_hdf5_film(const Bytes& bytes, const FilmChoice& choice) {
+  Hdf5Facts facts;
+  const auto file = open_hdf5_film(bytes);
+  const auto [name, set] = find_hdf5_film(file, bytes, choice.dataset);
+  facts.name = name;
+  facts.shape = shape_of(*set);
+  facts.by_matlab = is_of_matlab(*set);
+  check_film_size(bytes->name(), facts.shape[2], facts.shape[1], facts.shape[0], choice);
+  const Hdf5Numbers numbers(set, facts.name, bytes, most_in_chunk(choice));
+  facts.pixel = numbers.number().type;
+  facts.big_endian = numbers.number().big_endian;
+  facts.notes = text_attribute(*set, "notes");
+  facts.unit = text_attribute(*set, "units");
+  for (const hid_t at : {static_cast<hid_t>(*set), static_cast<hid_t>(*file)}) {
+    if (facts.frame_rate == 0) facts.frame_rate = number_attribute(at, {"frame_rate", "frame_rate_Hz", "fps"});
+    if (facts.integration == 0) facts.integration = number_attribute(at, {"integration", "integration_s"});
+  }
+  facts.scale = stated_number(*set, "scale_factor").value_or(no_number);
+  facts.offset = stated_number(*set, "add_offset").value_or(no_number);
+  for (const char* fill : {"missing_value", "_FillValue"}) facts.missing = stated_number(*set, fill).value_or(facts.missing);
+  look_beside(*file, bytes, facts);
+  return facts;
+}
+
+}  // namespace arenite::io

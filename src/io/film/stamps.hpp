@@ -1,0 +1,17 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "model/film.hpp"
+
+namespace arenite::io {
+
+/// Makes the moments at which frames were taken, s from any time on, the film's times; stamps that do not run forwards,
+/// or none but zeros, are left aside with a remark. A step back of nearly a day is midnight. The frame rate that the
+/// film states is there already: a remark says where stamps are others.
+void take_stamps(FilmInfo& info, std::vector<double> stamp);
+
+/// Makes numbers of frames, counted from anywhere, those of the film where some are missing, with a remark.
+void take_numbers(FilmInfo& info, std::vector<std::int64_t> number);
+
+}  // namespace arenite::io
