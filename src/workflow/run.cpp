@@ -193,15 +193,10 @@ std::optional<StageResult> load_stage(const GrainStage& stage, dem::Engine& engi
 }
 
 RunOutcome run(const recipe::Recipe& recipe, const RunOptions& options) {
-  const bool was_there = fs::exists(options.out);
   try {
     dem::find_kernel(recipe.integration.kernel);
     return Run(recipe, options).outcome();
-  } catch (const InputError& error) {
-    std::error_code ignored;
-    if (!was_there) fs::remove(options.out, ignored);  // only if nothing is in it
-    throw in_file(error, recipe.source_file);
-  }
+  } catch (const InputError& error) { throw in_file(error, recipe.source_file); }
 }
 
 }  // namespace arenite::workflow
